@@ -10,17 +10,17 @@ class vtkSMProperty;
 class vtkSMProxy;
 
 /**
- * A change of properties of a filter that is shown while the user makes it, and that one undo takes
- * back.
+ * A change of filter properties. Its effect is shown while the user makes it, and one undo step
+ * reverts it.
  *
- * During the change the property `Dragging` of the filter, if it has one, is 1, so that the filter
- * prefers speed. Nothing is added to the undo stack. At the end `Dragging` is 0 again, and the undo
- * stack gets the change from the first values to the last.
+ * If the filter has the property `Dragging`, it is 1 during the change, so that the filter prefers
+ * speed, and 0 again at the end. During the change, nothing is added to the undo stack. At the end,
+ * the undo stack gets one step, from the first values to the last.
  */
 class pqShapeEdit
 {
 public:
-  /// Properties may be null: a filter need not have them all.
+  /// Any property may be null, because a filter need not have all of them.
   pqShapeEdit(
     vtkSMProxy* filter, const std::vector<vtkSMProperty*>& properties, vtkSMProperty* dragging);
 
@@ -28,7 +28,7 @@ public:
   void Begin();
   void Show();
   void Keep();     ///< remembers the current values for TakeBack
-  void TakeBack(); ///< restores the values of the last Keep, or else the first ones
+  void TakeBack(); ///< restores the values of the last Keep or, without one, the first values
   void Finish(const QString& label);
   void Cancel();
 

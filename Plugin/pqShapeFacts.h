@@ -5,8 +5,9 @@
 
 class vtkSMProxy;
 
-/// Reads facts from the field data of a filter's first output, by their names without the prefix:
-/// "Seed" is PasteFeature.Seed of Shape Paste Feature. Returns nothing if the fact is absent.
+/// Reads facts from the field data of the first output of a filter. `name` is the name of the fact
+/// without the prefix: "Seed" is PasteFeature.Seed of Shape Paste Feature. If there is no such
+/// fact, the result is empty.
 namespace pqShapeFacts
 {
 

@@ -3,19 +3,19 @@
 #include "pqShapeInteractiveWidget.h"
 
 /**
- * The handle of a filter that works at a position on a surface: a ball at the position, and a ring
- * around it with a knob.
+ * The handle of a filter that works at a position on a surface. It consists of a ball at this
+ * position, and a ring around the ball with a knob.
  *
- * Dragging the ball moves the position over the surface. With Shift it rotates, and with Control it
- * scales. Dragging the knob rotates and scales at the same time. The keys [ and ] rotate, and - and
- * + scale. While the mouse is on the handle, the wheel rotates, and scales with Control. Escape
- * undoes a drag.
+ * Dragging the ball moves the position over the surface. Dragging it with Shift rotates, and
+ * dragging it with Control scales. Dragging the knob rotates and scales at the same time. The keys
+ * [ and ] rotate, and the keys - and + scale. While the mouse is on the handle, the wheel rotates,
+ * and the wheel with Control scales. Escape undoes a drag.
  *
  * Functions of the property group (panel_widget="ShapeHandle"): Surface and Seed (3 numbers, the
  * position). Optional functions: Rotation (degrees about the normal), Scale (a factor) or Radius
- * (in model units), Dragging, and Feature, the input whose size determines the size of the ring.
- * The filter's fact `Direction` (or `XAxis`) gives the direction of angle 0. The knob is at the
- * angle Rotation.
+ * (in the units of the model), Dragging, and Feature. Feature is the input whose size determines
+ * the size of the ring. The fact `Direction` or `XAxis` of the filter gives the direction of angle
+ * 0. The knob is at the angle Rotation.
  */
 class pqShapeHandleWidget : public pqShapeInteractiveWidget
 {
@@ -52,8 +52,8 @@ private:
     Scale,
     TurnAndScale
   };
-  /// The position of the handle, and the axes of its ring as columns: the directions of angle 0 and
-  /// of angle 90, and the normal.
+  /// The position of the handle, and the axes of its ring. The columns of Axes are the directions
+  /// of angle 0 and angle 90, and the normal.
   struct Frame
   {
     Eigen::Vector3d Centre;
@@ -75,7 +75,7 @@ private:
   Motion Moving = Motion::Move;
   Eigen::Vector3d Zero = Eigen::Vector3d::UnitX(); ///< direction of angle 0, before projection
   double Unit = 1.0;                               ///< radius of the ring for size 1
-  /// The mouse, the handle and the values at the beginning of the drag.
+  /// The position of the mouse, the handle and the values when the drag began.
   Eigen::Vector2d FirstPixel, Offset;
   Frame FirstFrame;
   double FirstTurn = 0.0, FirstSize = 1.0, FirstAngle = 0.0, FirstDistance = 1.0;

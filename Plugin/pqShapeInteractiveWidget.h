@@ -24,22 +24,25 @@ class vtkSMProperty;
 class vtkSMPropertyGroup;
 
 /**
- * Rows of the panel, and a handle in the view that is dragged over the filter's input.
+ * Base of the widgets that show rows in the properties panel, and a handle in the view that the
+ * user drags over the input of the filter.
  *
- * Only the window draws the handle: its actors are in the renderer that ParaView draws on top of
- * the picture from the server. Mouse and keys are events of the interactor. Events that the handle
- * uses do not reach the camera. A timer of zero length processes a drag, so that all moves of the
- * mouse during one execution of the filter become one step. A drag ends when its button is released
- * or the right button is pressed.
+ * The client draws the handle: its actors are in a renderer that ParaView draws on top of the image
+ * from the server. Mouse and keys are events of the interactor. Events that the handle uses do not
+ * reach the camera. A timer with zero interval processes a drag, so that all moves of the mouse
+ * during one execution of the filter become one step. A drag ends when its button is released or
+ * the right button is pressed.
  *
- * A property group names the properties by function. Surface is the input on which the handle lies,
- * and Dragging is the property by which the filter prefers speed. Subclasses define the others.
+ * The property group assigns a function to each property. Surface is the input on which the handle
+ * lies. Dragging is the property that is 1 during a drag, so that the filter prefers speed.
+ * Subclasses define the other functions.
  *
  * The handle is in data coordinates: it does not follow a representation that is translated,
  * rotated or scaled in the view. Comparative views have no handle.
  *
- * If the filter has the fact `Refused` = 1, with the reason in `Refusal`, its output is the last
- * valid result. If a drag ends then, it returns to the values of that result.
+ * If the fact `Refused` of the filter is 1, its output is the last valid result, and the fact
+ * `Refusal` is the reason. A drag that ends in this state returns to the values of the last valid
+ * result.
  */
 class pqShapeInteractiveWidget : public pqPropertyWidget
 {
@@ -56,40 +59,40 @@ public:
   void setView(pqView* view) override;
 
 protected:
-  /// `functions` are the properties that a drag changes.
+  /// functions: the functions of the properties that a drag changes.
   pqShapeInteractiveWidget(vtkSMProxy* filter, vtkSMPropertyGroup* group,
     const std::vector<std::string>& functions, QWidget* parent);
 
   ///@{
-  /// For subclasses to override. Parts of the handle are numbered from 1, and 0 is none. Drag
-  /// returns whether it changed property values. The other functions that return bool say whether
-  /// they used the event, which then does not reach the camera.
+  /// For subclasses to override. Parts of the handle are numbered from 1, and 0 is no part. Drag
+  /// returns whether it changed property values. The other functions of type bool return whether
+  /// they used the event. A used event does not reach the camera.
   virtual int FindPart(const Eigen::Vector2d& pixel) = 0;
   virtual void Grab(int part, const Eigen::Vector2d& pixel, bool shift, bool control) = 0;
   virtual bool Drag(const Eigen::Vector2d& pixel) = 0;
   virtual bool PressKey(const std::string& key) = 0;
   virtual bool TurnWheel(int steps, bool control) = 0;
   virtual void Draw() = 0;
-  /// Called if the mouse was pressed and released without a drag, and not on a part.
+  /// Called if the mouse was pressed and released without a drag, away from all parts.
   virtual bool Click(const Eigen::Vector2d& /*pixel*/) { return false; }
   virtual bool DoubleClick() { return false; }
-  /// Called when the handle appears and the filter has never been applied.
+  /// Called when the handle appears before the filter has first been applied.
   virtual void Place() {}
-  /// Called when the handle appears or the filter was updated. Data of the server are read here,
-  /// because they cannot be requested while a view is rendered.
+  /// Called when the handle appears and when the filter was updated. Data are fetched from the
+  /// server here, because this is not possible while a view is rendered.
   virtual void ReadFacts() {}
   ///@}
 
   vtkSMProperty* GetProperty(const std::string& function) const;
-  /// Returns the values in the panel: those of the property, or edited ones not yet applied.
+  /// Returns the values in the panel, including edited values that have not been applied yet.
   std::vector<double> GetValues(const std::string& function) const;
   void SetValues(const std::string& function, const std::vector<double>& values);
 
   /// Appends the standard row for a property, if the group has it.
   void AddRow(const std::string& function);
   void AddWidget(QWidget* widget);
-  /// Appends a text that explains the mouse and the keys. While the result is refused, it gives the
-  /// reason instead.
+  /// Appends a text that explains the mouse and the keys. While the result is refused, the reason
+  /// is shown instead.
   void AddHelp(const QString& text);
   void AddActor(vtkProp* actor) { this->Overlay.AddActor(actor); }
   void TakeShortcut(int key) { this->Overlay.TakeShortcut(key); }
@@ -98,8 +101,8 @@ protected:
   const pqShapeSurface& GetSurface() const { return this->Surface; }
   int GetHovered() const { return this->Hovered; } ///< the part under the mouse
   bool IsRefused() const { return this->Refused; } ///< the filter has the fact Refused
-  /// Shows a change by keys or the wheel. The final result is computed when no other change follows
-  /// for a moment.
+  /// Shows a change made by keys or the wheel. The final result is computed after a short pause
+  /// without further changes.
   void Burst(const std::function<void()>& change);
   void EndBurst();
   /// Ends a drag or a burst, even if the button is still pressed.

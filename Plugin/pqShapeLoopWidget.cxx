@@ -35,7 +35,7 @@ pqShapeLoopWidget::pqShapeLoopWidget(vtkSMProxy* filter, vtkSMPropertyGroup* gro
   this->AddHelp(
     tr("Click positions on the surface. Double-click or Enter closes the loop, Backspace "
        "removes the last position, Esc cancels. Positions of a closed loop can be dragged. "
-       "Delete removes the one under the mouse."));
+       "Delete removes the position under the mouse."));
   this->AddRow("Points");
   QObject::connect(this->Button, &QPushButton::toggled, this,
     [this]

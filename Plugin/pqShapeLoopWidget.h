@@ -7,13 +7,13 @@ class QPushButton;
 /**
  * Draws a closed loop on a surface, position by position, and moves its positions.
  *
- * While the button Draw Loop is pressed, a click on the surface appends a position, and a drag
- * still rotates the camera. A double click or Enter closes the loop, and Backspace removes the last
- * position. Escape cancels: the filter keeps its previous loop. The positions of a closed loop are
- * balls that can be dragged over the surface. Delete removes the one under the mouse.
+ * While the button Draw Loop is checked, a click on the surface appends a position, and a drag
+ * rotates the camera as usual. A double click or Enter closes the loop, and Backspace removes the
+ * last position. Escape cancels: the filter keeps its previous loop. The positions of a closed loop
+ * are balls that can be dragged over the surface. Delete removes the position under the mouse.
  *
  * Functions of the property group (panel_widget="ShapeLoop"): Surface and Points (3 numbers for
- * each position; the last is connected with the first). Dragging is optional.
+ * each position; the last position is joined to the first). Dragging is optional.
  */
 class pqShapeLoopWidget : public pqShapeInteractiveWidget
 {
@@ -41,7 +41,8 @@ private:
 
   using Positions = std::vector<Eigen::Vector3d>;
   bool IsDrawing() const;
-  /// Returns the positions of the loop that is being drawn, or else of the filter's loop.
+  /// Returns the positions of the loop that is being drawn. If none is being drawn, returns the
+  /// positions of the filter's loop.
   Positions GetPlaces() const;
   void SetPlaces(const Positions& positions);
   void Close();

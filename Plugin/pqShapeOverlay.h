@@ -21,14 +21,14 @@ class vtkRenderWindowInteractor;
 class vtkRenderer;
 
 /**
- * Actors that only the window draws, on top of the picture from the server, and the mouse and key
- * events of their view.
+ * Actors that the client draws on top of the image from the server, and the mouse and key events of
+ * their view.
  */
 class pqShapeOverlay : public QObject
 {
 public:
-  /// `draw` is called before the view is rendered. `takeEvent` is called with a vtkCommand event,
-  /// and returns whether to hide the event from the camera.
+  /// draw: called before the view is rendered. takeEvent: called with the number of a vtkCommand
+  /// event. It returns true to hide the event from the camera.
   pqShapeOverlay(
     const std::function<void()>& draw, const std::function<bool(unsigned long)>& takeEvent);
   ~pqShapeOverlay() override;
@@ -36,24 +36,24 @@ public:
   void operator=(const pqShapeOverlay&) = delete;
 
   void AddActor(vtkProp* actor);
-  /// While the view has the focus, a key (Qt::Key) is sent here even if it is a shortcut of the
-  /// window.
+  /// While the view has the focus, this key (Qt::Key) is sent to the overlay, even if it is a
+  /// shortcut of the main window.
   void TakeShortcut(int key) { this->Shortcuts.insert(key); }
   void SetVisible(bool visible);
 
-  /// Returns whether the window can draw into a view. It cannot draw into comparative views.
+  /// Returns whether the client can draw into a view. It cannot draw into comparative views.
   static bool CanAttach(pqView* view);
   void Attach(pqView* view);
   void Detach();
   bool IsAttached() const { return !this->Observers.empty(); }
 
   ///@{
-  /// Valid while it is attached.
+  /// Valid while the overlay is attached.
   vtkRenderer* GetRenderer() const;
   Eigen::Vector2d GetPixel() const; ///< position of the mouse
   bool IsShiftPressed() const;
   bool IsControlPressed() const;
-  std::string GetKey() const; ///< name of the pressed key in X: "bracketleft"
+  std::string GetKey() const; ///< name of the pressed key in X11, such as "bracketleft"
   ///@}
 
 private:

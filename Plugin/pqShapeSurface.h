@@ -13,8 +13,8 @@ class vtkSMProperty;
 class vtkSMSourceProxy;
 class vtkStaticCellLocator;
 
-/// A position on a surface, and the unit normal there, interpolated from the normals of the
-/// corners.
+/// A position on a surface, and the unit normal at this position. The normal is interpolated from
+/// the normals at the corners of the triangle.
 struct pqShapePlace
 {
   Eigen::Vector3d Position = Eigen::Vector3d::Zero();
@@ -24,23 +24,24 @@ struct pqShapePlace
 /**
  * The input surface of a filter, for finding the position under the mouse.
  *
- * The view shows the filter's output, and the position must be on its input. The window therefore
- * keeps a copy of the input, without arrays. The copy has the pieces of all processes of the
- * server, and is fetched again when the input has changed.
+ * The view shows the output of the filter, but the position must be on its input. Therefore, the
+ * client keeps a copy of the input, without arrays. The copy has the pieces of all processes of the
+ * server. It is fetched again when the input has changed.
  */
 class pqShapeSurface
 {
 public:
-  /// `input` is the filter's input property; `outdated` is called when the input has changed.
+  /// input: the input property of the filter. outdated: called when the input has changed.
   pqShapeSurface(vtkSMProperty* input, const std::function<void()>& outdated);
   ~pqShapeSurface();
   pqShapeSurface(const pqShapeSurface&) = delete;
   void operator=(const pqShapeSurface&) = delete;
 
-  /// Fetches the input at a time if it has changed. Returns whether there is a surface.
+  /// Fetches the input at the given time, unless the copy is up to date. Returns whether there is a
+  /// surface.
   bool Update(double time);
   bool IsThere() const { return this->Data != nullptr; }
-  double GetTime() const { return this->Time; }    ///< of the last Update
+  double GetTime() const { return this->Time; }    ///< the time of the last Update
   int GetVersion() const { return this->Version; } ///< changes with each fetched surface
 
   /// Finds the first position on the line of sight through a pixel. Returns false if there is none.

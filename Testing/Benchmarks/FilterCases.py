@@ -11,7 +11,9 @@ import FilterChanges
 from FilterInputs import (
     CAME, CLOSED, GOES, OPEN, SMALL, SOLIDS, SPHERES, SURFACES, border, extreme, handle, hollow,
     in_blocks, landmarks, lattice, loop_points, section, seeds, shape, shrunk, tangled)
-from FilterRuns import PRESENT, alternatives, chain, execute, file_lines, filters, smproxy_of
+from FilterRuns import PRESENT, alternatives, chain, execute, file_lines, smproxy_of
+
+import filters  # FilterRuns knows where it is
 
 
 # Inputs that several filters have.

@@ -237,7 +237,7 @@ refused += [
      [m for m in METHODS if m not in ('FunctionalMap', 'HeatKernel')],
      ('SurfaceA has 2 components (the second begins at point 194)', 'or take FunctionalMap')),
     ('one of two without a landmark', two, two, marks(far[:4], far[:4]), ['HeatKernel'],
-     ('2 components', 'give each component one')),
+     ('2 components', 'give each component a landmark')),
     ('two components without landmarks', two, two, None, METHODS,
      ('2 components', 'Landmarks on each')),
     ('triangles apart', soup, pebble, some, METHODS[:3] + METHODS[4:],

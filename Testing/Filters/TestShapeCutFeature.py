@@ -223,7 +223,7 @@ refused('the Loop has no lines', surface, line)
 open_line = simple.PolyLineSource(Points=circle(0.8, 0.6).ravel().tolist())
 open_line.UpdatePipeline()
 refused('open curve', surface, shapetesting.output(open_line))
-refused('Loop Index is 1; there are 1 loops', surface, curve, LoopIndex=1)
+refused('Loop Index is 1, but the number of loops is 1', surface, curve, LoopIndex=1)
 refused('SnapShare is 0.7', surface, curve, SnapShare=0.7)
 refused('no cell of the surface', surface, None, selection_of([], vtkSelectionNode.CELL))
 refused('nothing to cut', surface, None, selection_of(

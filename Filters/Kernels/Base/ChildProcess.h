@@ -9,32 +9,33 @@ namespace shape
 
 /**
  * A forked copy of this process that runs one function and sends its results through a pipe. It is
- * for libraries that may crash, loop or exit: nothing that happens there affects this process.
+ * for libraries that may crash, loop forever or exit: nothing that happens in the child affects
+ * this process.
  *
  * The child has a copy of this process's memory, but default signal handlers. Its standard streams
- * are /dev/null, all other files are closed, it writes no core dump, and it ends with the calling
- * thread. It must not use the user interface, the network or the work of other threads. Memory and
- * streams of the C library are safe, because the library makes them consistent when forking. POSIX
- * only.
+ * are /dev/null, and all other files are closed. It writes no core dump, and it is killed if the
+ * calling thread ends. It must not use the user interface or the network, or depend on other
+ * threads, which do not exist in the child. It may allocate memory and use streams of the C
+ * library, because the library makes both consistent when it forks. POSIX only.
  */
 class ChildProcess
 {
 public:
-  /// Starts the child. It calls body(pipe) and ends without running anything else. Throws
-  /// SolveFailure if the system has no process or file left.
+  /// Starts the child, which calls body(pipe) and then ends without running anything else. Throws
+  /// SolveFailure if the system cannot create another process or pipe.
   explicit ChildProcess(const std::function<void(int pipe)>& body);
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
   ~ChildProcess(); ///< kills the child if it still runs
 
-  /// Called in the child: sends `size` bytes, or ends the child if nobody receives them.
+  /// Sends `size` bytes. Called in the child. It ends the child if this process no longer receives.
   static void Send(int pipe, const void* data, std::size_t size);
 
-  /// Receives `size` bytes. Calls `waiting` about every 0.1 s until they have arrived. Returns
-  /// false if the child ended before it sent them.
+  /// Receives `size` bytes from the child. Calls `waiting` about every 0.1 s until all bytes have
+  /// arrived. Returns false if the child ended before it sent all of them.
   bool Receive(void* data, std::size_t size, const std::function<void()>& waiting);
 
-  /// Returns the signal that ended the child, or 0.
+  /// Returns the signal that ended the child, or 0 if it ended without a signal.
   int Signal() const;
 
 private:

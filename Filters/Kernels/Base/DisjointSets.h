@@ -6,7 +6,8 @@
 namespace shape
 {
 
-/// Sets of connected items, merged pair by pair.
+/// A partition of the items 0 to count - 1 into sets, which begin with one item each and can be
+/// merged.
 class DisjointSets
 {
 public:

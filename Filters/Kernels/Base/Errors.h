@@ -8,8 +8,8 @@ namespace shape
 {
 
 /**
- * The input cannot be used. The message states the fact about the input (with a count or the first
- * id) and the remedy. The filter that reports it prepends its own name.
+ * The input cannot be used. The message states what is wrong with the input, with a count or the
+ * first index, and the remedy. The filter that reports the message adds its own name in front.
  */
 class InvalidInput : public std::runtime_error
 {
@@ -17,7 +17,8 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// The input is valid but the computation did not reach its goal. The message says how far it got.
+/// The input is valid, but the computation did not reach its goal. The message says what was
+/// reached.
 class SolveFailure : public std::runtime_error
 {
 public:
@@ -31,7 +32,8 @@ public:
   const char* what() const noexcept override { return "aborted"; }
 };
 
-/// Throws InvalidInput unless an option is in its range: "CellSize is -1; it must be positive".
+/// Throws InvalidInput if `holds` is false. The message gives the name, the value and the range of
+/// an option: "CellSize is -1; it must be positive".
 inline void RequireOption(
   bool holds, const std::string& name, double value, const std::string& range)
 {

@@ -7,20 +7,21 @@
 namespace shape
 {
 
-/// Returns the number of threads for kernels: VTK_SMP_MAX_THREADS if set to a positive number, else
-/// all available cores.
+/// Returns the number of threads that kernels use: the environment variable VTK_SMP_MAX_THREADS if
+/// it is a positive number, otherwise the number of available cores.
 int GetThreadCount();
 
 /**
- * Sets the number of BLAS threads for its lifetime: GetThreadCount(), or one for matrices so small
- * that synchronisation would cost more than the threads gain. BLAS has one setting for the whole
- * process, which is restored afterwards.
+ * While an object of this class exists, BLAS uses GetThreadCount() threads if `several` is true,
+ * and otherwise one thread. One thread is faster for small matrices, because it needs no
+ * synchronisation. BLAS has one setting for the entire process, which the destructor restores.
  */
 class BlasThreads
 {
 public:
   explicit BlasThreads(bool several);
-  /// Whether a matrix with this shorter side is worth several threads.
+  /// Whether several threads are faster for a matrix. shorterSide: the minimum of its numbers of
+  /// rows and columns.
   static bool WorthSharing(int shorterSide) { return shorterSide >= 512; }
   ~BlasThreads();
   BlasThreads(const BlasThreads&) = delete;
@@ -33,10 +34,10 @@ private:
 /**
  * Calls body(begin, end) for the chunks [0, grain), [grain, 2 grain), ... of [0, count).
  *
- * The chunks do not depend on the number of threads. So results that each chunk writes to a
- * separate location are the same bits for any number. It runs in its own arena and changes no
- * global setting. An exception thrown by a chunk is rethrown here. `progress` is called between
- * batches of chunks, from the calling thread. Throws Aborted.
+ * The chunks do not depend on the number of threads. So if each chunk writes its results to a
+ * separate location, the results are the same bits for any number of threads. The loop runs in its
+ * own arena and changes no global setting. An exception that a chunk throws is rethrown here.
+ * `progress` is called from the calling thread, between batches of chunks. Throws Aborted.
  */
 void ParallelFor(int count, int grain, const std::function<void(int begin, int end)>& body,
   const Progress& progress = {});

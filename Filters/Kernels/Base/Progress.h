@@ -9,9 +9,9 @@ namespace shape
 /**
  * Receives the completed share of a computation, in [0, 1], and may stop it.
  *
- * A kernel calls it from the thread that called the kernel, at least every half second unless a
- * single library call takes longer. The callback returns false to stop; the call then throws
- * Aborted. Without a callback it costs nothing.
+ * A kernel reports progress from the thread that called the kernel, at least every half second
+ * unless a single library call takes longer. If the callback returns false, the report throws
+ * Aborted, which stops the kernel. Without a callback, a report costs nothing.
  */
 class Progress
 {
@@ -25,7 +25,8 @@ public:
   /// Reports the completed share `fraction`. Throws Aborted.
   void operator()(double fraction) const;
 
-  /// Returns the progress of a part that covers `begin` to `end` of this one.
+  /// Returns the Progress of a part of the computation. The part covers the range from `begin` to
+  /// `end` of this Progress, within [0, 1].
   Progress Part(double begin, double end) const;
 
 private:

@@ -13,15 +13,16 @@ namespace shape
 
 struct CorrespondenceResult
 {
-  /// A row for each point. A point that no triangle uses is mapped like the nearest point that one
-  /// uses.
+  /// A row for each point. A point that no triangle uses is mapped like the nearest corner of the
+  /// closest triangle.
   SurfaceMaps Maps;
-  Landmarks Used;                 ///< points of A and B: the given landmarks, or the automatic ones
+  Landmarks Used;                 ///< the given landmarks, or those found automatically
   bool Found = false;             ///< whether the landmarks were found automatically
-  AutomaticLandmarksResult Start; ///< the result of FindLandmarks, if they were
+  AutomaticLandmarksResult Start; ///< the result of FindLandmarks, if Found is true
   SurfacePart Part;     ///< which surface is a part of the other one, and the scale between them
-  int CoarsePoints = 0; ///< points of the larger surface that the method was run on
-  int Iterations = 0;   ///< ReversibleHarmonic, on the coarse surfaces; 0 if it returned its start
+  int CoarsePoints = 0; ///< number of points of the larger surface on which the method ran
+  /// ReversibleHarmonic: iterations on the coarse surfaces; 0 if it returned its initial maps.
+  int Iterations = 0;
   double CouplingDistortion = -1.0; ///< GromovWasserstein: see GromovWassersteinResult::Distortion
   double CouplingError = -1.0;      ///< GromovWasserstein: see GromovWassersteinResult::Error
   SurfaceMapFacts Facts;
@@ -29,12 +30,13 @@ struct CorrespondenceResult
 
 /**
  * Computes corresponding points of two surfaces, in both directions, by one of seven methods. The
- * header of each method says for which surfaces it is suitable. Without landmarks, those of
- * FindLandmarks are used, which needs surfaces of one component; they are not pinned.
- * CommonOrbifold uses the first four of them.
+ * header of each method says for which surfaces it is suitable. If no landmarks are given,
+ * FindLandmarks finds them; each surface must then have one component. Landmarks that were found
+ * are not pinned, and CommonOrbifold uses only the first four.
  *
  * a, b: consistently oriented 2-manifolds, facing outwards if they are closed. Points that no
- * triangle uses are ignored. Throws InvalidInput, SolveFailure, Aborted.
+ * triangle uses are ignored. Throws InvalidInput if the method does not suit the surfaces or the
+ * landmarks, or if an option is out of range; SolveFailure; Aborted.
  */
 CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
   const Landmarks& landmarks, const CorrespondenceOptions& options = {},

@@ -28,18 +28,19 @@ struct CoveredRegion
 {
   CoveredRegionFault Fault = CoveredRegionFault::None;
   int FlippedAtLoop = 0; ///< number of flipped triangles that the loop crosses
-  /// Number of these, and of other covered triangles that are flipped or degenerate.
+  /// FlippedAtLoop, plus the number of other covered triangles that are flipped or degenerate.
   int Flipped = 0;
   std::vector<int> Triangles; ///< triangles of the surface to remove under the loop
-  /// Points of the surface around these triangles, counter-clockwise in the image.
+  /// Points of the surface on the boundary of these triangles, counter-clockwise in the image.
   std::vector<int> Ring;
-  Eigen::MatrixXd RingImage; ///< n x 2: the images of these points in the plane
+  Eigen::MatrixXd RingImage; ///< n x 2: the images of the ring's points in the plane
   Eigen::MatrixXd Loop;      ///< the loop with snapped points
   SurfacePoints Positions;   ///< positions of the loop's points on the surface
 };
 
-/// Finds the regions that loops cover on one surface. Each is a disk of triangles, chosen so that
-/// the band between its ring and the loop can be triangulated in the plane without further points.
+/// Finds the regions that loops cover on one surface. Each region is a disk of triangles, chosen so
+/// that the band between its ring and the loop can be triangulated in the plane without further
+/// points.
 class CoveredRegionFinder
 {
 public:
@@ -47,15 +48,15 @@ public:
   explicit CoveredRegionFinder(const Surface& target);
 
   /**
-   * Finds the region that a loop covers. patch: of the target. loop: n x 2, a simple polygon of
-   * either orientation. If points of the loop are less than `snap` from a point of the patch, the
-   * nearest of them is moved to that point.
+   * Finds the region that a loop covers. patch: an exponential patch of the target. loop: n x 2, a
+   * simple polygon of either orientation. If points of the loop are less than `snap` away from a
+   * point of the patch, the nearest of them is moved to that point.
    *
    * The removed triangles are those inside the loop and those whose interior an edge of the loop
    * crosses. If a point of the surface lies inside an edge of the loop, all triangles around it are
-   * removed, and so are those at which the ring would touch itself. The result is exact except for
-   * snapping. Flipped triangles inside the loop are simply removed. If the result has a fault, its
-   * other members except for the counts are undefined.
+   * removed. Triangles at which the ring would touch itself are removed too. The result is exact
+   * except for snapping. Flipped triangles inside the loop are simply removed. If the result has a
+   * fault, only Fault and the counts of flipped triangles are defined.
    */
   CoveredRegion Find(const ExponentialPatch& patch, const Eigen::MatrixXd& loop, double snap);
 

@@ -191,8 +191,8 @@ std::vector<SurfaceLoop> FeatureCutter::LoopsThrough(
   }
   if (index < -1 || index >= count)
   {
-    throw InvalidInput("Loop Index is " + std::to_string(index) + "; there are " +
-      std::to_string(count) + " loops, from 0 on, and -1 takes all");
+    throw InvalidInput("Loop Index is " + std::to_string(index) + ", but the number of loops is " +
+      std::to_string(count) + "; loops are numbered from 0, and -1 takes all");
   }
   // Cutting along a selection needs neither.
   if (!this->Paths)

@@ -37,27 +37,29 @@ struct CutFeatureResult
   std::vector<FilledHole> Holes; ///< the filled holes of Rest
   /// The base of the feature, at its longest cut loop, if its hole was filled.
   std::optional<FeatureFootprint> Base;
-  Eigen::RowVector3d Seed = Eigen::RowVector3d::Zero(); ///< of the base: the centre of the fill
+  Eigen::RowVector3d Seed = Eigen::RowVector3d::Zero(); ///< seed of Base: the fill's centre
   int WeldedPoints = 0; ///< number of points of the surface that were welded: see WeldedSurface
   int Loops = 0;        ///< number of closed loops along which the feature was cut
-  /// Number of ignored parts of curves that touch themselves; the longest part is used.
+  /// Number of ignored parts of curves that touch themselves; of each curve, the longest part is
+  /// used.
   int LoopsLeftOut = 0;
   double CutLength = 0.0; ///< total length of the edges between feature and rest
 };
 
 /**
  * Cuts features from one surface, any number of times, along closed curves on it or along the
- * border of selected triangles: section 4.2 of Schmidt and Singh, "Drag-and-drop surface
+ * border of selected triangles. See section 4.2 of Schmidt and Singh, "Drag-and-drop surface
  * composition" (Graphics Interface 2010). "To 'cut' a feature surface S, we simply segment it from
  * the base surface based on a fixed boundary loop, and fill the hole [...]. To ensure that the
  * original mesh is recovered if we drop a feature back in the same position, we embed the loop in a
  * parameterization of the fill region, and also take the initial boundary frames from this new
- * surface": the result's Base.
+ * surface." The result's Base stores this loop and these frames.
  *
- * Curves may have any position on the surface: triangles that they cross are split (ImprintCurves).
- * Existing holes of the surface remain. If a cut ends at the surface's boundary, there is no hole
- * to fill. A point at which two parts of the result touch without a common edge is duplicated. The
- * cutter stores what depends on the surface alone. Not for use by several threads at once.
+ * Curves may have any position on the surface, since triangles that they cross are split
+ * (ImprintCurves). Existing holes of the surface remain. If a cut ends at the surface's boundary,
+ * there is no hole to fill. A point at which two parts of the result touch without a common edge is
+ * duplicated. A cutter stores what depends on the surface alone. It must not be used by several
+ * threads at once.
  */
 class FeatureCutter
 {
@@ -72,11 +74,12 @@ public:
   ///@{
   /**
    * Cuts one feature. curves: closed, each with at least 3 points (k x 3) on or near the surface;
-   * the last point is joined to the first. isSelected: m, one for each triangle.
+   * the last point is joined to the first. isSelected: m flags, non-zero for each selected
+   * triangle.
    *
-   * Throws InvalidInput if an option or a point is wrong, if a curve encloses nothing or does not
-   * divide the surface, or if the selection has no edge in common with the rest. Throws the
-   * exceptions of SurfaceFiller; Aborted.
+   * Throws InvalidInput if an option is out of range or a point is not finite. Also throws it if a
+   * curve encloses nothing or does not divide the surface, or if the selection has no edge in
+   * common with the rest. Throws the exceptions of SurfaceFiller; Aborted.
    */
   CutFeatureResult Cut(const std::vector<Eigen::MatrixXd>& curves,
     const CutFeatureOptions& options = {}, const Progress& progress = {});
@@ -90,16 +93,15 @@ private:
 
   shape::Surface Surface;
   WeldedSurface Joined;
-  /// Of Joined; like Paths, it is created for the first curve.
+  /// Locates points on Joined. Like Paths, it is created when the first curve is cut.
   std::unique_ptr<SurfaceLocator> Locator;
   std::unique_ptr<SurfacePaths> Paths;
 };
 
-/// Cuts a single feature from a surface.
+/// Cuts a single feature from a surface. Throws the exceptions of FeatureCutter.
 CutFeatureResult CutFeature(const Surface& surface, const std::vector<Eigen::MatrixXd>& curves,
   const CutFeatureOptions& options = {}, const Progress& progress = {});
 CutFeatureResult CutFeature(const Surface& surface, const std::vector<char>& isSelected,
   const CutFeatureOptions& options = {}, const Progress& progress = {});
-///@}
 
 } // namespace shape

@@ -14,17 +14,18 @@ namespace shape
  */
 struct FeatureFootprint
 {
-  std::vector<int> Loop; ///< n points of the feature, in the order in which its triangles run
-  /// n x 2: images of these points in the plane; the seed is the origin.
+  std::vector<int> Loop; ///< n: points of the feature, with the feature to the left
+  /// n x 2: positions of the loop's points in the plane, with the seed at the origin.
   Eigen::MatrixXd LoopPositions;
-  Eigen::MatrixXd Normals;   ///< n x 3: normals at the loop of the surface under the feature
-  Eigen::RowVector3d Normal; ///< of the plane, at the position where the feature was cut
-  Eigen::RowVector3d XAxis;  ///< of the plane, at the same position
+  Eigen::MatrixXd Normals;   ///< n x 3: normals of the surface under the feature, at the loop
+  Eigen::RowVector3d Normal; ///< normal of the plane, at the position where the feature was cut
+  Eigen::RowVector3d XAxis;  ///< x axis of the plane, at the same position
   /// Radius of the patch that was flattened conformally; 0 if the layout is the exponential map.
   double ConformalRadius = 0.0;
-  bool IsRefined = false; ///< whether that layout has minimum distortion
-  /// Whether the loop returns to its position if it is pasted on the surface from which it was cut,
-  /// as tested. False if that surface is not a manifold, or if no layout returns it.
+  bool IsRefined = false; ///< whether the conformal layout has minimum distortion
+  /// Whether a test has shown that the loop returns to its position when it is pasted on the
+  /// surface from which it was cut. False if that surface is not a manifold, or if no layout
+  /// returns it.
   bool ReturnsInPlace = false;
 };
 

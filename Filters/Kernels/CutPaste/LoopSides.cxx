@@ -153,8 +153,8 @@ std::vector<char> MarkTrianglesOnSide(
     if (sides.AreSame(t, sides.Opposite(t)))
     {
       throw InvalidInput(std::string(loops.size() > 1 ? "the loops do" : "the loop does") +
-        " not divide the surface (at triangle " + std::to_string(t) +
-        "), which is connected around a handle; add a loop on the other side of the feature");
+        " not divide the surface: both sides are connected around a handle (at triangle " +
+        std::to_string(t) + "); add a loop on the other side of the feature");
     }
     Area& area = areaOf[own->first];
     isLeft[t] = static_cast<char>(sides.AreSame(t, own->second));

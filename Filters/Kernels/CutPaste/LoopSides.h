@@ -7,25 +7,27 @@
 namespace shape
 {
 
-/// The side of its loops on which a feature is.
+/// The side of the loops on which the feature lies.
 enum class LoopSide
 {
   Smaller, ///< the side with less area
   Larger,
-  /// Of the loop in the order of its points, seen from outside; of several loops, the longest.
+  /// To the left of the loop in the order of its points, seen from outside. If there are several
+  /// loops, the longest one decides.
   Left,
-  Right
+  Right ///< likewise, to the right
 };
 
 /**
- * Marks the triangles (m, 0 or 1) on one side of loops along the edges of a surface. Two triangles
- * at an edge of a loop are on different sides, two at any other edge on the same side. Nested loops
- * therefore bound rings, and two loops around a tube bound the part between them. A component that
- * contains loops is divided by them; other components are on neither side.
+ * Marks the triangles on one side of loops that run along edges of a surface. Returns m values: 1
+ * for marked triangles, else 0. Two triangles that share an edge of a loop are on different sides.
+ * Two triangles that share any other edge are on the same side. Nested loops therefore bound rings,
+ * and two loops around a tube bound the part between them. A component that contains loops is
+ * divided by them; other components are on neither side.
  *
- * loops: closed, the longest first. The surface may be non-manifold elsewhere. Throws InvalidInput
- * if loops do not divide their component, for example one loop around a handle, or if all loops run
- * along its boundary.
+ * loops: indices of the points of closed loops, the longest loop first. The surface may be
+ * non-manifold away from the loops. Throws InvalidInput if loops do not divide their component,
+ * such as one loop around a handle, or if all loops run along the boundary.
  */
 std::vector<char> MarkTrianglesOnSide(
   const Surface& surface, const std::vector<std::vector<int>>& loops, LoopSide side);

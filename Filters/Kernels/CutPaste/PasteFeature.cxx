@@ -38,8 +38,8 @@ void RequireSimple(const Eigen::MatrixXd& loop)
   }
   if (TwiceArea(loop) < 0.0)
   {
-    throw InvalidInput("the feature's triangles are oriented opposite to the surface that it was "
-                       "cut from; flip them with Reverse Sense");
+    throw InvalidInput("the feature's triangles are oriented opposite to those of the surface from "
+                       "which it was cut; reverse them with Reverse Sense");
   }
 }
 
@@ -51,8 +51,7 @@ BoundaryHandle LoopHandle(const Surface& feature, const FeatureFootprint& base)
     throw InvalidInput("the feature's loop has " + std::to_string(size) + " points, " +
       std::to_string(base.LoopPositions.rows()) + " positions in the plane and " +
       std::to_string(base.Normals.rows()) +
-      " normals; the numbers must be equal and at least 3: "
-      "cut it again");
+      " normals, but these numbers must be equal and at least 3; cut the feature again");
   }
   Eigen::MatrixXd positions(size, 3);
   for (Eigen::Index i = 0; i < size; ++i)

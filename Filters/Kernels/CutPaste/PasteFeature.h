@@ -21,11 +21,12 @@ struct PasteFeatureOptions
   /// Whether the frames at the loop are optimised so that the feature joins the target smoothly.
   bool OptimizeNormals = true;
   /// Whether the feature is being dragged. Then one angle for the whole loop is enough, the result
-  /// is not checked, and no smaller scale is searched if the feature does not fit.
+  /// is not checked, and no smaller scale is searched for if the feature does not fit.
   bool Dragging = false;
 };
 
-/// Returns the quantile of values at a share from 0 to 1; 0 if there are none.
+/// Returns the quantile of values for a share from 0 (minimum) to 1 (maximum); 0 if there are no
+/// values.
 double ComputePercentile(const Eigen::VectorXd& values, double share);
 
 /// A feature prepared for being pasted any number of times: see PasteTarget, ShapeDeformation.
@@ -33,9 +34,9 @@ class FeatureToPaste
 {
 public:
   /**
-   * feature: any triangles; base: of its loop. Throws InvalidInput if the loop is not a closed
-   * curve of at least 3 points of the feature, crosses itself in the plane or runs clockwise there.
-   * Throws the exceptions of PrepareDeformation; Aborted.
+   * feature: any triangles. base: the footprint of its loop. Throws InvalidInput if the loop is not
+   * a closed curve of at least 3 points of the feature, crosses itself in the plane, or runs
+   * clockwise there. Throws the exceptions of PrepareDeformation; Aborted.
    */
   FeatureToPaste(const shape::Surface& feature, FeatureFootprint base,
     const DeformOptions& options = {}, const DeformFields& fields = {},
@@ -43,22 +44,23 @@ public:
 
   /**
    * Pastes the feature: its loop is mapped to the target (PasteTarget::Land), the feature is
-   * deformed to follow it, and a band of triangles joins both. Section 4.2 of Schmidt and Singh,
-   * "Drag-and-drop surface composition" (Graphics Interface 2010).
+   * deformed to follow it, and a band of triangles joins both. See section 4.2 of Schmidt and
+   * Singh, "Drag-and-drop surface composition" (Graphics Interface 2010).
    *
    * The result is a 2-manifold if both inputs are; it is watertight if the target is and the
-   * feature has no other loop. If the feature is pasted where it was cut, it returns to its
-   * position. This requires Scale 1, no Rotation, and the surface of its base. The deformation's
-   * scale is multiplied by `Scale`.
+   * feature has no other boundary loop. A feature returns to its position if it is pasted at the
+   * seed of its base, with Scale 1 and Rotation 0, on the surface from which it was cut. The
+   * deformation's scale is multiplied by the placement's Scale.
    *
    * OptimizeNormals rotates the frames (OptimizeBoundaryNormals) to match the feature's
    * angle-weighted normals at the loop to those of the target. The remaining angle is removed by
-   * rotating the points near the loop (SeamNormals, to a distance of 4 mean edges of the loop). If
-   * the loop moves as a rigid body, the feature keeps its angle to the surface. The target's
-   * normals take over as the difference between the frames increases to 5 degrees.
+   * rotating the points near the loop (SeamNormals, up to a distance of 4 mean edges of the loop).
+   * If all frames rotate alike, however, the feature moves rigidly and keeps its own normals. The
+   * wanted normals change from its own to those of the target as the difference between the frames'
+   * rotations increases to 5 degrees.
    *
-   * Throws the exceptions of PasteTarget::Land; SolveFailure if the result is not the expected
-   * surface; Aborted.
+   * Throws the exceptions of PasteTarget::Land; SolveFailure if the result has the wrong topology;
+   * Aborted.
    */
   PastedFeature PasteOn(PasteTarget& target, const PastePlacement& placement,
     const PasteFeatureOptions& options = {}, const Progress& progress = {}) const;

@@ -34,7 +34,7 @@ enum class TargetLayout
 struct LoopOnTarget
 {
   TargetLayout Layout = TargetLayout::ExponentialMap;
-  TangentFrame Seed;         ///< XAxis is that of the base rotated to the seed, without Rotation
+  TangentFrame Seed;         ///< its XAxis is the base's, rotated to the seed; without Rotation
   Eigen::MatrixXd Positions; ///< n x 3: positions of the loop's points on the target
   Eigen::MatrixXd Normals;   ///< n x 3: unit normals of the target at these positions
   CoveredRegion Cover;       ///< the region that the loop covers
@@ -42,14 +42,14 @@ struct LoopOnTarget
 };
 
 /**
- * A surface on which features are pasted. It stores what depends on the surface alone. Dragging a
- * feature therefore takes time proportional to the covered region only. Not for use by several
- * threads at once.
+ * A surface on which features are pasted. It stores what depends on the surface alone. Therefore
+ * the time to drag a feature depends only on the covered region. A target must not be used by
+ * several threads at once.
  */
 class PasteTarget
 {
 public:
-  /// surface: an oriented 2-manifold, open or closed. Throws InvalidInput if it is not, Aborted.
+  /// surface: an oriented 2-manifold, open or closed. Throws InvalidInput if it is not; Aborted.
   explicit PasteTarget(const shape::Surface& surface, const ExponentialMapOptions& options = {},
     const Progress& progress = {});
 
@@ -63,9 +63,9 @@ public:
    * Rotation. A base that was cut from this surface therefore returns to its position. If the loop
    * meets flipped or overlapping triangles of the target's map, a conformal map is used instead.
    *
-   * search: whether to search for the largest scale that fits if the loop does not, and to refine a
-   * conformal layout; false is faster. Throws InvalidInput if the loop does not fit, with the
-   * reason and that scale; Aborted.
+   * search: whether to refine a conformal layout and, if the loop does not fit, to search for the
+   * largest scale that fits; false is faster. Throws InvalidInput if the loop does not fit; the
+   * message has the reason and the scale that was found. Throws Aborted.
    */
   LoopOnTarget Land(const FeatureFootprint& base, const PastePlacement& placement,
     bool search = true, const Progress& progress = {});

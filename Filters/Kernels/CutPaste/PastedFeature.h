@@ -24,11 +24,12 @@ struct PastedFeature
   Provenance Feature;    ///< from the feature
   int BandTriangles = 0; ///< number of triangles of the band
   LoopOnTarget Position;
-  /// n: angles in degrees about the loop between the feature's normals at its points and the
-  /// target's, before and after the optimisation of the frames.
+  /// n values each, before and after the optimisation of the frames. At each point of the loop,
+  /// this is the angle between the normals of the feature and the target, in degrees about the
+  /// loop's tangent.
   Eigen::VectorXd AnglesBefore, AnglesAfter;
   DeformFacts Facts;
-  /// Expected Euler number of Surface, given those of the target and the feature.
+  /// Expected Euler number of Surface, computed from those of the target and the feature.
   int EulerNumber = 0;
 };
 

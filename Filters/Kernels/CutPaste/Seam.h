@@ -12,27 +12,28 @@ namespace shape
 {
 
 /**
- * Rotates the points of a deformed feature about its loop until the feature has given normals
- * there. This removes the angles that equation 12 (OptimizeBoundaryNormals) leaves. They remain
- * because the frames of neighbouring samples are blended and the feature is rough at its boundary.
+ * Rotates the points of a deformed feature about its loop until the feature has the wanted normals
+ * there. This removes the angles that equation 12 (OptimizeBoundaryNormals) leaves. Such angles
+ * remain because the frames of neighbouring samples are blended and the feature is rough at its
+ * boundary.
  *
  * A point next to the loop is rotated about the loop's tangent at each of its neighbours q_j on the
- * loop, by its angle above or below the tangent plane at q_j. Its new position is the mean of
- * the results (weights 1 / |p - q_j|^2). Other points within a width are rotated about the nearest
- * points of the loop in the same way. Their angle is the mean angle there times (1 - x^2)^3, where
- * x is the distance divided by the width.
+ * loop. The angle of rotation is that of the point above or below the tangent plane at q_j. The
+ * point's new position is the mean of the results (weights 1 / |p - q_j|^2). Other points within
+ * `width` are rotated about the nearest points of the loop in the same way. Their angle is the mean
+ * angle there times (1 - x^2)^3, where x is the distance divided by the width.
  */
 class SeamNormals
 {
 public:
-  /// feature: any triangles, undeformed; fans: of these triangles. loop: points of the feature in
-  /// order, with the feature to the left. distances: of the feature's points from the loop; width:
-  /// in the same unit.
+  /// feature: the undeformed feature, any triangles. fans: built from these triangles. loop: points
+  /// of the feature in order, with the feature to the left. distances: for each point of the
+  /// feature, its distance from the loop. width: in the same unit.
   SeamNormals(const Mesh& feature, const TriangleFans& fans, const std::vector<int>& loop,
     const Eigen::VectorXd& distances, double width);
 
-  /// Rotates the points of the deformed feature. normals: n x 3, unit, at the points of the loop.
-  /// share: the share of the angles to apply, 0 to 1. Points of the loop stay.
+  /// Rotates the points of the deformed feature. normals: n x 3, the wanted unit normals at the
+  /// loop's points. share: the factor of all angles, 0 to 1. Points of the loop stay.
   void Apply(Eigen::MatrixXd& points, const Eigen::MatrixXd& normals, double share) const;
 
 private:
@@ -56,7 +57,7 @@ struct SeamBand
   /// t x 3, counter-clockwise. Indices count the loop's points first, then the ring's, then
   /// Midpoints. A point of the ring that coincides with a point of the loop has the latter's index.
   Eigen::MatrixXi Triangles;
-  /// The index of each point of the ring, which may be that of a point of the loop.
+  /// The index of each point of the ring in Triangles, which may be that of a point of the loop.
   Eigen::VectorXi RingPoints;
   /// The end points of the split edges, one pair for each midpoint. An edge of the band between two
   /// points of the ring is split, since the surface around the ring could contain the same edge.
@@ -76,14 +77,14 @@ struct SeamBand
 SeamBand TriangulateSeamBand(const Eigen::MatrixXd& loop, const Eigen::MatrixXd& ring);
 
 /**
- * Returns point data of a feature, changed to agree with the target's data at the loop. The
- * difference at the loop is interpolated into the feature by inverse squared distances (equation 4
- * with k = 2). It fades out as (1 - x^2)^3 with the distance from the loop.
+ * Changes point data of a feature to agree with the target's data at the loop. The difference at
+ * the loop is interpolated into the feature by inverse squared distances (equation 4 with k = 2).
+ * It fades out as (1 - x^2)^3 with the distance from the loop.
  *
  * values: m x d, at the feature's points (m x 3). differences: n x d, the target's values minus the
- * feature's, at the loop (n x 3). distances: m, of the feature's points from the loop. width: the
- * distance beyond which nothing changes, in the same unit; 0 changes nothing. At points of the
- * feature on the loop, the result is exactly the target's value.
+ * feature's, at the loop (n x 3). distances: m values, the distances of the feature's points from
+ * the loop. width: the distance beyond which nothing changes, in the same unit; if it is 0, nothing
+ * changes. At points of the feature on the loop, the result is exactly the target's value.
  */
 Eigen::MatrixXd BlendAtSeam(Eigen::MatrixXd values, const Eigen::MatrixXd& points,
   const Eigen::MatrixXd& differences, const Eigen::MatrixXd& loop, const Eigen::VectorXd& distances,

@@ -20,26 +20,26 @@ struct DividedPart
   std::vector<int> Ids;         ///< for each point: see SurfaceDivision; -1: not on the surface
 };
 
-/// Closes the seams of a part. The points are the same, but only the first of those with the same
-/// id is used.
+/// Closes the seams of a part. The points stay, but of the points with the same id, triangles use
+/// only the first.
 Mesh MergeSeam(const DividedPart& part);
 
 /// A surface divided in two along edges, which ImprintCurves may have inserted.
 class SurfaceDivision
 {
 public:
-  /// joined: kept by reference. split: the joined surface after the split. isFeature: one for each
-  /// of its triangles.
+  /// joined: kept by reference. split: the joined surface after curves were imprinted. isFeature:
+  /// for each triangle of `split`, whether it belongs to the feature.
   SurfaceDivision(const shape::Surface& surface, const WeldedSurface& joined, ImprintedCurves split,
     std::vector<char> isFeature);
 
   /// The length of the cut; 0 if there is one part only.
   double CutLength() const { return this->Length; }
-  /// The mean area of the given triangles beside the cut.
+  /// The mean area of the surface's original triangles beside the cut.
   double MeanArea() const;
 
-  /// Returns the feature or the rest. Ids of its points are those of the joined surface after the
-  /// split.
+  /// Returns the feature or the rest. The id of a point is its index in the joined surface after
+  /// curves were imprinted.
   DividedPart PartOf(bool feature) const;
 
   /// Returns the boundary loops of a part that consist of cut edges only, with the part to the

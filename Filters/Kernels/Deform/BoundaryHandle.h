@@ -8,7 +8,7 @@ namespace shape
 {
 
 /**
- * The handle by which a shape is deformed: a curve, closed or open, a network of curves, a surface,
+ * The handle by which a shape is deformed: a closed or open curve, a network of curves, a surface,
  * or points. At rest it is on or near the undeformed shape. Its points are called samples.
  */
 struct BoundaryHandle
@@ -23,19 +23,20 @@ struct BoundaryHandle
 struct HandlePose
 {
   Eigen::MatrixXd Positions;              ///< s x 3
-  std::vector<Eigen::Matrix3d> Rotations; ///< s: x -> R x for columns x
+  std::vector<Eigen::Matrix3d> Rotations; ///< s rotations R; a column vector x becomes R x
 };
 
 /// Builds a curve through positions (s x 3) in their order; if closed, it returns to the first one.
 BoundaryHandle BuildCurveHandle(
   const Eigen::MatrixXd& positions, bool closed, const Eigen::MatrixXd& normals = {});
 
-/// Returns, for each sample, the first one at the same position, within 1e-9 of the diagonal.
+/// Returns, for each sample, the index of the first sample at the same position, up to 1e-9 of the
+/// diagonal of the handle's bounding box.
 std::vector<int> GetFirstSamples(const BoundaryHandle& handle);
 
-/// Returns the direction from the previous to the next sample for each sample (s x 3): the axis
-/// about which equation 12 rotates frames. Not normalised; 0 if a sample is on no curve, or if more
-/// than two segments meet there.
+/// Returns, for each sample, the direction from the previous to the next sample (s x 3): the axis
+/// about which equation 12 rotates frames. The direction is not normalised; it is 0 if the sample
+/// is on no curve, or if more than two segments meet there.
 Eigen::MatrixXd ComputeHandleTangents(
   const BoundaryHandle& handle, const Eigen::MatrixXd& positions);
 
@@ -43,12 +44,13 @@ Eigen::MatrixXd ComputeHandleTangents(
  * Computes the pose of a handle whose samples go to `positions` (s x 3) and whose normals become
  * `normals` (s x 3; no rows if the handle has none).
  *
- * With normals, each rotation takes the frame of tangent and normal to the new one, exactly along
- * the tangent. Without normals, it is the best rotation P of the complete handle (Kabsch 1976),
- * followed by the minimum rotation that takes P t to the new tangent. On surfaces, at branches of
- * curves and at points without a curve, it is the rotation that fits the neighbours best, or P if
- * they do not determine one. All of these are equivariant: if the motion is rigid, every rotation
- * is the one of the motion. The exception is a straight handle without normals, whose twist is
+ * With normals, each rotation takes a sample's frame of tangent and normal to its new frame; the
+ * tangents agree exactly. Without normals, let P be the best rotation of the complete handle
+ * (Kabsch 1976), and t the tangent at rest. The rotation is then P, followed by the minimum
+ * rotation that takes P t to the new tangent. On surfaces, at branches of curves and at points
+ * without a curve, the rotation is the one that fits the neighbours best, or P if they do not
+ * determine one. All of these rules are equivariant: if the handle moves rigidly, every rotation is
+ * that of the motion. The exception is a straight handle without normals, whose twist is
  * undetermined.
  *
  * Throws InvalidInput if sizes differ, a value is not finite, or only one of the handle and the
@@ -60,8 +62,9 @@ HandlePose PoseHandle(const BoundaryHandle& handle, const Eigen::MatrixXd& posit
 /// Returns the pose of the handle at rest.
 HandlePose GetRestPose(const BoundaryHandle& handle);
 
-/// Rotates each sample's frame by an angle (s, radians) about the tangent of the posed curve, by
-/// the right-hand rule along the segments: M_i of equation 12. Samples without a tangent stay.
+/// Rotates each sample's frame by its angle about the tangent of the posed curve (M_i of equation
+/// 12). angles: s values in radians, positive by the right-hand rule along the segments. Samples
+/// without a tangent stay.
 void RotateAboutTangents(
   const BoundaryHandle& handle, const Eigen::VectorXd& angles, HandlePose& pose);
 

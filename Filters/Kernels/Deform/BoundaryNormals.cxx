@@ -225,7 +225,8 @@ BoundaryNormalsResult OptimizeBoundaryNormals(const ShapeDeformation& deformatio
   if (wanted.rows() != handle.Positions.rows() || pose.Positions.rows() != handle.Positions.rows())
   {
     throw InvalidInput("there are " + std::to_string(wanted.rows()) + " wanted normals and " +
-      std::to_string(handle.Positions.rows()) + " samples of the handle; give one for each");
+      std::to_string(handle.Positions.rows()) +
+      " samples of the handle; give one normal for each sample");
   }
   NormalSearch search(deformation, handle, pose, wanted, normals, options);
   BoundaryNormalsResult result;

@@ -15,10 +15,11 @@ struct BoundaryNormalsOptions
 {
   /// Whether one angle for all samples is enough, as for a shape that is being dragged.
   bool SingleAngle = false;
-  /// The maximum number of line searches for the single angle, and again for the samples' angles;
-  /// >= 0.
+  /// The maximum number of line searches for the single angle, and the maximum number for the
+  /// samples' angles; >= 0.
   int LineSearches = 5;
-  /// The search stops when a line search gains less than this: in degrees, summed over the samples.
+  /// The optimisation stops when a line search reduces the sum of the samples' angles to the wanted
+  /// normals by less than this, in degrees.
   double Enough = 2.0;
   /// The distance from the handle up to which the shape is computed, in the model's units. The
   /// shape's normals at the handle must not depend on points beyond it.
@@ -28,10 +29,11 @@ struct BoundaryNormalsOptions
 struct BoundaryNormalsResult
 {
   HandlePose Pose;        ///< the given pose with rotated frames
-  Eigen::VectorXd Angles; ///< s, radians: see RotateAboutTangents
-  /// ComputeMeanAngle in degrees between the shape's normals and the wanted ones, before.
+  Eigen::VectorXd Angles; ///< s values in radians: see RotateAboutTangents
+  /// ComputeMeanAngle between the shape's normals and the wanted ones before the optimisation, in
+  /// degrees.
   double Before = 0.0;
-  double After = 0.0; ///< the same after the optimisation
+  double After = 0.0; ///< the same angle after the optimisation
   int LineSearches = 0;
 };
 
@@ -41,13 +43,13 @@ using NormalsOfShape = std::function<Eigen::MatrixXd(const DeformedShape&)>;
 /**
  * Rotates the frames of a posed handle to give the shape the wanted normals there: equation 12 of
  * Schmidt and Singh, "Drag-and-drop surface composition" (Graphics Interface 2010), section 4.1.
- * Each frame rotates about the curve's tangent; first all by one angle, then each by its own angle.
- * A step is proportional to the missing signed angles, smoothed along the curves; its length
- * follows from the share of them that it corrects. The sum of |1 - N . n| over the samples never
- * increases.
+ * Frames rotate about the curve's tangent: first all by one angle, then each by its own angle. Each
+ * step is a multiple of the signed angles that are still missing, smoothed along the curves. The
+ * multiple follows from the share of these angles that the previous step corrected. The sum of |1 -
+ * N . n| over the samples never increases.
  *
- * handle: curves, for which `deformation` was prepared. wanted: s x 3, unit, or zero for any
- * normal. Throws InvalidInput if sizes differ, Aborted.
+ * handle: the curves for which `deformation` was prepared. wanted: s x 3, unit normals; a row is
+ * zero if any normal is allowed. Throws InvalidInput if sizes differ; Aborted.
  */
 BoundaryNormalsResult OptimizeBoundaryNormals(const ShapeDeformation& deformation,
   const BoundaryHandle& handle, const HandlePose& pose, const Eigen::MatrixXd& wanted,

@@ -28,32 +28,31 @@ struct HandleTarget
 {
   Eigen::MatrixXd Positions; ///< s x 3
   Eigen::MatrixXd Normals;   ///< s x 3 if the handle has normals, else no rows
-  PrescribedRotations Turns; ///< prescribed rotations; no rows if there are none
+  PrescribedRotations Turns; ///< no rows if no rotations are prescribed
 };
 
-/// Computes the pose of a handle at a target: frames by PoseHandle, then the prescribed rotations,
-/// then the bias. graph: of the shape, from which missing normals of the handle are taken. Throws
-/// InvalidInput.
+/// Computes the pose of a handle at a target: first PoseHandle, then AddPrescribedRotations, then
+/// BiasFrames. graph: the graph of the shape, whose normals are used if the handle has none. Throws
+/// InvalidInput when one of these functions does.
 HandlePose PoseHandleAt(const BoundaryHandle& handle, const HandleTarget& target,
   const PoseOptions& options, const PointGraph& graph);
 
 /**
  * Deforms shapes, and reuses the weights as long as only the target or its frames change. Points
- * and elements are sorted first. So, except for rounding, the result does not depend on their order
- * or on their distribution over pieces.
+ * and elements are sorted first. Their order and their distribution over pieces therefore change
+ * the result by rounding only.
  */
 class Deformer
 {
 public:
-  /// Deforms a shape. Throws InvalidInput (see BuildPointGraph, PrepareDeformation, PoseHandleAt),
-  /// Aborted; the stored state remains valid.
+  /// Deforms a shape. Throws InvalidInput when BuildPointGraph, PrepareDeformation or PoseHandleAt
+  /// does; Aborted. The stored state then remains valid.
   DeformedShape Deform(const DeformProblem& problem, const HandleTarget& target,
     const PoseOptions& options = {}, const Progress& progress = {});
 
   /// The facts of the last call, and whether it had to compute weights.
   const DeformFacts& Facts() const { return this->Deformation->Facts(); }
   bool HasPrepared() const { return this->Fresh; }
-  ///@}
 
 private:
   bool HasShape(const ShapeElements& shape) const;

@@ -8,8 +8,8 @@
 namespace shape
 {
 
-/// How a shape is deformed: sections and equations of Schmidt and Singh, "Drag-and-drop surface
-/// composition" (Graphics Interface 2010).
+/// The options of a deformation. Sections, equations and figures are those of Schmidt and Singh,
+/// "Drag-and-drop surface composition" (Graphics Interface 2010).
 struct DeformOptions
 {
   enum class MethodType
@@ -18,7 +18,7 @@ struct DeformOptions
     BoundaryRelative ///< each point relative to the handle alone (equation 5)
   };
   MethodType Method = MethodType::UpwindFront;
-  /// The rigidity of the shape: the power k of equation 4 is 2 / Rigidity, at most 32. > 0.
+  /// The rigidity of the shape; > 0. The power k of equation 4 is 2 / Rigidity, at most 32.
   double Rigidity = 1.0;
   enum class RigidityByType
   {
@@ -29,20 +29,22 @@ struct DeformOptions
   RigidityByType RigidityBy = RigidityByType::Uniform;
   double RigidityContrast = 4.0; ///< > 0
   double Scale = 1.0;            ///< factor of the offsets from upwind points to a point; > 0
-  /// Scale of the farthest points, times Scale; linear in arrival times; > 0.
+  /// Factor of Scale at the points farthest from the handle; > 0. Elsewhere it is linear in the
+  /// arrival time, from 1 at the handle.
   double InnerScale = 1.0;
-  /// r_u in mean edges: a larger one pulls the shape towards the handle; > 0.
+  /// r_u of equation 6, in mean edges; > 0. A larger radius pulls the shape towards the handle.
   double UpwindRadius = 2.1;
   using DistanceType = FrontDistance;
   DistanceType Distance = DistanceType::Euclidean; ///< d of equation 4
   enum class MultiresolutionType
   {
-    Automatic, ///< above 2000 points
+    Automatic, ///< on for shapes with more than 2000 points
     On,
     Off
   };
   MultiresolutionType Multiresolution = MultiresolutionType::Automatic;
-  bool LaplacianSmoothing = false; ///< afterwards; it spreads the distortion evenly (Fig. 16)
+  /// Whether the deformed shape is smoothed, which spreads the distortion evenly (Fig. 16).
+  bool LaplacianSmoothing = false;
 };
 
 bool operator==(const DeformOptions& a, const DeformOptions& b);
@@ -59,7 +61,7 @@ struct DeformFields
 struct PointParameters
 {
   Eigen::VectorXd Powers; ///< k of equation 4
-  Eigen::VectorXd Scales; ///< of the offsets
+  Eigen::VectorXd Scales; ///< factors of the offsets
 };
 
 /// Throws InvalidInput if an option is out of range.
@@ -69,9 +71,9 @@ void RequireOptions(const DeformOptions& options);
 /// negative or not finite.
 void RequireFields(const DeformFields& fields, Eigen::Index points);
 
-/// Computes the parameters of each node of the swept graph. shape: the graph of the points that
-/// `fields` belong to; its nodes are the first ones of the swept graph. Throws InvalidInput
-/// (RequireFields).
+/// Computes the parameters of each node of the swept graph. shape: the graph of the points to which
+/// `fields` belong; its nodes are the first nodes of the swept graph. Throws InvalidInput when
+/// RequireFields does.
 PointParameters FindParameters(const PointGraph& shape, const FrontSweep& sweep,
   const DeformOptions& options, const DeformFields& fields);
 

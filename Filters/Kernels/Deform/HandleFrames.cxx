@@ -68,7 +68,8 @@ void AddPrescribedRotations(
   if (turns.Turns.rows() != samples || turns.Turns.cols() != 3 || turns.IsSet.size() != samples)
   {
     throw InvalidInput("the handle has " + std::to_string(samples) + " points, but rotations for " +
-      std::to_string(turns.Turns.rows()) + "; give each a rotation of three numbers, and a flag");
+      std::to_string(turns.Turns.rows()) +
+      "; give each point a rotation of three numbers, and a flag");
   }
   const std::vector<int> first = GetFirstSamples(handle);
   const std::vector<std::pair<int, int>> links = HandleLinks(handle, first);
@@ -85,8 +86,8 @@ void AddPrescribedRotations(
     {
       if (!turns.Turns.row(i).allFinite())
       {
-        throw InvalidInput("the rotation set at point " + std::to_string(i) +
-          " of the handle is not finite; set another one");
+        throw InvalidInput("the rotation that is prescribed at point " + std::to_string(i) +
+          " of the handle is not finite; prescribe finite numbers");
       }
       given[first[i]] = 1;
       values.row(first[i]) = turns.Turns.row(i);

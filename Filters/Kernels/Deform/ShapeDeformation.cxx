@@ -31,7 +31,7 @@ void RequirePose(const BoundaryHandle& handle, const HandlePose& pose)
   {
     throw InvalidInput("the pose has " + std::to_string(pose.Positions.rows()) + " positions and " +
       std::to_string(pose.Rotations.size()) + " rotations, but the handle has " +
-      std::to_string(samples) + " points; give one of each");
+      std::to_string(samples) + " points; give a position and a rotation for each point");
   }
   RequireFinite(pose.Positions, "the pose");
 }
@@ -98,8 +98,9 @@ void RequireNear(const BoundaryHandle& handle, const PointGraph& graph)
   if (std::isfinite(both) && shape < minimum * both && (shape > 0.0 || both > 1e50))
   {
     std::ostringstream words;
-    words << "the longest edge of the shape's box is " << shape << ", and " << both
-          << " with the handle; move the handle at rest to the shape";
+    words << "the longest edge of the shape's bounding box is only " << shape
+          << ", and that of shape and handle together is " << both
+          << "; move the undeformed handle to the shape";
     throw InvalidInput(words.str());
   }
 }

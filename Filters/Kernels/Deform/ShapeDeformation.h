@@ -17,12 +17,13 @@ namespace shape
 /// Facts about a prepared deformation.
 struct DeformFacts
 {
-  int Islands = 0; ///< components not connected to the handle; each is linked at its nearest points
-  int EmptyBands = 0;    ///< points without any point within UpwindRadius before them
-  int ZeroWeights = 0;   ///< points for which all upwind weights are 0
-  int WeldedPoints = 0;  ///< points that coincide with an earlier one
-  int Segments = 0;      ///< connected parts of one label; 0 without labels
-  int BasePoints = 0;    ///< points of the coarse shape; 0 in full resolution
+  /// Number of components not connected to the handle; each is linked at its nearest points.
+  int Islands = 0;
+  int EmptyBands = 0;    ///< number of points that have no upwind point within UpwindRadius
+  int ZeroWeights = 0;   ///< number of points for which all upwind weights are 0
+  int WeldedPoints = 0;  ///< number of points that coincide with an earlier one
+  int Segments = 0;      ///< number of connected parts with one label; 0 without labels
+  int BasePoints = 0;    ///< number of points of the coarse shape; 0 in full resolution
   bool Streamed = false; ///< whether the weights are too many to be stored
 };
 
@@ -36,8 +37,8 @@ struct DeformedShape
  * A shape prepared for being deformed by one handle any number of times. It stores the weights, so
  * a new pose of the handle takes one pass over them.
  *
- * Schmidt and Singh, "Drag-and-drop surface composition" (Graphics Interface 2010), equations 4 to
- * 9. If sample q_j goes to qhat_j and rotates by R_j, point p goes to
+ * See equations 4 to 9 of Schmidt and Singh, "Drag-and-drop surface composition" (Graphics
+ * Interface 2010). If sample q_j goes to qhat_j and rotates by R_j, point p goes to
  *
  *   phat = sum_j w_j (qhat_j + s R_j (p - q_j)) / sum_j w_j,
  *
@@ -57,13 +58,15 @@ public:
   ~ShapeDeformation();
 
   /// Returns the shape for a pose of the handle. Points that the front reaches later than `reach`,
-  /// in the model's units, may be left out: their rows are undefined. This makes a pass over few
-  /// points fast, for the optimisation of frames (equation 12). Several threads may call it. Throws
-  /// InvalidInput if the pose has another number of samples; Aborted.
+  /// in the model's units, may be left out; their rows are then undefined. This makes a pass over
+  /// few points fast, for the optimisation of frames (equation 12). Several threads may call it.
+  /// Throws InvalidInput if the pose does not have one position and one rotation for each sample;
+  /// Aborted.
   DeformedShape Deform(const HandlePose& pose,
     double reach = std::numeric_limits<double>::infinity(), const Progress& progress = {}) const;
 
-  /// The arrival time of the front at each point (n): its distance from the handle along edges.
+  /// The arrival time of the front at each point (n values): its distance from the handle along
+  /// edges.
   const Eigen::VectorXd& Arrivals() const;
 
   const DeformFacts& Facts() const;
@@ -76,9 +79,10 @@ private:
 /**
  * Prepares a shape for a handle by the method and at the resolution of the options.
  *
- * graph: of the shape's points (BuildPointGraph). Throws InvalidInput if an option is out of range,
- * a field has another size, or the handle has no samples or an invalid one. Also if the shape is
- * smaller than 1e-9 of the bounding box of shape and handle. Throws Aborted.
+ * graph: the shape's points and their links (BuildPointGraph). Throws InvalidInput if an option is
+ * out of range, a field has the wrong size, or the handle has no samples or an invalid one. Also
+ * throws it if the shape is smaller than 1e-9 of the bounding box of shape and handle. Throws
+ * Aborted.
  */
 std::unique_ptr<ShapeDeformation> PrepareDeformation(const PointGraph& graph,
   const BoundaryHandle& handle, const DeformOptions& options = {}, const DeformFields& fields = {},

@@ -20,19 +20,21 @@ struct FrontSweep
   std::vector<int> Nodes;       ///< node of each rank
   std::vector<int> Ranks;       ///< rank of each node
   std::vector<double> Arrivals; ///< arrival time of each rank, increasing; 0 at sources
-  std::vector<int> Parents; ///< for each rank, that of the previous node on the path; -1 at sources
-  /// For each rank, length of the link from the previous node; 0 at sources.
+  /// For each rank, the rank of the previous node on the path; -1 at sources.
+  std::vector<int> Parents;
+  /// For each rank, the length of the link from the previous node; 0 at sources.
   std::vector<double> Steps;
   int Sources = 0;
 };
 
 /// Sweeps a front over a graph. sources: distinct nodes. Throws InvalidInput if the front does not
-/// reach all nodes (ConnectComponents first), Aborted.
+/// reach all nodes; call ConnectComponents first. Throws Aborted.
 FrontSweep SweepFront(
   const PointGraph& graph, const std::vector<int>& sources, const Progress& progress = {});
 
-/// Returns w of equation 4, 1 / (d^k + epsilon), with d in mean links. epsilon is so small that it
-/// only keeps the weights of coincident points finite. power: k, from 0 to 32.
+/// Returns w of equation 4, 1 / (d^k + epsilon). distance: d, divided by the mean length of links.
+/// epsilon is so small that it only keeps the weights of coincident points finite. power: k, from 0
+/// to 32.
 double EvaluateInverseDistanceWeight(double distance, double power);
 
 /// Returns f of equation 7, which decreases smoothly from 1 at 0 to 0 at `radius` and beyond.
@@ -55,28 +57,28 @@ struct UpwindFrontOptions
  * The points upwind of each point on a sweeping front, and their weights: equations 4 and 6 to 9 of
  * Schmidt and Singh, "Drag-and-drop surface composition" (Graphics Interface 2010).
  *
- * The band upwind of rank i consists of the nodes that the front met within Radius before it. Since
- * nodes are ranked by arrival time, the band is one contiguous range of ranks [Begin(i), End(i)),
- * and a row of weights is dense. The band is at least a quarter longer than the link along which
- * the front arrived, so that it contains the start of that link.
+ * The band upwind of rank i consists of the nodes that the front reached at most Radius earlier.
+ * Since nodes are ranked by arrival time, the band is one contiguous range of ranks [Begin(i),
+ * End(i)), and a row of weights is dense. The band is at least a quarter longer than the link along
+ * which the front arrived, so that it contains the start of that link.
  */
 class UpwindFront
 {
 public:
-  /// graph and sweep must outlive this object. powers: n, k of equation 4 for each node, >= 0.
+  /// graph and sweep must outlive this object. powers: n values, k of equation 4 for each node; >=
+  /// 0.
   UpwindFront(const PointGraph& graph, const FrontSweep& sweep, const Eigen::VectorXd& powers,
     const UpwindFrontOptions& options = {});
 
-  /// The band of a rank that is not a source; not empty.
+  /// The band of a rank that is not a source; it is never empty.
   int Begin(int rank) const { return this->Begins[rank]; }
   int End(int rank) const { return this->Ends[rank]; }
-  ///@}
 
-  /// The number of ranks without any node within Radius before them.
+  /// The number of ranks that have no upwind node within Radius.
   int EmptyBands() const { return this->Empty; }
 
-  /// Computes the weights of the band of a rank (End - Begin); the largest is 1. Returns false if
-  /// all would be 0: then the point from which the front arrived has weight 1, the others 0.
+  /// Computes the End - Begin weights of a rank's band; the largest weight is 1. If all weights
+  /// would be 0, gives weight 1 to the point from which the front arrived, and returns false.
   /// Several threads may call it.
   bool Row(int rank, float* weights) const;
 

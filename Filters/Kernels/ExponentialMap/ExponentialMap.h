@@ -15,9 +15,9 @@ namespace shape
 
 struct ExponentialMapOptions
 {
-  /// Whether an image is the mean of the predictions of all upwind neighbours, those that the front
-  /// reached before (equation 11). If false, it is the prediction of the one neighbour from which
-  /// the front came (equation 10).
+  /// Whether the image of a point is the mean of the predictions of all its upwind neighbours
+  /// (equation 11). These are the neighbours that the front reached before the point. If false, the
+  /// image is the prediction of the one neighbour from which the front came (equation 10).
   bool UpwindAverage = true;
   /// Number of rounds of SmoothNormals; >= 0.
   int NormalSmoothing = 2;
@@ -30,13 +30,14 @@ struct ExponentialPatch
   /// k points of the surface, in the order in which the front reached them
   std::vector<int> Points;
   Eigen::MatrixXd Positions;  ///< k x 2, in the model's units
-  Eigen::VectorXd Distances;  ///< k: distances along the surface from the seed
+  Eigen::VectorXd Distances;  ///< k distances from the seed along the surface
   std::vector<int> Triangles; ///< t triangles of the surface whose corners are all in Points
-  Eigen::MatrixXi Corners;    ///< t x 3: corners of Triangles, as rows of Positions
+  Eigen::MatrixXi Corners;    ///< t x 3: the corners of Triangles, as rows of Positions
   /// Rows of Corners whose image is not counter-clockwise, although the triangle has an area.
   std::vector<int> Flipped;
-  /// Rows of Corners whose image is more than twice as long as the triangle. There the map is cut
-  /// open, because the front meets itself behind a protrusion or a hole.
+  /// Rows of Corners where the longest edge of the image is more than twice as long as that of the
+  /// triangle. There the map is cut open, because the front meets itself behind a protrusion or a
+  /// hole.
   std::vector<int> Torn;
   bool ReachesBoundary = false; ///< whether Points contains an end of an edge with one triangle
 };
@@ -47,28 +48,29 @@ struct ExponentialPatch
  * with discrete exponential maps", 2006). Upwind averaging and smoothed normals follow Schmidt and
  * Singh, "Drag-and-drop surface composition", section 3.
  *
- * A front spreads from the seed. Distances are those of straight lines across unfolded triangles,
- * or along edges if there is no such line. A neighbour predicts the image of a point from its own
- * image and the edge between them, rotated into its tangent plane without shortening. The tangent
- * axes are transported with the front by the smallest rotations between normals. Equation 10
- * instead rotates each normal directly to the seed's. Therefore cones are unrolled as well as
- * cylinders.
+ * A front spreads from the seed. Distances are measured along straight lines across unfolded
+ * triangles, or along edges if there is no such line. A neighbour predicts the image of a point: it
+ * adds to its own image the edge to the point, rotated into the neighbour's tangent plane without
+ * shortening. The tangent axes are transported with the front by the smallest rotations between
+ * normals, so cones are unrolled as well as cylinders. Equation 10 instead rotates each normal
+ * directly to the normal at the seed.
  *
  * The weights of the mean are the inverse squared edge lengths, balanced on both sides of the line
  * from the seed. So the result converges to the exponential map under refinement, for any
- * arrangement of triangles. Neighbours whose prediction contradicts that of the front's neighbour
- * are ignored: there the front has met itself. Finally the mean is moved to the point's distance
- * from the seed.
+ * arrangement of triangles. The front comes to a point from one neighbour. Predictions too far from
+ * the prediction of this neighbour are ignored, because there the front has met itself. Finally the
+ * mean is moved to the point's distance from the seed.
  *
  * Behind bumps and protrusions, where straight lines from both sides meet, the means may flip
  * triangles that are not torn. This affects a tenth of the triangles in patches that contain
- * fingers or a head (equation 10: twice as many). It affects almost none if the positive angle
- * defects add up to less than pi.
+ * fingers or a head (equation 10: twice as many). It affects almost no triangles if the positive
+ * angle defects add up to less than pi.
  *
- * The time of Around depends on the patch only. A larger radius appends points and triangles and
- * changes no bit of the others. The surface may have any topology. Coincident points are
- * identified, and the patch lies in the seed's component. Triangles oriented opposite to their
- * neighbours are flipped in the image. An object must not be used from several threads at once.
+ * The time of Around depends on the size of the patch only. A larger radius appends points and
+ * triangles, and changes no bit of the others. The surface may have any topology. Coincident points
+ * are treated as one, and the patch lies in the component of the seed. Triangles oriented opposite
+ * to their neighbours are flipped in the image. An object must not be used from several threads at
+ * once.
  */
 class ExponentialMap
 {
@@ -83,10 +85,10 @@ public:
 
   ///@{
   /**
-   * Returns the patch within distance `radius` (> 0) of a seed: a position on the surface, or the
-   * surface position closest to a given one. xDirection: see BuildTangentFrame. guess: a triangle
-   * that is probably near the seed, or -1. Throws InvalidInput if the radius is not positive or a
-   * value is not finite; Aborted.
+   * Returns the patch within distance `radius` (> 0) of a seed. The seed is a position on the
+   * surface, or the surface position closest to a given position. xDirection: see
+   * BuildTangentFrame. guess: a triangle that is probably near the seed, or -1. Throws InvalidInput
+   * if the radius is not positive or a value is not finite; Aborted.
    */
   ExponentialPatch Around(const ClosestPoint& seed, double radius,
     const Eigen::RowVector3d& xDirection = Eigen::RowVector3d::Zero(),
@@ -101,7 +103,7 @@ public:
   Eigen::RowVector3d Normal(const ClosestPoint& position) const;
 
   const shape::Surface& Surface() const;
-  const SurfaceLocator& Locator() const; ///< of the surface
+  const SurfaceLocator& Locator() const; ///< the locator of the surface
 
 private:
   struct Target;

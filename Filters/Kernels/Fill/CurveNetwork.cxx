@@ -337,8 +337,8 @@ CurveNetwork FindCurveLoops(const Eigen::MatrixXd& points,
     {
       if (point < 0 || point >= points.rows())
       {
-        throw InvalidInput("a curve contains point " + std::to_string(point) + " of " +
-          std::to_string(points.rows()) + "; correct its connectivity");
+        throw InvalidInput("a curve contains point " + std::to_string(point) + ", but there are " +
+          std::to_string(points.rows()) + " points; correct its connectivity");
       }
     }
   }

@@ -17,48 +17,49 @@ struct BoundaryLoop
 };
 
 /**
- * Computes the biharmonic surface with given normals at its boundary loop: the positions of the
- * points of a disk (n x 3), the loop first, with zero bilaplacian. By mixed finite elements, the
- * conormals at the loop determine the Laplacian there. The surface depends on the stretch of the
- * disk. It is an initial surface for SolveFairSurface.
+ * Computes the biharmonic surface with given normals at its boundary loop. Returns the positions of
+ * the disk's points (n x 3), whose bilaplacian is zero. In mixed finite elements, the conormals at
+ * the loop determine the Laplacian there. The surface depends on how the disk is stretched. It is
+ * an initial surface for SolveFairSurface.
  *
- * disk: n points, in the plane or in space. Throws SolveFailure.
+ * disk: n points in the plane or in space, the loop's points first. Throws SolveFailure.
  */
 Eigen::MatrixXd SolveBiharmonicSurface(const Mesh& disk, const BoundaryLoop& loop);
 
 struct FairSurfaceOptions
 {
-  int MaximumIterations = 15; ///< >= 1
+  int MaximumIterations = 15; ///< maximum number of Newton steps; >= 1
   /// The maximum movement of a point at convergence, in mean edges of the loop; > 0.
   double Tolerance = 1e-3;
 };
 
 struct FairSurfaceResult
 {
-  Eigen::MatrixXd Points; ///< n x 3: the loop first
+  Eigen::MatrixXd Points; ///< n x 3, the loop's points first
   int Iterations = 0;
   bool Converged = false;
 };
 
 /**
- * Computes the surface with given normals at its boundary loop whose mean curvature is harmonic on
- * it (Schneider and Kobbelt, "Geometric fairing of irregular meshes for free-form surface design",
- * 2001). It reproduces planes, spheres, cylinders and all other surfaces of constant mean
- * curvature, for any triangulation.
+ * Computes a surface that has given normals at its boundary loop and whose mean curvature is a
+ * harmonic function on the surface (Schneider and Kobbelt, "Geometric fairing of irregular meshes
+ * for free-form surface design", 2001). It reproduces planes, spheres, cylinders and all other
+ * surfaces of constant mean curvature, for any triangulation.
  *
- * The mean curvature of a point is the normal component of the cotangent Laplacian of the positions
- * over twice the Voronoi area. At the loop it uses the triangles and the area of the patch only,
- * which imposes the loop's normals by mixed finite elements. Inside, the normal is that of
- * NormalWeight::Max. So both are exact on any triangles whose corners lie on a sphere.
+ * The mean curvature at a point is the normal component of the cotangent Laplacian of the
+ * positions, divided by twice the Voronoi area. At the loop, only the triangles and the area of the
+ * patch are used, which imposes the loop's normals as in mixed finite elements. Inside, the normals
+ * are those of NormalWeight::Max. Normals and mean curvature are therefore exact if the corners of
+ * the triangles lie on a sphere.
  *
- * Newton's method moves the points along their normals. In its derivative, the mean curvature
- * changes by the Laplacian of the displacement, and by the displacement times the sum of the
- * squared principal curvatures.
+ * Newton's method moves the points along their normals. The derivative of the mean curvature has
+ * two terms: the Laplacian of the displacement, and the displacement times the sum of the squared
+ * principal curvatures.
  *
- * start: any surface, the loop its first points; equilateral triangles are best. Near the solution
- * the factorisation is reused in the next iterations. If the iterations do not converge, the result
- * is the smoothest surface found, by the Dirichlet energy of the mean curvature. Throws
- * SolveFailure if a sparse factorisation fails; Aborted.
+ * start: any surface, with the loop's points first; equilateral triangles are best. loopNormals: k
+ * x 3. Near the solution, the factorisation is reused in the next iterations. If the iterations do
+ * not converge, the result is the surface with the smallest Dirichlet energy of its mean curvature
+ * among those found. Throws SolveFailure if a sparse factorisation fails; Aborted.
  */
 FairSurfaceResult SolveFairSurface(const Mesh& start, const Eigen::MatrixXd& loopNormals,
   const FairSurfaceOptions& options = {}, const Progress& progress = {});

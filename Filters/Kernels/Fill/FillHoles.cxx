@@ -221,7 +221,7 @@ bool SurfaceFiller::Try(
   catch (const SolveFailure& problem)
   {
     throw SolveFailure("the hole at point " + std::to_string(hole.Facts.Loop.front()) + ": " +
-      problem.what() + "; repair the loop with Clean, or leave it out");
+      problem.what() + "; repair the loop with Clean, or leave this hole out");
   }
 }
 
@@ -280,7 +280,7 @@ void SurfaceFiller::Replace(Hole& hole, const FillHolesOptions& options, const P
   if (best.Loop.empty())
   {
     throw SolveFailure("the hole at point " + std::to_string(hole.Facts.Loop.front()) +
-      " cannot be filled: " + reason + "repair the loop with Clean, or leave it out");
+      " cannot be filled: " + reason + "repair the loop with Clean, or leave this hole out");
   }
   hole.Patch = std::move(bestPatch);
   hole.Facts = std::move(best);

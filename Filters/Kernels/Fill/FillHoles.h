@@ -38,8 +38,9 @@ struct FilledHole
   double Nonplanarity = 0.0;            ///< of the loop: see ComputeNonplanarity
   double DeviationBefore = 0.0;         ///< see HoleFill
   double DeviationAfter = 0.0;
-  /// Number of pairs of triangles, at least one of them in the fill, that intersect although they
-  /// share nothing.
+  /// Number of pairs of triangles that intersect beyond their common corners and edges. At least
+  /// one triangle of each pair is in the fill. A pair between two fills is counted for the later
+  /// one.
   int SelfIntersections = 0;
 };
 
@@ -55,32 +56,34 @@ struct FilledSurface
 };
 
 /**
- * Fills holes of a surface, or between curves, once or several times with different parameters.
- * Repeated calls only recompute what depends on the changed parameters.
+ * Fills the holes of a surface, or builds the patches between curves, once or several times with
+ * different parameters. Repeated calls of Fill recompute only what depends on the changed
+ * parameters.
  *
  * Holes are filled as in Schmidt and Singh, "Drag-and-drop surface composition" (Graphics Interface
- * 2010), section 4.1, or by a fair surface, which is much closer to spheres and other round shapes.
- * The edges of a fill are as long as those of its loop. Points on loops and triangles beside them
- * are unchanged. So a manifold stays one, and becomes watertight if all of its loops are filled.
+ * 2010), section 4.1, or by a fair surface. A fair surface is much closer to spheres and other
+ * round shapes. The edges of a fill are as long as those of its loop. The points of the loops and
+ * the triangles beside them do not change. A manifold therefore remains a manifold, and becomes
+ * watertight if all of its loops are filled.
  */
 class SurfaceFiller
 {
 public:
-  /// loops: of the surface's points, with the surface to the left, as FindBoundaryLoops returns
-  /// them; each has at least 3 points. Throws InvalidInput if an index is out of range or a point
-  /// is not finite.
+  /// loops: indices of the surface's points, with the surface to the left, as FindBoundaryLoops
+  /// returns them; each loop has at least 3 points. Throws InvalidInput if an index is out of range
+  /// or a point is not finite.
   SurfaceFiller(const shape::Surface& surface, const std::vector<std::vector<int>>& loops,
     const HoleFillerOptions& options = {});
 
-  /// rims: loops of the surface's points with the fill to the left. normals: n x 3, at the
-  /// surface's points; if one is zero, that of the membrane is used. The surface may have no
-  /// triangles.
+  /// rims: loops of the surface's points, with the fill to the left. normals: n x 3, the normals of
+  /// the fills at the surface's points; if a normal is zero, the membrane's is used. The surface
+  /// may have no triangles.
   SurfaceFiller(const shape::Surface& surface, const std::vector<std::vector<int>>& rims,
     const Eigen::MatrixXd& normals, const HoleFillerOptions& options = {});
   ~SurfaceFiller();
 
   /// Fills all holes; options.Filler is ignored here. Throws InvalidInput if an option is out of
-  /// range, SolveFailure with the loop's first point, Aborted.
+  /// range; SolveFailure, with the first point of the hole, if a hole cannot be filled; Aborted.
   FilledSurface Fill(const FillHolesOptions& options, const Progress& progress = {});
 
 private:
@@ -99,8 +102,8 @@ private:
   std::vector<Hole> Holes;
 };
 
-/// Fills all holes of a surface of any triangles (FindBoundaryLoops). Throws the exceptions of
-/// SurfaceFiller.
+/// Fills all holes of a surface (FindBoundaryLoops), which may have any triangles. Throws the
+/// exceptions of SurfaceFiller.
 FilledSurface FillHoles(
   const Surface& surface, const FillHolesOptions& options = {}, const Progress& progress = {});
 

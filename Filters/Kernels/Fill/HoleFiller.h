@@ -19,12 +19,12 @@ namespace shape
 
 /**
  * A flat disk prepared for being deformed until its outline is the boundary loop of a hole. The
- * deformation can be repeated with other parameters: section 4.1 of Schmidt and Singh,
+ * deformation can be repeated with other parameters. See section 4.1 of Schmidt and Singh,
  * "Drag-and-drop surface composition" (Graphics Interface 2010).
  *
  * As in the paper, the boundary's frames are optimised once, for the default parameters, and not
- * again when these change. So the result depends on the current parameters only, not on earlier
- * ones.
+ * again when these change. The result therefore depends on the current parameters only, not on
+ * earlier ones.
  */
 class HoleDeformation
 {
@@ -35,7 +35,7 @@ public:
 
   /// Returns the deformed positions of the disk's points (n x 3); those on the boundary loop are
   /// exact. frames: a further rotation of the loop's frames. Throws InvalidInput if an option is
-  /// out of range, Aborted.
+  /// out of range; Aborted.
   Eigen::MatrixXd Points(
     const DeformOptions& options, const PoseOptions& frames, const Progress& progress = {});
 
@@ -56,31 +56,32 @@ private:
   DeformOptions PreparedFor;
 };
 
-/// Returns the normals of a patch at its boundary loop, its first `loop` points: see
-/// ComputeBoundaryNormals.
+/// Returns the normals of a patch at its boundary loop (ComputeBoundaryNormals), which consists of
+/// the patch's first `loop` points.
 Eigen::MatrixXd ComputePatchBoundaryNormals(const Mesh& patch, Eigen::Index loop);
 
 /// The method by which a hole is filled.
 enum class FillMethod
 {
-  /// Fair; if that intersects the surface or itself, Deformation, then Membrane. If all do, the one
-  /// with the fewest intersections.
+  /// The first of Fair, Deformation and Membrane whose fill intersects neither the surface nor
+  /// itself. If there is none, the one with the fewest intersections.
   Automatic,
   Deformation, ///< a flat disk deformed until its outline is the loop: HoleDeformation
-  Fair,        ///< tangent to the surface, of harmonic mean curvature: SolveFairSurface
+  Fair,        ///< tangent to the surface, with harmonic mean curvature: SolveFairSurface
   Membrane     ///< of minimal area, with a crease along the loop: SolveMembrane
 };
 
 struct HoleFillerOptions
 {
   bool OptimizeNormals = true; ///< Deformation only: see HoleDeformation
-  /// Growth of the edge length per distance from the loop, >= 0; if 0, edges are as long as on it.
+  /// Increase of the edge length per unit of distance from the loop; >= 0. If it is 0, edges are as
+  /// long as on the loop.
   double EdgeGrowth = 0.0;
-  /// The approximate maximum number of new points in a hole. If more would be needed, edges grow
-  /// away from the loop. >= 1
+  /// The approximate maximum number of new points in a hole; >= 1. If more would be needed,
+  /// EdgeGrowth is raised.
   int MaximumPoints = 100000;
-  /// Returns whether an edge elsewhere joins two points of the loop, given by their indices in it;
-  /// may be empty.
+  /// Returns whether an edge outside the fill joins two points of the loop, which are given by
+  /// their indices in the loop. May be empty.
   std::function<bool(int, int)> IsTaken;
 };
 
@@ -88,10 +89,10 @@ struct HoleFillerOptions
 struct HoleFill
 {
   Mesh Patch; ///< the points of the loop first, in order, unchanged
-  /// The mean angle in degrees between the fill's normals at the loop and the wanted ones: for the
-  /// membrane or, with Deformation, for the deformed disk before the frames are optimised.
+  /// The mean angle in degrees between the normals at the loop and the wanted ones. It is that of
+  /// the membrane or, with Deformation, that of the deformed disk before the frames are optimised.
   double DeviationBefore = 0.0;
-  double DeviationAfter = 0.0; ///< the same for the result
+  double DeviationAfter = 0.0; ///< the same angle for the result
   bool Converged = true;       ///< Fair: whether its iterations converged
   /// Fair: whether the result is usable. It is unusable if its area is more than ten times the
   /// membrane's. It is also unusable if it did not converge and its normals at the loop are more
@@ -99,17 +100,17 @@ struct HoleFill
   bool IsSound = true;
 };
 
-/// Fills a hole, once or several times with different parameters; results that do not depend on
-/// them are reused.
+/// Fills a hole, once or several times with different parameters. Results that do not depend on the
+/// changed parameters are reused.
 class HoleFiller
 {
 public:
-  /// loop: no two consecutive points coincide. If it has fewer than 3 points, the fill is empty.
-  /// If a normal is zero, that of the membrane is used.
+  /// loop: no two of its consecutive points coincide. If it has fewer than 3 points, the fill is
+  /// empty. If a normal is zero, the membrane's is used.
   explicit HoleFiller(BoundaryLoop loop, const HoleFillerOptions& options = {});
 
   /// Fills the hole. method: any except Automatic. Throws InvalidInput if an option is out of
-  /// range, SolveFailure, Aborted.
+  /// range; SolveFailure; Aborted.
   HoleFill Fill(FillMethod method, const DeformOptions& options = {},
     const PoseOptions& frames = {}, const Progress& progress = {});
 

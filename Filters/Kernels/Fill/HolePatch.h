@@ -15,7 +15,7 @@ namespace shape
 struct HolePatch
 {
   Mesh Surface;         ///< the points of the loop first, unchanged
-  Eigen::MatrixXd Flat; ///< n x 2, counter-clockwise except where the layout folds
+  Eigen::MatrixXd Flat; ///< n x 2; triangles are counter-clockwise unless the layout folds
 };
 
 /// Returns a patch's layout as a surface in the plane z = 0.
@@ -24,35 +24,36 @@ Mesh BuildFlatSurface(const HolePatch& patch);
 /// The wanted edge lengths of a patch, and the edges that it must not contain.
 struct PatchSizes
 {
-  Eigen::VectorXd Loop;       ///< k: wanted lengths at the loop's points, > 0; smooth in between
-  double Growth = 0.0;        ///< growth of the edge length per distance from the loop
-  int MaximumPoints = 100000; ///< Growth is raised until about this many suffice
+  Eigen::VectorXd Loop;       ///< k values: wanted edge lengths at the loop's points; > 0
+  double Growth = 0.0;        ///< increase of the edge length per unit of distance from the loop
+  int MaximumPoints = 100000; ///< Growth is raised until about this many points suffice
   std::function<bool(int, int)> IsTaken;   ///< see FlatDiskOptions
   std::function<bool(int, int)> IsOutside; ///< see FlatDiskOptions
 };
 
-/// Returns the edge length at each point of a loop: that of the adjacent edges, smoothed along the
-/// loop.
+/// Returns the edge length at each point of a loop: a weighted mean over the four edges before and
+/// the four edges after it.
 Eigen::VectorXd ComputeBoundarySizes(const Eigen::MatrixXd& loop);
 
 /// Builds the membrane of a loop. Its layout is a disk: the loop becomes a circle with the same
-/// edge lengths. The points inside are those of a triangular grid, which is coarser away from the
-/// loop for any sizes.Growth.
+/// edge lengths. The points inside are those of a triangular grid, which becomes coarser away from
+/// the loop whatever sizes.Growth is.
 HolePatch BuildMembranePatch(
   const Eigen::MatrixXd& loop, const PatchSizes& sizes, const Progress& progress = {});
 
 /**
  * Returns the same surface with triangles of the wanted size. The layout is the conformal map that
  * keeps the loop's edge lengths (FlattenConformally), as in Schmidt and Singh, "Drag-and-drop
- * surface composition", section 4.1. If its outline crosses itself, the patch's layout is used. New
- * points lie in the old triangles. These are curved to normals that equal `loopNormals` (k x 3) at
- * the loop, or flat if there are none (0 x 3). Throws Aborted.
+ * surface composition", section 4.1. If the outline of this layout crosses itself, the layout of
+ * `patch` is used instead. New points lie on the old triangles, which are curved to agree with the
+ * normals at their corners. At the loop, these are `loopNormals` (k x 3). If there are none (0 x
+ * 3), the triangles are flat. Throws Aborted.
  */
 HolePatch RemeshPatch(const HolePatch& patch, const PatchSizes& sizes,
   const Eigen::MatrixXd& loopNormals, const Progress& progress = {});
 
-/// Returns the maximum ratio between the edge lengths of two surfaces with the same triangles,
-/// relative to the mean ratio; >= 1.
+/// For two surfaces with the same triangles, computes the ratio of lengths of each edge. Returns
+/// the largest factor between one of these ratios and their geometric mean; >= 1.
 double ComputeMaximumStretch(const Mesh& one, const Mesh& other);
 
 } // namespace shape

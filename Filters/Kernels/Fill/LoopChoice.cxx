@@ -42,7 +42,7 @@ std::vector<int> ChooseLoops(const Eigen::MatrixXd& points,
       if (loop < 0 || loop >= static_cast<int>(loops.size()))
       {
         throw InvalidInput("there is no loop " + std::to_string(loop) + "; the surface has " +
-          std::to_string(loops.size()) + ", of which the longest is loop 0");
+          std::to_string(loops.size()) + " loops, numbered from 0, the longest");
       }
     }
   }
@@ -78,14 +78,15 @@ void RequireLoops(const Eigen::MatrixXd& points, const std::vector<std::vector<i
     if (loop.size() < 3)
     {
       throw InvalidInput("a loop has " + std::to_string(loop.size()) +
-        " points; it must have at least 3: leave it out");
+        " points, but needs at least 3; leave this loop out");
     }
     for (const int point : loop)
     {
       if (point < 0 || point >= points.rows())
       {
-        throw InvalidInput("a loop contains point " + std::to_string(point) + " of " +
-          std::to_string(points.rows()) + "; give points of the surface");
+        throw InvalidInput("a loop contains point " + std::to_string(point) +
+          ", but the surface has " + std::to_string(points.rows()) +
+          " points; number points from 0");
       }
     }
   }

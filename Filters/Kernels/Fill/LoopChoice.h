@@ -17,13 +17,13 @@ struct LoopChoice
     Chosen
   };
   LoopsType Loops = LoopsType::All;
-  /// For Chosen: indices in the order of FindBoundaryLoops, in which the longest loop is 0.
+  /// If Loops is Chosen: indices of loops in the order of FindBoundaryLoops. Loop 0 is the longest.
   std::vector<int> Indices;
-  double MaximumLength = 0.0; ///< maximum length of a loop, in the model's units; 0: any. >= 0
+  double MaximumLength = 0.0; ///< of a loop, in the model's units; >= 0; 0: no maximum
 };
 
-/// Returns the indices of the selected loops. Throws InvalidInput, with the number of loops, if an
-/// option is out of range.
+/// Returns the indices of the selected loops. Throws InvalidInput if an option is out of range; the
+/// message has the number of loops.
 std::vector<int> ChooseLoops(const Eigen::MatrixXd& points,
   const std::vector<std::vector<int>>& loops, const LoopChoice& choice);
 
@@ -34,8 +34,8 @@ double ComputeLoopLength(const Eigen::MatrixXd& points, const std::vector<int>& 
 /// twice their maximum distance from their mean.
 double ComputeNonplanarity(const Eigen::MatrixXd& points);
 
-/// Throws InvalidInput if a loop has fewer than 3 points or one out of range, or if a coordinate is
-/// not finite.
+/// Throws InvalidInput if a loop has fewer than 3 points or a point that is out of range, or if a
+/// coordinate is not finite.
 void RequireLoops(const Eigen::MatrixXd& points, const std::vector<std::vector<int>>& loops);
 
 } // namespace shape

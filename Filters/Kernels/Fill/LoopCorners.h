@@ -15,8 +15,8 @@ namespace shape
 struct LoopCorners
 {
   std::vector<int> Points; ///< points of the loop, of which no two consecutive ones coincide
-  /// t x 3 points: triangles without area between the loop and a fill of Points. They make edges
-  /// match by index.
+  /// t x 3 indices of points: triangles without area between the loop and a fill of Points. With
+  /// them, the fill and the surface share edges by point index.
   Eigen::MatrixXi Slivers;
 };
 
@@ -25,16 +25,17 @@ struct LoopCorners
 LoopCorners FindLoopCorners(const std::vector<int>& loop, const Eigen::MatrixXd& points);
 
 /**
- * The edges that fills must not contain. These join two points of a loop that an edge of the
- * surface joins already, or two points that are both on another loop, whose fill may contain that
- * edge. Coincident points are treated as one point.
+ * The edges between two points of a loop that its fill must not contain. Either an edge of the
+ * surface already joins the two points. Or both points are also on another loop, whose fill may
+ * contain the edge. Coincident points are treated as one point.
  */
 class UsedEdges
 {
 public:
   UsedEdges(const Surface& surface, const std::vector<std::vector<int>>& loops);
 
-  /// Returns the test for a loop, given by its index, and points of it.
+  /// Returns a test of whether the fill of a loop must not contain an edge. loop: the index of the
+  /// loop. corners: points of the loop; the test takes the indices of two of them.
   std::function<bool(int, int)> Of(int loop, const std::vector<int>& corners) const;
 
 private:
@@ -45,11 +46,11 @@ private:
 };
 
 /**
- * Returns a test of whether a fill should avoid an edge between two points of its loop, given by
- * their indices. It should in two cases, seen along the loop's normals. Either the few points
- * between the two are on the other side, and the edge would cut off a piece over the surface around
- * the hole. Or these points are collinear with the edge. The test is false if more than eight edges
- * are between the two points, or if neither case is certain.
+ * Returns a test of whether a fill should avoid an edge between two points of its loop, which are
+ * given by their indices. The edge and the shorter part of the loop between its points form a
+ * polygon. The test is true if this polygon runs clockwise around the loop's normals, since it is
+ * then over the surface around the hole. It is also true if the points of the polygon are
+ * collinear. It is false if the part has more than eight edges, or if neither case is certain.
  */
 std::function<bool(int, int)> FindOuterChords(const BoundaryLoop& loop);
 

@@ -24,10 +24,10 @@ void Check(
 {
   if (sources.cols() != 3 || points.cols() != 3 || charges.rows() != sources.rows())
   {
-    throw InvalidInput("there are " + std::to_string(charges.rows()) + " charges for " +
+    throw InvalidInput("there are " + std::to_string(charges.rows()) + " rows of charges for " +
       std::to_string(sources.rows()) +
-      " sources, or positions without three coordinates; give one row of charges and three "
-      "coordinates for each source");
+      " sources, or positions do not have three coordinates; give one row of charges for each "
+      "source, and three coordinates for each position");
   }
 }
 

@@ -12,18 +12,19 @@ namespace shape
  * Computes the potentials of point charges, phi(y_i) = sum_j q_j / (4 pi |y_i - x_j|), by direct
  * summation.
  *
- * sources: m x 3, the x_j. charges: m x k, one column for each potential. points: n x 3, the y_i.
- * Returns n x k. Each term is accurate to rounding (1e-15) on any processor, or to the given error.
- * The cost is O(m n). The values at a point have the same bits for any number of threads and for
- * any set of other points. They are not finite if the point coincides with a source, that is, if it
- * is closer than 1e-18 of their largest coordinate. Throws InvalidInput if the numbers of rows or
+ * sources: m x 3, the x_j. charges: m x k; each column gives one potential. points: n x 3, the y_i.
+ * Returns n x k potentials. Each term is accurate to rounding (1e-15) on any processor, or to the
+ * given `error`. The cost is O(m n). The values at a point have the same bits for any number of
+ * threads and for any set of other points. They are not finite if the point is closer to a source
+ * than 1e-18 of the sources' largest coordinate. Throws InvalidInput if the numbers of rows or
  * columns do not match, and Aborted.
  */
 Eigen::MatrixXd SumPotentialsDirectly(const Eigen::MatrixXd& sources,
   const Eigen::MatrixXd& charges, const Eigen::MatrixXd& points,
   RootError error = RootError::Rounding, const Progress& progress = {});
 
-/// Computes the gradients of the same potentials: n x 3k, column 3 r + c is d phi_r / d y_c.
+/// Computes the gradients of the same potentials. Returns n x 3k: column 3 r + c is
+/// d phi_r / d y_c.
 Eigen::MatrixXd SumGradientsDirectly(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
   const Eigen::MatrixXd& points, const Progress& progress = {});
 

@@ -61,7 +61,7 @@ void Check(const Eigen::MatrixXd& positions, const char* name)
   if (positions.cols() != 3 || !positions.allFinite())
   {
     throw InvalidInput(std::string("the ") + name +
-      " of a sum must have three finite coordinates each; remove those that are not finite");
+      " of the sum must have three finite coordinates each; remove those that do not");
   }
 }
 
@@ -93,8 +93,8 @@ FmmSummation::FmmSummation(const Eigen::MatrixXd& sources, const Eigen::MatrixXd
   {
     std::ostringstream number;
     number << options.Tolerance;
-    throw InvalidInput("the tolerance of a sum is " + number.str() +
-      "; it must be from 2e-12 to 0.1; for a smaller error use the direct method");
+    throw InvalidInput("the tolerance of the sum is " + number.str() +
+      "; give 2e-12 to 0.1, or use the direct method for a smaller error");
   }
   const Grade& grade = GradeFor(options.Tolerance);
   const double m = static_cast<double>(sources.rows()), n = static_cast<double>(points.rows());
@@ -127,7 +127,7 @@ Eigen::MatrixXd FmmSummation::Parts::Sum(
 {
   if (charges.rows() != this->Sources)
   {
-    throw InvalidInput("there are " + std::to_string(charges.rows()) + " charges for " +
+    throw InvalidInput("there are " + std::to_string(charges.rows()) + " rows of charges for " +
       std::to_string(this->Sources) + " sources; give one row of charges for each source");
   }
   if (const auto* positions = std::get_if<Positions>(&this->Method))

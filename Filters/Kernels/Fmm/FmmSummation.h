@@ -12,16 +12,17 @@ struct FmmSummationOptions
 {
   enum class MethodType
   {
-    Automatic, ///< the method that is expected to take less time
+    Automatic, ///< the method expected to take less time
     Direct,    ///< DirectSummation.h: accurate to rounding
     Multipole
   };
   MethodType Method = MethodType::Automatic;
   /// Relative error of the multipole method, from MinimumTolerance to 0.1. It is the root mean
   /// square error of the potential over the points, divided by the root mean square of the
-  /// potential of the absolute charges. The error at a single point is at most a hundred times
-  /// larger, relative to the potential of the absolute charges there. The error of a gradient is at
-  /// most fifty times larger, relative to the sum of |q| / (4 pi r^2).
+  /// potential of the absolute charges. At a single point, the error divided by the potential of
+  /// the absolute charges there is at most a hundred times Tolerance. For gradients, the root mean
+  /// square error is at most fifty times Tolerance, relative to the root mean square of the sums of
+  /// |q| / (4 pi r^2).
   double Tolerance = 1e-6;
   static constexpr double MinimumTolerance = 2e-12;
 };
@@ -38,10 +39,11 @@ struct FmmSummationOptions
  *     const shape::FmmSummation sum(sources, points);             // m x 3 and n x 3 coordinates
  *     const Eigen::MatrixXd potentials = sum.Potentials(charges); // of m x k charges: n x k
  *
- * Setting up costs about a third of a sum for tolerances down to 1e-6, and at least one sum for
- * smaller ones. With Direct and with Multipole, the values at a point have the same bits for any
- * number of threads and for any set of other points. So points may be distributed over processes.
- * They are not finite if a point coincides with a source. Points and sources may lie anywhere.
+ * Construction takes about a third of the time of a sum for tolerances down to 1e-6, and at least
+ * the time of a sum for smaller tolerances. With Direct and with Multipole, the values at a point
+ * have the same bits for any number of threads and for any set of other points. So points may be
+ * distributed over processes. The values at a point that coincides with a source are not finite.
+ * Points and sources may lie anywhere.
  */
 class FmmSummation
 {
@@ -54,11 +56,12 @@ public:
   FmmSummation(FmmSummation&&) noexcept;
   FmmSummation& operator=(FmmSummation&&) noexcept;
 
-  /// Computes the potentials of charges (m x k, one column for each potential). Returns n x k.
-  /// Throws InvalidInput if the number of charges is wrong; Aborted.
+  /// Computes the potentials of charges (m x k; each column gives one potential). Returns n x k
+  /// potentials. Throws InvalidInput if the number of rows is not m; Aborted.
   Eigen::MatrixXd Potentials(const Eigen::MatrixXd& charges, const Progress& progress = {}) const;
 
-  /// Computes their gradients: n x 3k, column 3 r + c is d phi_r / d y_c. Throws as Potentials.
+  /// Computes the gradients of the same potentials. Returns n x 3k: column 3 r + c is
+  /// d phi_r / d y_c. Throws the same exceptions as Potentials.
   Eigen::MatrixXd Gradients(const Eigen::MatrixXd& charges, const Progress& progress = {}) const;
 
 private:

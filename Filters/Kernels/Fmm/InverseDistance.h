@@ -11,7 +11,7 @@ struct SourceSpan
   int Begin = 0, End = 0;
 };
 
-/// The relative error of each 1/r: rounding error, or at most 1e-8 at half the cost.
+/// The relative error of each 1/r. Rounding: rounding error. Small: at most 1e-8, at half the cost.
 enum class RootError
 {
   Rounding,
@@ -19,30 +19,31 @@ enum class RootError
 };
 
 /**
- * Arguments of the innermost loop: sums of q_j / r and of its gradient, r = |y_i - x_j|, over
- * ranges of sources.
+ * Arguments of the innermost loop, which sums q_j / r or its gradient over ranges of sources, with
+ * r = |y_i - x_j|.
  *
- * The lanes of a vector are points; each source is read once for two or more vectors of points. The
- * instruction set is chosen at run time (Highway). 1/r is computed by the processor's approximation
- * and Newton steps. Where that approximation is in single precision, squared distances must lie in
- * 1e-37..1e37, so callers scale the coordinates to about one. The sums are not finite if a point
- * coincides with a source. The sum at a point has the same bits for any set of other points.
+ * The lanes of a vector are points; each source is read once for one or two vectors of points. The
+ * instruction set is chosen at run time (Highway). 1/r is computed from the processor's
+ * approximation by Newton steps. On processors whose approximation is in single precision, squared
+ * distances must lie between 1e-37 and 1e37. So callers scale the coordinates to about one. The
+ * sums at a point that coincides with a source are not finite. The sum at a point has the same bits
+ * for any set of other points.
  */
 struct InverseDistanceSum
 {
-  const double* Sources = nullptr; ///< interleaved: x y z q_1 .. q_Columns of each source
-  int Columns = 3;                 ///< 1, 2 or 3
+  const double* Sources = nullptr; ///< for each source: x, y, z, q_1, ..., q_Columns
+  int Columns = 3;                 ///< number of charges of a source: 1, 2 or 3
   const SourceSpan* Spans = nullptr;
   int SpanCount = 0;
-  const double* Points = nullptr; ///< coordinate c of point i: Points[i + c * PointStride]
+  const double* Points = nullptr; ///< coordinate c of point i is Points[i + c * PointStride]
   std::ptrdiff_t PointStride = 0;
   int PointCount = 0;
-  double* Values = nullptr; ///< output, added to: Values[i + column * ValueStride]
+  double* Values = nullptr; ///< the sum c at point i is added to Values[i + c * ValueStride]
   std::ptrdiff_t ValueStride = 0;
   RootError Error = RootError::Rounding;
 };
 
-/// Adds sum_j q_j / r to the values, one column for each column of the charges.
+/// Adds sum_j q_j / r to the values: column c is the potential of charge c.
 void AddPotentials(const InverseDistanceSum& sum);
 
 /// Adds the gradients: column 3 c + d is the derivative along axis d of the potential of charge c.

@@ -11,19 +11,19 @@ namespace shape
 {
 
 /**
- * Computes the length of the shortest path on a polyhedral surface from the nearest of `seeds` to
- * each point, exact up to rounding.
+ * Computes, for each point of a polyhedral surface, the length of the shortest path to the nearest
+ * of `seeds`. The lengths are exact up to rounding.
  *
  * A window is an interval of an edge that is visible from one source position through unfolded
  * triangles. Windows are propagated across triangles in the order of their distance (Mitchell,
- * Mount and Papadimitriou, "The discrete geodesic problem", 1987). At a corner only the nearest of
- * the windows that see it continues on both sides. A window is dropped if a path through an end of
- * its edge is shorter (Chen and Han 1990 as improved by Xin and Wang, "Improving Chen and Han's
- * algorithm on the discrete geodesic problem", 2009). Paths may turn at points with a total angle
- * of more than 2 pi and on the boundary.
+ * Mount and Papadimitriou, "The discrete geodesic problem", 1987). Of the windows from which a
+ * corner is visible, only the nearest continues on both sides of it. A window is dropped if a path
+ * through an end of its edge is shorter (Chen and Han 1990, improved by Xin and Wang, "Improving
+ * Chen and Han's algorithm on the discrete geodesic problem", 2009). Paths may turn at points with
+ * a total angle of more than 2 pi and on the boundary.
  *
  * surface: a consistently oriented 2-manifold, open or closed. seeds: positions on its triangles,
- * at least one. Returns n distances in the model's units; infinite if there is no path. Throws
+ * at least one. Returns n distances in the model's units, infinite if there is no path. Throws
  * Aborted.
  */
 Eigen::VectorXd ComputeExactGeodesics(
@@ -31,8 +31,8 @@ Eigen::VectorXd ComputeExactGeodesics(
 
 /**
  * Computes the length of the shortest path between each of n pairs of positions, exact up to
- * rounding; infinite if there is none. The time for a pair grows with the part of the surface that
- * its path could cross. Throws Aborted.
+ * rounding. Returns n lengths, infinite if there is no path. The time for a pair grows with the
+ * part of the surface that its path could cross. Throws Aborted.
  */
 Eigen::VectorXd ComputeExactGeodesicsBetween(const Surface& surface, const SurfacePoints& from,
   const SurfacePoints& to, const Progress& progress = {});

@@ -13,21 +13,21 @@ struct GeodesicDistanceOptions
 {
   enum class MethodType
   {
-    Heat,    ///< HeatGeodesics: smooth, close to the shortest paths
+    Heat,    ///< HeatGeodesics: smooth, close to the exact distance
     Exact,   ///< ComputeExactGeodesics
-    Dijkstra ///< ComputeEdgeGeodesics: along edges, never too short
+    Dijkstra ///< ComputeEdgeGeodesics: along edges, never less than the exact distance
   };
   MethodType Method = MethodType::Heat;
 };
 
 struct GeodesicDistanceResult
 {
-  Eigen::VectorXd Distances; ///< n, in the model's units; -1 if no path leads to a seed
+  Eigen::VectorXd Distances; ///< n distances in the model's units; -1 if no path leads to a seed
   int Unreached = 0;         ///< number of points with -1
 };
 
 /**
- * Computes the distance along a surface from the nearest of `seeds` to each point.
+ * Computes, for each point of a surface, the distance along the surface to the nearest of `seeds`.
  *
  * surface: a 2-manifold, open or closed. seeds: k x 3 positions, at least one; each is projected to
  * the closest position on the surface. Throws InvalidInput if the surface is not a 2-manifold, a

@@ -22,8 +22,9 @@ namespace shape
  * heat", 2013, algorithm 1), on the intrinsic Delaunay triangulation. On a surface with boundary,
  * the heat is the mean of the solutions with Neumann and with Dirichlet conditions (section 3.4).
  *
- * The time is the square of the mean edge length, as in the paper, or of 1/300 of the surface's
- * extent along edges if that is longer. With a shorter time the heat far away would underflow.
+ * The time is the square of the mean edge length, as in the paper. If 1/300 of an upper bound of
+ * the surface's diameter along edges is longer, its square is used instead. With a shorter time,
+ * the heat far away would underflow.
  */
 class HeatGeodesics
 {
@@ -31,16 +32,16 @@ public:
   /// surface: a consistently oriented 2-manifold, open or closed. Throws SolveFailure, Aborted.
   explicit HeatGeodesics(const Surface& surface, const Progress& progress = {});
 
-  /// Returns n distances in the model's units from the nearest of the positions, >= 0; infinite on
-  /// components without a seed.
+  /// Returns the n distances of the surface's points from the nearest seed, in the model's units.
+  /// They are >= 0, and infinite on components without a seed.
   Eigen::VectorXd Distances(const SurfacePoints& seeds) const;
 
-  /// Returns the same for c sets at once. seeds: n x c, >= 0, the share of a seed at each point.
+  /// Returns the distances (n x c) from c sets of seeds. seeds: n x c values >= 0; each column is a
+  /// set, and a value is the weight of the seeds at a point.
   Eigen::MatrixXd Distances(const Eigen::MatrixXd& seeds) const;
 
 private:
-  /// Returns the integral of the normalised negative heat gradient against each point's hat
-  /// function.
+  /// Returns, for each point, the integrated divergence of the normalised negative heat gradient.
   Eigen::VectorXd Divergence(const Eigen::VectorXd& heat) const;
   /// Shifts the distances so that their minimum on each component with a seed is 0.
   void Begin(
@@ -48,21 +49,21 @@ private:
 
   const Eigen::MatrixXi Given; ///< the surface's triangles
   std::shared_ptr<const IntrinsicLaplacian> Laplacian;
-  Eigen::MatrixXd
-    Corners; ///< m x 3, triangles in the plane: x of the second corner, x and y of the third
+  /// m x 3: each triangle in the plane, given by x of its second corner, and x and y of its third
+  Eigen::MatrixXd Corners;
   Eigen::VectorXi ComponentId;
-  Eigen::VectorXd Inside; ///< 1 inside, 0 on the boundary
+  Eigen::VectorXd Inside; ///< n: 1 inside, 0 on the boundary
   SparseCholesky Heat, Poisson;
   std::optional<SparseCholesky> HeatWithin; ///< with Dirichlet conditions; empty without a boundary
 };
 
-/// Returns the solver of a surface, which is built once and cached in the surface. Arguments and
-/// exceptions as for HeatGeodesics.
+/// Returns the solver of a surface, which is built once and cached in the surface. Takes the same
+/// arguments and throws the same exceptions as the constructor of HeatGeodesics.
 std::shared_ptr<const HeatGeodesics> GetHeatGeodesics(
   const Surface& surface, const Progress& progress = {});
 
-/// Returns the distances from each of s points that have a triangle: n x s; infinite on other
-/// components. Throws SolveFailure, Aborted.
+/// Returns the distances of all points from each of s points (n x s), infinite on other components.
+/// A triangle must use each of the s points. Throws SolveFailure, Aborted.
 Eigen::MatrixXd ComputeHeatDistances(
   const Surface& surface, const std::vector<int>& points, const Progress& progress = {});
 

@@ -114,7 +114,7 @@ std::vector<Eigen::MatrixXd> ChainClosedCurves(const Eigen::MatrixXd& points,
       std::ostringstream words;
       words << name << " has an open curve, which ends at (" << points(way.back(), 0) << ", "
             << points(way.back(), 1) << ", " << points(way.back(), 2)
-            << "); close it, for example with Closed of Poly Line Source";
+            << "); close it, for example by setting Closed of Poly Line Source";
       throw InvalidInput(words.str());
     }
     add(way);

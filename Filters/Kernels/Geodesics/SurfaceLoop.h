@@ -13,13 +13,13 @@ namespace shape
 {
 
 /**
- * Chains polylines to closed curves. A polyline may close on itself, or be joined end to end with
- * others, in any order and direction. The first polyline of each curve gives its direction. Points
- * at exactly the same position are identified.
+ * Joins polylines to closed curves. A polyline may be closed itself, or be joined end to end with
+ * others, given in any order and direction. Each curve has the direction of its first polyline.
+ * Points at exactly the same position are treated as one.
  *
- * points: n x 3. polylines: indices of their points in order, two or more. Returns the points of
- * each curve (k x 3), where the last is joined to the first. name: the name of the data in error
- * messages. Throws InvalidInput with the end position if a curve is open.
+ * points: n x 3. polylines: for each polyline, the indices of its points in order. name: the name
+ * of the data in error messages. Returns the points of each curve (k x 3); the last point is joined
+ * to the first. Throws InvalidInput with the end position if a curve is open.
  */
 std::vector<Eigen::MatrixXd> ChainClosedCurves(const Eigen::MatrixXd& points,
   const std::vector<std::vector<int>>& polylines, const std::string& name);
@@ -28,15 +28,16 @@ std::vector<Eigen::MatrixXd> ChainClosedCurves(const Eigen::MatrixXd& points,
 struct SurfaceLoop
 {
   std::vector<SurfacePoint> Positions;
-  std::vector<int>
-    Triangles; ///< triangle of the segment from each position to the next, or to the first
+  /// for each position, the triangle of the segment to the next position; the next of the last
+  /// position is the first
+  std::vector<int> Triangles;
 };
 
 /**
- * Traces the loop on a surface through the closest positions to n points (n x 3), in order, where
- * the last is joined to the first. Each leg is a locally shortest path. locator, paths: of the same
- * surface. Throws InvalidInput if there are fewer than three different positions or there is no
- * path between two of them; Aborted.
+ * Traces a loop on a surface. It runs, in order, through the surface positions closest to the given
+ * points (n x 3), and from the last back to the first. Each leg is a locally shortest path. locator
+ * and paths must belong to the same surface. Throws InvalidInput if there are fewer than three
+ * different positions, or no path between two consecutive positions; Aborted.
  */
 SurfaceLoop TraceLoopThrough(const Eigen::MatrixXd& points, const SurfaceLocator& locator,
   SurfacePaths& paths, const Progress& progress = {});

@@ -14,21 +14,23 @@ namespace shape
 /// A path on a surface that is straight in each triangle.
 struct SurfacePath
 {
-  std::vector<SurfacePoint> Positions; ///< its ends, the points it passes and the edges it crosses
-  std::vector<int> Triangles; ///< a triangle that contains each segment between two positions
+  /// its two ends, and where it passes points and crosses edges, in order
+  std::vector<SurfacePoint> Positions;
+  /// for each segment between consecutive positions, a triangle that contains it
+  std::vector<int> Triangles;
   double Length = 0.0;
 };
 
-/// The mesh points with nonzero weight at a point on a surface: one, two or three.
+/// The one, two or three mesh points with nonzero weight at a point on a surface.
 struct PointSupport
 {
   PointSupport(const Mesh& surface, const SurfacePoint& position);
 
-  /// Whether all of them are corners of the triangle.
+  /// Whether all these mesh points are corners of the triangle.
   bool IsIn(const Eigen::RowVector3i& triangle) const;
-  /// Whether each of them is `a` or `b`.
+  /// Whether each of these mesh points is `a` or `b`.
   bool IsOn(int a, int b) const;
-  /// Returns the same point in a triangle that contains all of them.
+  /// Returns the same point on the surface, given in a triangle for which IsIn is true.
   SurfacePoint In(const Mesh& surface, int triangle) const;
 
   int Count = 0;
@@ -42,30 +44,31 @@ struct PointSupport
 class TriangleStrip
 {
 public:
-  /// twins: opposite half-edges, -1 on the boundary. first: the first triangle, which contains
-  /// `from`. sides: the half-edges that the strip crosses, in order; each belongs to the triangle
-  /// before the crossing.
+  /// twins: the opposite half-edge of each half-edge, -1 on the boundary. first: the first
+  /// triangle, which contains `from`. sides: the half-edges that the strip crosses, in order. Each
+  /// half-edge belongs to the triangle before the crossing.
   TriangleStrip(const Mesh& surface, const std::vector<int>& twins, const SurfacePoint& from,
     const SurfacePoint& to, int first, std::vector<int> sides);
 
   /// Finds the shortest path within the strip.
   void FindPath();
-  /// Leads the strip around the other side of each turn where that shortens the path. Returns
-  /// whether there was one; if so, FindPath finds a shorter path.
+  /// Leads the strip around the other side of each turn where this shortens the path. Returns
+  /// whether there was such a turn; if so, call FindPath again.
   bool LeadAround();
 
   double Length() const { return this->PathLength; }
-  /// Returns the last path found; the strip must not have changed since.
+  /// Returns the path that the last FindPath found. LeadAround must not have changed the strip
+  /// since.
   SurfacePath Path() const;
 
 private:
-  /// A crossed half-edge in the plane: its left and its right end, seen along the path.
+  /// A crossed half-edge in the plane: its left and right ends, seen along the path.
   struct Portal
   {
     Eigen::RowVector2d Left, Right;
   };
-  /// A point where the path turns; First and Last are the strip's first and last half-edge that
-  /// touch it.
+  /// A point where the path turns. First and Last are the indices in Sides of the first and the
+  /// last half-edge that touches the point.
   struct Turn
   {
     int First, Last;

@@ -119,14 +119,13 @@ HexRemeshResult ByPolycube(
   }
   SnapIfFar(result.Fit, surface, progress.Part(0.9, 1.0));
   const char* maps[] = {
-    "the harmonic map of the polycube's boundary",
-    "the map of tetrahedra onto the polycube, because the harmonic map of its boundary would "
-    "invert more cells",
-    "a grid in the solid after it was bent towards the axes, because no better polycube was found"
+    "mapped by the harmonic map of the polycube's boundary",
+    "mapped by the map of tetrahedra onto the polycube, because the harmonic map of its boundary "
+    "would invert more cells",
+    "taken from a grid in the solid deformed towards the axes, because no better polycube was found"
   };
   return { std::move(result.Fit), std::move(result.Features), MethodType::Polycube,
-    std::string("its cells mapped by ") + maps[static_cast<int>(result.Map)], result.CellSize, 0,
-    {}, true };
+    std::string("its cells ") + maps[static_cast<int>(result.Map)], result.CellSize, 0, {}, true };
 }
 
 HexRemeshResult ByGivenPolycube(const Surface& surface, const HexRemeshOptions& options,
@@ -236,8 +235,8 @@ void RequireAgreement(
     RequireSizes(surface, guides.Sizes);
     if (options.CellSize > 0.0 || options.CellsOnLongestSide > 0)
     {
-      throw InvalidInput("a SizeArray and also CellSize or CellsOnLongestSide are given; set these "
-                         "to 0, or give no SizeArray");
+      throw InvalidInput("a SizeArray is given together with CellSize or CellsOnLongestSide; set "
+                         "both options to 0, or give no SizeArray");
     }
   }
   if (NeedsGrid(guides) && options.Method == MethodType::Polycube)
@@ -249,7 +248,7 @@ void RequireAgreement(
   {
     throw InvalidInput(
       "a Polycube is given, but Method Grid, a SizeArray and InnerSurfaces use the "
-      "cells of a grid; disconnect the Polycube, or remove the others");
+      "cells of a grid; disconnect the Polycube, or use none of the others");
   }
 }
 
@@ -283,10 +282,11 @@ HexRemeshResult Made(const Surface& surface, const HexRemeshOptions& options,
   {
     result = ByGrid(surface, options, progress.Part(0.02, 1.0));
     result.Reason = "the surface intersects itself at " + std::to_string(crossings) +
-      " pairs of triangles; the solid is what it winds around" +
-      (result.TopologyAgreed ? ""
-                             : ", and no two grids agree on its Euler number and components, so "
-                               "those of one grid are used");
+      " pairs of triangles; the solid is the region with a winding number of at least 1" +
+      (result.TopologyAgreed
+          ? ""
+          : ", and no two grids agree on its Euler number and number of components, "
+            "so those of one grid are used");
     return result;
   }
   return ByTheBetter(surface, options, progress.Part(0.02, 1.0));

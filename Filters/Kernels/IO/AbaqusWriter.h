@@ -11,9 +11,9 @@ namespace shape
 /// Abaqus elements with eight nodes.
 enum class HexahedronType
 {
-  C3D8,  ///< full integration: too stiff in bending
-  C3D8R, ///< one integration point
-  C3D8I  ///< incompatible modes, for bending
+  C3D8,  ///< full integration, which is too stiff in bending
+  C3D8R, ///< reduced integration with one point
+  C3D8I  ///< incompatible modes, which improve bending
 };
 
 struct AbaqusWriterOptions
@@ -22,21 +22,24 @@ struct AbaqusWriterOptions
 };
 
 /**
- * Writes a mesh as an input file of Abaqus, which CalculiX also reads. Include it (*INCLUDE,
+ * Writes a mesh as an input file for Abaqus or CalculiX. Include the file (*INCLUDE,
  * INPUT=mesh.inp) in an input deck with materials, sections and steps.
  *
- * - Node and element numbers are point and cell numbers + 1; element nodes are in Abaqus's order.
- *   The elements are C3D8, C3D8R or C3D8I, C3D4, C3D6, C3D5 (pyramids, not supported by CalculiX),
- *   S4, S3 and T3D2. Their sets are Hexahedra, Tetrahedra, Wedges, Pyramids, Quadrilaterals,
- *   Triangles and Lines. Vertices are the node set Points.
- * - Element sets Region0, ... contain the solid cells of each region or, without solid cells, the
- *   cells of the highest dimension.
- * - Node set Boundary contains the solid cells' boundary, Patch0, ... its patches; surfaces
- *   PatchSurface0, ... contain the patches' element faces S1 to S6. Node sets Interface0_1, ... lie
- *   between the solid cells of two regions.
+ * - Node and element numbers are point and cell indices + 1. The nodes of an element are in the
+ *   order of Abaqus. The types are C3D8, C3D8R or C3D8I for hexahedra, C3D4 for tetrahedra, C3D6
+ *   for wedges, C3D5 for pyramids (which CalculiX does not support), S4 for quadrilaterals, S3 for
+ *   triangles and T3D2 for lines. Each type has an element set: Hexahedra, Tetrahedra, Wedges,
+ *   Pyramids, Quadrilaterals, Triangles or Lines. Vertex cells become the node set Points.
+ * - The element sets Region0, ... contain the solid cells of each region. If there are no solid
+ *   cells, they contain the cells of the highest dimension.
+ * - The node set Boundary contains the boundary of the solid cells, and the node sets Patch0, ...
+ *   contain its patches. The surfaces PatchSurface0, ... contain the element faces (S1 to S6) of
+ *   each patch. The node sets Interface0_1, ... contain the points shared by solid cells of two
+ *   regions.
  *
- * Coordinates are exact if they fit in 20 columns, which Abaqus and CalculiX read of a number.
- * Sizes from 0.01 to 1e17 always fit; others have a relative error of less than 1e-12.
+ * Abaqus and CalculiX read at most 20 columns of a number. Coordinates that fit in 20 columns are
+ * written exactly. Coordinates with absolute values from 0.01 to 1e17 always fit. The relative
+ * error of others is less than 1e-12.
  *
  * Throws Aborted. The caller checks `file` for write errors.
  */

@@ -13,11 +13,11 @@ namespace shape
  * software", 2001, appendix), version 2, which Gmsh and Mmg also read.
  *
  * - Vertices have exact coordinates and reference 0.
- * - Hexahedra, Tetrahedra, Prisms, Pyramids, Quadrilaterals, Triangles, Edges have the region + 1
- *   as reference. Gmsh 4.8 does not read Prisms and Pyramids. Vertex cells become Corners.
- * - If the mesh has solid cells but no surface cells, boundary faces are written, oriented
- *   outwards, with the patch + 1 as reference. Faces between two regions follow, oriented out of
- *   the lower region, with the next references in the order of the pairs of regions.
+ * - The reference of Hexahedra, Tetrahedra, Prisms, Pyramids, Quadrilaterals, Triangles and Edges
+ *   is the region + 1. Gmsh 4.8 does not read Prisms and Pyramids. Vertex cells become Corners.
+ * - If the mesh has solid cells but no surface cells, its boundary faces are written, too. They are
+ *   oriented outwards, and their reference is the patch + 1. The faces between regions follow,
+ *   oriented out of the lower region. Each pair of regions has the next reference.
  *
  * Throws Aborted. The caller checks `file` for write errors.
  */

@@ -11,11 +11,12 @@
 namespace shape
 {
 
-/// Named parts of a solver's input: a mesh, its regions, and its boundary in patches.
+/// The parts of a mesh that a solver needs by name: its regions, its interfaces, and its boundary
+/// in patches.
 struct MeshSets
 {
-  Cells Mesh;              ///< wedges are numbered so that most are positively oriented
-  Eigen::VectorXi Regions; ///< m, >= 0: the region of each cell
+  Cells Mesh; ///< with the points of wedges in the order that makes most wedges positive
+  Eigen::VectorXi Regions; ///< m values, each >= 0: the region of each cell
   int Dimension = 0;       ///< highest dimension of the cells
   SolidFaces Boundary;     ///< boundary of the solid cells
   Eigen::VectorXi Patches; ///< patch of each face of Boundary
@@ -26,23 +27,27 @@ struct MeshSets
 /**
  * Finds the sets of a mesh.
  *
- * cells: of cell_kind, with finite points. Wedges may be numbered in either orientation, as in
- * VTK's own sources; the orientation that makes most of them positive is used. regions: m, or empty
- * for region 0. featureAngle: see FindBoundaryPatches.
+ * cells: their kinds are constants of cell_kind, and their points are finite. The points of wedges
+ * may be numbered in either orientation, because VTK's own sources use both. The orientation that
+ * makes most wedges positive is used for all. regions: m values, or empty if all cells are in
+ * region 0. featureAngle: see FindBoundaryPatches.
  *
  * Throws InvalidInput if there is no cell, a cell has another kind, a corner is not a point of the
- * mesh, a coordinate is not finite, or a region is negative; Aborted.
+ * mesh, a coordinate is not finite, or a region is negative. Throws the exceptions of
+ * FindBoundaryPatches, and Aborted.
  */
 MeshSets FindMeshSets(const Cells& cells, const Eigen::VectorXi& regions, double featureAngle,
   const Progress& progress = {});
 
-/// Returns the dimension of a cell_kind, from 0 for points to 3 for solids.
+/// Returns the dimension of a kind of cell (cell_kind): 0 for vertices, 1 for lines, 2 for surface
+/// cells and 3 for solid cells.
 int GetDimension(int kind);
 
-/// Returns the faces of each patch, as indices into Boundary.
+/// Returns the faces of each patch, as indices into sets.Boundary.
 std::vector<std::vector<int>> GroupFacesByPatch(const MeshSets& sets);
 
-/// Returns the points of the chosen `faces` (f x 4; -1 is no point), ascending.
+/// Returns the points of some faces, in ascending order. faces: f x 4 point indices, of which -1 is
+/// ignored. chosen: indices of faces.
 std::vector<int> PointsOf(const Eigen::MatrixXi& faces, const std::vector<int>& chosen);
 
 } // namespace shape

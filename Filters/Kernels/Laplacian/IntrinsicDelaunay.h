@@ -11,12 +11,12 @@
 namespace shape
 {
 
-/// Triangles given by their edge lengths, without positions. Two triangles may share two edges, and
-/// an edge may be glued to another edge of the same triangle.
+/// Triangles given by their edge lengths instead of positions. Two triangles may share two edges,
+/// and two edges of the same triangle may be glued together.
 struct IntrinsicTriangles
 {
   Eigen::MatrixXi Triangles; ///< m x 3, indices of points
-  Eigen::MatrixXd Sides;     ///< m x 3: lengths of the edges opposite each corner
+  Eigen::MatrixXd Sides;     ///< m x 3: length of the edge opposite each corner
 };
 
 /**
@@ -25,10 +25,11 @@ struct IntrinsicTriangles
  * edge has a negative cotangent weight, whatever the triangles of the surface (Bobenko and
  * Springborn, "A discrete Laplace-Beltrami operator for simplicial surfaces", 2007).
  *
- * First all edges are lengthened by the same minimum amount, so that the sum of any two edges of a
- * triangle exceeds the third by 1e-6 of the mean edge. This is the intrinsic mollification of Sharp
- * and Crane, "A Laplacian for nonmanifold triangle meshes", 2020, section 4.5. Then edges that are
- * not Delaunay are flipped until none is left (section 3.1). Boundary edges are kept.
+ * First all edges are lengthened by the same amount: the smallest with which the sum of any two
+ * edges of a triangle exceeds the third by 1e-6 of the mean edge length. This is the intrinsic
+ * mollification of Sharp and Crane, "A Laplacian for nonmanifold triangle meshes", 2020, section
+ * 4.5. Then edges that are not Delaunay are flipped until none is left (section 3.1). Boundary
+ * edges are kept.
  *
  * surface: a consistently oriented 2-manifold, open or closed (RequireManifold). Throws
  * SolveFailure if the flips do not end.
@@ -45,7 +46,7 @@ struct IntrinsicLaplacian
 };
 
 /// Returns the intrinsic Laplacian of a surface, which is built once and cached in the surface.
-/// Arguments and exceptions as for BuildIntrinsicDelaunay.
+/// Takes the same argument and throws the same exceptions as BuildIntrinsicDelaunay.
 std::shared_ptr<const IntrinsicLaplacian> GetIntrinsicLaplacian(const Surface& surface);
 
 } // namespace shape

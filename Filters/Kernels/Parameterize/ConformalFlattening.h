@@ -15,17 +15,19 @@ namespace shape
  * first point is at the origin and its first edge lies along x.
  *
  * The method is boundary first flattening (Sawhney and Crane 2017). The logarithm u of the scale is
- * 0 on the loop and solves the Yamabe equation L u = -K inside. Its flux gives the curvatures of
- * the loop's image; these give its edge directions and the lengths that close it (equations 6, 10,
- * 17). The image is the harmonic map with that boundary. Curvatures and cotangents are those of the
- * intrinsic Delaunay triangulation. Both systems share one factorisation, which cannot be
- * interrupted. Other loops are filled with triangle fans around the mean of their points.
+ * 0 on the loop and solves the Yamabe equation L u = -K inside. The flux of u gives the curvatures
+ * of the loop's image. From these follow the directions of its edges, and the edge lengths with
+ * which it closes (equations 6, 10, 17). The image is the harmonic map with that boundary.
+ * Curvatures and cotangents are computed on the intrinsic Delaunay triangulation. Both systems
+ * share one factorisation, which cannot be interrupted. Other loops are filled with triangle fans
+ * around the mean of their points.
  *
- * The map is conformal in the limit of fine meshes. Triangles of a coarse mesh may flip, and so may
- * those of a surface so curved that its image overlaps itself.
+ * The map is conformal in the limit of fine meshes. Triangles may flip if the mesh is coarse, or if
+ * the surface is so curved that its image overlaps itself.
  *
- * Throws InvalidInput as RequireSurfaceWithBoundary with LoopCount::AtLeastOne, SolveFailure if the
- * factorisation breaks down, and Aborted.
+ * Throws InvalidInput when RequireSurfaceWithBoundary(surface, LoopCount::AtLeastOne) does. Throws
+ * SolveFailure if the factorisation breaks down or the flips of the intrinsic Delaunay
+ * triangulation do not end. Throws Aborted.
  */
 Eigen::MatrixXd FlattenConformally(const Surface& surface, const Progress& progress = {});
 

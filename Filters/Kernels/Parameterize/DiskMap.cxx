@@ -191,10 +191,10 @@ void RequireNoFlip(const Mesh& surface, const Eigen::MatrixXd& image, Combinatio
     throw SolveFailure("Cotangent weights flip " + count +
       ", which is possible if angles are obtuse; use MeanValue weights");
   }
-  throw SolveFailure("on the disk " + count +
-    " are too small for double precision: an extremity shrinks exponentially with its length over "
-    "its girth; cut it off with Shape Cut Feature, or fill the hole with Shape Fill Holes and map "
-    "onto the Sphere with an AreaWeight");
+  throw SolveFailure("on the disk, " + count +
+    " are too small for double precision: an extremity shrinks exponentially with the ratio of its "
+    "length to its girth; cut it off with Shape Cut Feature, or fill the hole with Shape Fill "
+    "Holes and map onto the Sphere with a positive AreaWeight");
 }
 
 } // namespace

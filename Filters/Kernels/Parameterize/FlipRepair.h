@@ -13,12 +13,13 @@ namespace shape
 /**
  * Repairs the flipped triangles of a planar image of a surface. The points around them become mean
  * value combinations of their neighbours (SolveConvexCombination). If that does not suffice, rings
- * of neighbours are added. A group of points moves only if all triangles around it are then
- * counter-clockwise. Boundary points are fixed.
+ * of their neighbours move as well. Connected points move together, and only if all triangles
+ * around them are counter-clockwise afterwards. Points on the boundary, or on an edge with more
+ * than two triangles, are fixed.
  *
- * surface: of any connectivity. positions: n x 2. leftOut: triangles to ignore. Returns the number
- * of triangles that were flipped and no longer are; triangles without area are not counted. Throws
- * Aborted.
+ * surface: manifold or not. positions: n x 2, changed in place. leftOut: triangles to ignore.
+ * Returns the number of triangles repaired. Triangles that have no area on the surface are ignored,
+ * too. Throws Aborted.
  */
 int RepairFlips(const Mesh& surface, Eigen::MatrixXd& positions,
   const std::vector<int>& leftOut = {}, const Progress& progress = {});

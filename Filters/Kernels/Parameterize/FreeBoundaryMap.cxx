@@ -97,7 +97,7 @@ FreeBoundaryMapResult MapWithFreeBoundary(
   if (!(area > 0.0))
   {
     RequireSurfaceWithBoundary(surface, LoopCount::AtLeastOne);
-    throw InvalidInput("the surface has no area; check its points");
+    throw InvalidInput("the surface has no area; check the coordinates of its points");
   }
   // Step 1: area 1.
   Mesh unit = surface;
@@ -130,9 +130,9 @@ FreeBoundaryMapResult MapWithFreeBoundary(
     {
       throw SolveFailure("Tutte's map of the longest open loop to a circle leaves " +
         CountOf(flipped, surface) +
-        " too small for double precision: an extremity shrinks exponentially with its length over "
-        "its girth; cut the surface open along its extremities, or cut them off with Shape Cut "
-        "Feature");
+        " too small for double precision: an extremity shrinks exponentially with the ratio of its "
+        "length to its girth; cut the surface open along its extremities, or cut them off with "
+        "Shape Cut Feature");
     }
   }
   // Step 4: refinement.

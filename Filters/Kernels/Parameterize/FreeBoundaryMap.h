@@ -11,7 +11,8 @@ namespace shape
 
 struct FreeBoundaryMapOptions
 {
-  /// Whether the conformal map, or Tutte's map if that one flips a triangle, is refined.
+  /// Whether RefineInjectively lowers the distortion. It starts from the conformal map or, if that
+  /// map flips a triangle, from Tutte's map.
   bool Refine = false;
   InjectiveRefinementOptions Refinement;
 };
@@ -19,26 +20,29 @@ struct FreeBoundaryMapOptions
 struct FreeBoundaryMapResult
 {
   Eigen::MatrixXd Points;  ///< n x 3, z = 0
-  bool IsConformal = true; ///< whether the result is the conformal map, or was refined from it
+  bool IsConformal = true; ///< whether the result is the conformal map or was refined from it
   int Iterations = 0;      ///< number of refinement iterations
   double LoopLength = 0.0; ///< length of the longest boundary loop, in the surface's units
 };
 
 /**
  * Maps a surface with boundary loops and no handle to the plane z = 0 with a free boundary, without
- * flipping a triangle. The map is FlattenConformally, followed by RefineInjectively if Refine is
- * set. If the conformal map flips a triangle, refinement starts from Tutte's map of the longest
- * loop to a circle (uniform weights, other loops filled with fans). Distant parts of the image may
- * overlap.
+ * flipping a triangle. FlattenConformally computes the map; if Refine is set, RefineInjectively
+ * lowers its distortion. If the conformal map flips a triangle, refinement starts from Tutte's map
+ * of the longest loop to a circle (uniform weights, other loops filled with fans). Distant parts of
+ * the image may overlap.
  *
- * The conformal image has the surface's area; a refined image has the size with minimum distortion.
- * Its centroid is at the origin and x is its longer principal axis; if both have equal moments, x
- * points to the first point off the centre. The third moment along x is positive; if it vanishes,
- * the first point off the centre has positive x. So a rigid motion of the surface does not change
- * the image. Triangles are counter-clockwise seen from +z.
+ * The conformal image has the surface's area; a refined image has the size of minimum distortion.
+ * The image's centroid is at the origin and its longer principal axis lies along x. If both axes
+ * have equal moments, x points to the first point off the centre. The third moment along x is
+ * positive; if it vanishes, the first point off the centre has positive x. So a rigid motion of the
+ * surface does not change the image. Triangles are counter-clockwise seen from +z.
  *
- * Throws InvalidInput as RequireSurfaceWithBoundary. Throws SolveFailure with the number of
- * triangles if the conformal map, or Tutte's, is not counter-clockwise everywhere; Aborted.
+ * Throws InvalidInput when RequireSurfaceWithBoundary(surface, LoopCount::AtLeastOne) does, if the
+ * surface has no area, or if an option of Refinement is out of range. Throws SolveFailure when
+ * FlattenConformally or RefineInjectively does. Throws it, too, if the conformal map flips a
+ * triangle and Refine is not set, or if triangles are too small for double precision. Throws
+ * Aborted.
  */
 FreeBoundaryMapResult MapWithFreeBoundary(const Surface& surface,
   const FreeBoundaryMapOptions& options = {}, const Progress& progress = {});

@@ -15,19 +15,20 @@ struct InjectiveRefinementOptions
 {
   Distortion Measure = Distortion::SymmetricDirichlet;
   double Exponent = 1.0;       ///< exponent e of the exponential measures; > 0
-  double Scale = 1.0;          ///< factor for the lengths of the surface; > 0
+  double Scale = 1.0;          ///< factor by which the surface's lengths are multiplied; > 0
   int MaximumIterations = 300; ///< >= 0
-  /// Stops when five iterations in a row gain at most this share of the energy; in [0, 1).
+  /// Stops when each of five successive iterations lowers the energy by at most this share;
+  /// in [0, 1).
   double Tolerance = 1e-5;
 };
 
 struct InjectiveRefinementResult
 {
   Eigen::MatrixXd Points; ///< n x 2
-  /// Mean of the measure over the surface's area at the start. For an exponential measure, the
-  /// start is the result of SymmetricDirichlet.
+  /// Area-weighted mean of the measure at the start. For an exponential measure, this start is the
+  /// result with SymmetricDirichlet.
   double StartEnergy = 0.0;
-  double Energy = 0.0; ///< mean of the measure at the end
+  double Energy = 0.0; ///< area-weighted mean of the measure at the end
   int Iterations = 0;  ///< number of linear systems solved
 };
 
@@ -39,13 +40,14 @@ struct InjectiveRefinementResult
  * is halved until the energy decreases (Armijo). All systems share one sparsity pattern, whose
  * elimination order is computed once.
  *
- * Free boundary points move too, so images of distant parts may overlap, although no triangle is
- * flipped. Exponential measures start from the result of SymmetricDirichlet.
+ * Boundary points that are not fixed move too. So distant parts of the image may overlap, although
+ * no triangle is flipped. An exponential measure starts from the result with SymmetricDirichlet.
  *
- * surface: each component with at least one triangle, every point used. start: n x 2, every
- * triangle counter-clockwise. fixed: points that do not move. Throws InvalidInput if an option is
- * out of range or a triangle of the start is not counter-clockwise. Throws SolveFailure if the
- * measure exceeds double precision at the start. Throws Aborted, after one factorisation at most.
+ * surface: every point is a corner of a triangle. start: n x 2, with every triangle
+ * counter-clockwise. fixed: points that do not move. Throws InvalidInput if an option is out of
+ * range or a triangle of the start is not counter-clockwise. Throws SolveFailure if the measure
+ * exceeds double precision at the start. Throws Aborted; an abort takes effect after at most one
+ * factorisation.
  */
 InjectiveRefinementResult RefineInjectively(const Mesh& surface, const Eigen::MatrixXd& start,
   const std::vector<int>& fixed = {}, const InjectiveRefinementOptions& options = {},

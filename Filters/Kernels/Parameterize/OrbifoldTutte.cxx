@@ -45,7 +45,7 @@ void RequireSphere(const Surface& surface)
   {
     throw InvalidInput("the surface has " + std::to_string(unused) +
       (unused == 1 ? " point that no triangle uses" : " points that no triangle uses") +
-      "; remove with Clean");
+      "; remove unused points with Clean");
   }
 }
 
@@ -209,10 +209,10 @@ void RequireNoFlip(const Mesh& cut, const Eigen::MatrixXd& image)
   }
   if (flipped > 0)
   {
-    throw SolveFailure("on the tile " + std::to_string(flipped) + " of " +
+    throw SolveFailure("on the tile, " + std::to_string(flipped) + " of " +
       std::to_string(cut.Triangles.rows()) + " triangles (first triangle " + std::to_string(first) +
-      ") are too small for double precision: an extremity shrinks exponentially with its length "
-      "over its girth; put Landmarks on the ends of the longest extremities");
+      ") are too small for double precision: an extremity shrinks exponentially with the ratio of "
+      "its length to its girth; put Landmarks on the ends of the longest extremities");
   }
 }
 

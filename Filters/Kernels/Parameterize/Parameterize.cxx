@@ -40,7 +40,7 @@ SphereMapOptions ForSphere(const ParameterizeOptions& options)
   if (!(options.AreaWeight >= 0.0))
   {
     throw InvalidInput("AreaWeight is " + std::to_string(options.AreaWeight) +
-      "; give 0 for angles, or a positive number for areas");
+      "; give 0 to preserve angles, or a positive number to balance areas as well");
   }
   SphereMapOptions sphere;
   if (options.AreaWeight > 0.0)

@@ -5,9 +5,9 @@
 namespace shape
 {
 
-/// Distortion measures of an affine map of the plane with singular values s1 >= s2 > 0, as in table
-/// 1 of Rabinovich, Poranne, Panozzo and Sorkine-Hornung, "Scalable locally injective mappings",
-/// 2017.
+/// Distortion measures of an affine map of the plane. Its singular values are s1 >= s2 > 0; s is
+/// either of them, and e an exponent (table 1 of Rabinovich, Poranne, Panozzo and Sorkine-Hornung,
+/// "Scalable locally injective mappings", 2017).
 enum class Distortion
 {
   SymmetricDirichlet,            ///< sum of s^2 + s^-2; minimum 4 for an isometry
@@ -20,20 +20,23 @@ enum class Distortion
   ARAP            ///< sum of (s - 1)^2: 0 for an isometry; finite even for an image without area
 };
 
-/// Whether a measure is the exponential of another one, so that it may overflow at a bad start.
+/// Whether a measure is the exponential of another measure, which overflows if the distortion is
+/// large.
 bool IsExponential(Distortion distortion);
 
-/// A measure at given singular values, and a quadratic with the same gradient: the sum of Weights
-/// (s - c)^2. Here c is 1; for ConformalAMIPS and AMIPS it is the optimum for the other singular
-/// value.
+/// A measure at given singular values, and a quadratic function with the same gradient there: the
+/// sum of Weights (s - c)^2. Here c is 1, except for two measures. For ConformalAMIPS, c is the
+/// geometric mean of s1 and s2. For AMIPS, c is the s that minimises the measure while the other
+/// singular value is fixed.
 struct DistortionTerms
 {
   double Value;
   Eigen::Vector2d Gradient; ///< derivatives by s1 and s2
-  Eigen::Vector2d Weights;  ///< > 0: Gradient / (2 (s - c)), or its limit at s = c
+  Eigen::Vector2d Weights;  ///< > 0: Gradient / (2 (s - c)), or the limit of this at s = c
 };
 
-/// Evaluates a measure. singular: both > 0. exponent: e above. Values that overflow are infinite.
+/// Evaluates a measure. singular: s1 and s2, both > 0. exponent: the e of an exponential measure.
+/// Values that overflow are infinite.
 DistortionTerms EvaluateDistortion(
   Distortion distortion, double exponent, const Eigen::Vector2d& singular);
 

@@ -66,8 +66,9 @@ Mesh Normalised(const Mesh& surface)
   const double area = ComputePointAreas(mesh).sum();
   if (!mesh.Points.allFinite() || !(area > 0.0))
   {
-    throw InvalidInput("the surface's area is zero in double precision (its longest side is " +
-      std::to_string(size) + "); scale it or check its coordinates");
+    throw InvalidInput(
+      "the surface's area is zero in double precision (the longest edge of its box is " +
+      std::to_string(size) + "); scale the surface, or check its coordinates");
   }
   mesh.Points /= std::sqrt(area);
   return mesh;
@@ -331,9 +332,11 @@ SphereMapResult MapToSphere(
         return result;
       }
       const std::vector<int> flipped = FindFlippedTriangles(mesh.Triangles, result.Points);
-      failure = std::to_string(flipped.size()) + " triangles stay flipped on the sphere" +
-        (flipped.empty() ? "" : " (first at triangle " + std::to_string(flipped[0]) + ")") +
-        "; remesh the surface's longest and thinnest parts";
+      failure = flipped.empty() ? "the image does not cover the sphere exactly once"
+                                : std::to_string(flipped.size()) +
+          " triangles stay flipped on the sphere (first triangle " + std::to_string(flipped[0]) +
+          ")";
+      failure += "; remesh the surface's longest and thinnest parts";
     }
     catch (const SolveFailure& error)
     {

@@ -9,8 +9,8 @@
 namespace shape
 {
 
-/// A triangle of a star, seen from the central point A: its other points B, C in counter-clockwise
-/// order, and the target cotangents of its angles.
+/// A triangle of a star, which is the set of triangles around a central point A. B and C are its
+/// other points, in counter-clockwise order. The cotangents are those of its target angles.
 struct StarTriangle
 {
   int B;
@@ -23,7 +23,7 @@ struct StarTriangle
 };
 
 /**
- * Makes one guarded Newton step of point `point` of the unit sphere for the energy of its star,
+ * Moves a point of the unit sphere by one guarded Newton step for the energy of its star,
  *
  *   sum of (cotA |BC|^2 + cotB |CA|^2 + cotC |AB|^2 + AreaTerm) / det[A, B, C].
  *
@@ -35,11 +35,11 @@ struct StarTriangle
 bool RelaxPoint(Eigen::MatrixXd& points, int point, const std::vector<StarTriangle>& star);
 
 /**
- * Applies RelaxPoint to each of `movable`, in that order. Stops after `sweeps` sweeps, or when a
- * sweep moves no point.
+ * Applies RelaxPoint to each point of `movable`, in this order, in repeated sweeps. Stops after
+ * `sweeps` sweeps, or when a sweep moves no point.
  *
- * points: n x 3 on the unit sphere, all triangles of the stars of `movable` facing outwards.
- * cotangents: m x 3, target cotangents at the corners of `triangles` (m x 3).
+ * points: n x 3, on the unit sphere. All triangles around the points of `movable` must face
+ * outwards. cotangents: m x 3, the target cotangents at the corners of `triangles` (m x 3).
  */
 void RelaxOnSphere(Eigen::MatrixXd& points, const Eigen::MatrixXi& triangles,
   const Eigen::MatrixXd& cotangents, const std::vector<int>& movable, int sweeps,

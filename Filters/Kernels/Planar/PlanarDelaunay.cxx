@@ -39,8 +39,9 @@ void RequireSupportedFeatures(const Eigen::MatrixXd& points, const Eigen::Matrix
   {
     if (segments.row(i).minCoeff() < 0 || segments.row(i).maxCoeff() >= points.rows())
     {
-      throw InvalidInput("segment " + std::to_string(i) + " refers to a missing point; there are " +
-        std::to_string(points.rows()) + " points");
+      throw InvalidInput("segment " + std::to_string(i) +
+        " refers to a missing point; there are only " + std::to_string(points.rows()) +
+        " points, numbered from 0");
     }
   }
 }

@@ -20,18 +20,20 @@ public:
   int Size() const { return static_cast<int>(this->Points.rows()); }
   Eigen::RowVector2d Corner(int i) const { return this->Points.row(i % this->Size()); }
 
-  /// Returns 1 if a position is inside (an odd number of edges to its right), 0 on an edge, else
-  /// -1.
+  /// Returns 1 if a position is inside (a ray to the right crosses an odd number of edges), 0 if it
+  /// is on an edge, else -1.
   int Side(const Eigen::RowVector2d& position) const;
 
-  /// Whether an edge intersects the open triangle (counter-clockwise corners, one per row).
+  /// Whether an edge intersects the interior of the triangle, given by its counter-clockwise
+  /// corners, one per row.
   bool Crosses(const Eigen::Matrix<double, 3, 2>& triangle) const;
 
-  /// Whether an edge intersects the open triangle, or the triangle is inside.
+  /// Whether the polygon covers a part of the triangle: an edge intersects the triangle's interior,
+  /// or the triangle is inside the polygon.
   bool Covers(const Eigen::Matrix<double, 3, 2>& triangle) const;
 
-  /// Calls body(i) for each edge, from corner i to the next, whose box intersects the box from low
-  /// to high. body returns false to stop. Returns whether it was never stopped.
+  /// Calls body(i) for each edge i, from corner i to the next, if the box of the edge intersects
+  /// the box from low to high. Stops when body returns false. Returns whether it never stopped.
   template <typename Body>
   bool ForEachNear(
     const Eigen::RowVector2d& low, const Eigen::RowVector2d& high, const Body& body) const
@@ -64,7 +66,7 @@ private:
 
   Eigen::MatrixXd Points;
   Eigen::RowVector2d Low, High;
-  std::vector<std::vector<int>> Bins; ///< edges in intervals of y
+  std::vector<std::vector<int>> Bins; ///< for each interval of y, the edges that reach into it
 };
 
 } // namespace shape

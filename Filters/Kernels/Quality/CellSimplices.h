@@ -6,7 +6,7 @@
 namespace shape
 {
 
-/// Triangles, and cells whose corners have three edges each; points in VTK's order.
+/// Triangles, and solid cells whose corners have three edges each. Their points are in VTK's order.
 enum class CellShape
 {
   Triangle,
@@ -17,23 +17,25 @@ enum class CellShape
 };
 
 /**
- * Cells divided into the simplices on which a map's Jacobian is evaluated. For surfaces these are
- * triangles. For solids there is one tetrahedron at each corner, with the ends of its three edges;
- * a tetrahedral cell is its own simplex. A cell may have any number of simplices of one dimension:
- * a polygon has the triangles that it is divided into.
+ * Cells divided into the simplices on which a map's Jacobian is evaluated. The simplices of surface
+ * cells are triangles. A solid cell has one tetrahedron at each corner, formed by the corner and
+ * the ends of its three edges; a tetrahedral cell is its own simplex. A cell may have any number of
+ * simplices, all of one dimension: a polygon has the triangles that it is divided into.
  */
 struct CellSimplices
 {
-  /// corners of the simplices; a triangle's last one is -1
+  /// for each simplex, its corners; the last entry of a triangle is -1
   std::vector<std::array<int, 4>> Corners;
-  /// Factor by which a simplex's determinant (edges from its first corner) contributes to the
-  /// cell's area or volume: exact for triangles and for affine images of the regular cells.
+  /// For each simplex, the factor from its determinant (of the edges from its first corner) to its
+  /// share of the cell's area or volume. Exact for triangles and for affine images of the regular
+  /// cells.
   std::vector<double> Shares;
-  std::vector<int> Offsets = { 0 }; ///< first simplex of each cell, and the number of simplices
+  /// the first simplex of each cell, then the number of simplices
+  std::vector<int> Offsets = { 0 };
 
-  /// Adds a shape with `points` (3, 4, 5, 6 or 8 of them) to the current cell.
+  /// Adds a shape to the current cell. points: the 3, 4, 5, 6 or 8 points of the shape.
   void Add(CellShape shape, const int* points);
-  /// Ends the current cell. It may have no simplex, as points and lines have.
+  /// Ends the current cell. Like points and lines, it may have no simplex.
   void EndCell();
   int Count() const { return static_cast<int>(this->Offsets.size()) - 1; } ///< number of cells
 };

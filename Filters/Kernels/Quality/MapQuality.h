@@ -9,90 +9,96 @@ namespace shape
 {
 
 /**
- * Measures of an affine map with Jacobian J and singular values s_i in d dimensions: d = 2 between
- * the planes of surface triangles, d = 3 for solids. |J| is the Frobenius norm.
+ * Measures of an affine map with Jacobian J and singular values s_i. The dimension d is 2 for a map
+ * between the planes of surface triangles, and 3 for solids. |J| is the Frobenius norm.
  */
 enum class MapMeasure
 {
-  JacobianDeterminant, ///< ratio of the areas or volumes; negative if flipped
-  Dirichlet,           ///< |J|^2 / 2 (Pinkall & Polthier 1993): d / 2 for an isometry
-  SymmetricDirichlet,  ///< |J|^2 + |J^-1|^2 (Smith & Schaefer 2015): minimum 2 d for an isometry
-  /// |J|^2 / (d |det J|^(2/d)), the inverse mean ratio (Knupp 2001): minimum 1 for a similarity; on
-  /// surfaces (s_1 / s_2 + s_2 / s_1) / 2.
+  /// area or volume of the image, divided by that of the source; negative if flipped
+  JacobianDeterminant,
+  Dirichlet, ///< |J|^2 / 2 (Pinkall & Polthier 1993); d / 2 for an isometry
+  /// |J|^2 + |J^-1|^2 (Smith & Schaefer 2015); its minimum, 2 d, is that of an isometry
+  SymmetricDirichlet,
+  /// |J|^2 / (d |det J|^(2/d)), the inverse mean ratio (Knupp 2001); its minimum, 1, is that of a
+  /// similarity. On surfaces it equals (s_1 / s_2 + s_2 / s_1) / 2.
   ConformalDistortion,
-  /// sum of (s_i - 1)^2 (Liu et al. 2008); the smallest s_i is negative if flipped; 0 for an
-  /// isometry
+  /// sum of (s_i - 1)^2 (Liu et al. 2008); 0 for an isometry. If the map flips, the smallest s_i is
+  /// taken as negative.
   ARAP
 };
 constexpr int MapMeasureCount = 5;
 
-/// Replaces infinity; no measure exceeds it.
+/// Replaces infinite values, so no measure exceeds it.
 constexpr double LargestMeasure = 1e30;
 
-/// Maximum distances of the points from the plane z = 0 and from the unit sphere. If all points lie
-/// in one of these, it defines the orientation of triangles. The extent of several parts has the
-/// maximum of each value.
+/// The maximum distances of the points from the plane z = 0 and from the unit sphere. If all points
+/// lie in that plane or on that sphere, the plane or sphere defines the orientation of triangles.
+/// The extent of data in several parts consists of the maximum of each value over the parts.
 struct MapExtent
 {
-  double SourceHeight = 0.0;    ///< maximum |z| of the points of surface cells
-  double SourceOffSphere = 0.0; ///< maximum distance from the unit sphere around the origin
-  double ImageHeight = 0.0;     ///< SourceHeight of the images
+  double SourceHeight = 0.0; ///< maximum |z| of the points of surface cells
+  /// maximum distance of these points from the unit sphere around the origin
+  double SourceOffSphere = 0.0;
+  double ImageHeight = 0.0; ///< maximum |z| of the images of these points
   double ImageOffSphere = 0.0;
   int Dimension = 0; ///< highest dimension of a cell: 3 with solids, 2 with surfaces only, else 0
 };
 
-/// Computes the extent of a map. points, images: n x 3.
+/// Computes the extent of the map from `points` to `images` (n x 3).
 MapExtent ComputeMapExtent(
   const Eigen::MatrixXd& points, const Eigen::MatrixXd& images, const CellSimplices& cells);
 
 struct MapQualityResult
 {
-  Eigen::MatrixXd Measures; ///< m x MapMeasureCount, for each cell
+  Eigen::MatrixXd Measures; ///< m x MapMeasureCount: the measures of each cell
   Eigen::VectorXd Sizes;    ///< m: area or volume; 0 if a cell is not counted or has no size
   Eigen::VectorXi Counted;  ///< m: 1 for cells of the extent's dimension
   Eigen::VectorXi Flipped;  ///< m: 1 if JacobianDeterminant < 0
-  /// m: 1 if the cell, or the image of one of its simplices, has no size
+  /// m: 1 if a counted cell, or the image of one of its simplices, has no size
   Eigen::VectorXi Degenerate;
 };
 
 /**
- * Measures how far the map from `points` to `images` (n x 3, finite), affine on each simplex, is
- * from an isometry. For a cell with several simplices JacobianDeterminant is their minimum; each
- * other measure is their mean weighted by size. Only cells of extent.Dimension are counted. The
- * others, and cells without size, have the values of an isometry. A simplex without size is
- * ignored. If an image has no size, SymmetricDirichlet and ConformalDistortion are LargestMeasure.
- * A simplex has no size if its area or volume is at most 1e-14 of its longest edge squared or
- * cubed.
+ * Measures how far the map from `points` to `images` (n x 3, finite) is from an isometry. The map
+ * is affine on each simplex. JacobianDeterminant of a cell is the minimum over its simplices; every
+ * other measure is the mean over its simplices, weighted by size. Only cells of extent.Dimension
+ * are counted. All other cells, and cells without size, get the values of an isometry. A simplex
+ * without size is ignored. If an image has no size, SymmetricDirichlet and ConformalDistortion are
+ * LargestMeasure. A simplex has no size if the determinant of its edges is at most 1e-14 of its
+ * longest edge squared (triangles) or cubed (tetrahedra).
  *
- * Sign on surfaces: a triangle is flipped if it faces different sides before and after the map. The
- * side is the sign of its normal relative to a reference. The reference is +z if all points lie in
- * the plane z = 0, and the radius if all lie on the unit sphere. Otherwise it is the sum of the
- * area vectors of the other triangles around its corners. This detects folds, but not the interior
- * of a region that is flipped as a whole. If the source does not lie in the same plane or sphere as
- * the image, it is assumed to face outwards.
+ * Sign on surfaces: a triangle is flipped if it faces different sides before and after the map. Its
+ * side is the sign of the dot product of its normal and a reference. The reference is +z if all
+ * points lie in the plane z = 0, and the radius vector if all points lie on the unit sphere.
+ * Otherwise it is the sum of the area vectors of the other triangles around its corners. This
+ * detects folds, but not the interior of a region that is flipped as a whole. If the source and the
+ * image do not use the same kind of reference, the source is assumed to face outwards.
  *
- * extent: ComputeMapExtent of the complete data, of which this may be a part. Throws Aborted.
+ * extent: ComputeMapExtent of the complete data, of which the given cells may be a part. Throws
+ * Aborted.
  */
 MapQualityResult EvaluateMapQuality(const Eigen::MatrixXd& points, const Eigen::MatrixXd& images,
   const CellSimplices& cells, const MapExtent& extent, const Progress& progress = {});
 
-/// Sums over cells; the sums of several parts can be added.
+/// Sums, minima and maxima of the measures over cells. Those of several parts of the data can be
+/// combined.
 struct MapQualitySums
 {
-  Eigen::Array<double, MapMeasureCount, 1> Minima; ///< LargestMeasure without cells
-  Eigen::Array<double, MapMeasureCount, 1> Maxima; ///< -LargestMeasure without cells
-  /// weighted by size, over cells where the measure is defined
+  Eigen::Array<double, MapMeasureCount, 1> Minima; ///< LargestMeasure if there are no cells
+  Eigen::Array<double, MapMeasureCount, 1> Maxima; ///< -LargestMeasure if there are no cells
+  /// sums of measure times size, over the cells where the measure is defined
   Eigen::Array<double, MapMeasureCount, 1> Sums;
   Eigen::Array<double, MapMeasureCount, 1> Weights; ///< total size of these cells
-  /// Number of cells where a measure is undefined: without size, or at LargestMeasure.
+  /// Number of cells where a measure is undefined: the cell has no size, or the measure is
+  /// LargestMeasure.
   Eigen::Array<double, MapMeasureCount, 1> Undefined;
   double Cells = 0.0, Flipped = 0.0, Degenerate = 0.0; ///< numbers of cells
 
   MapQualitySums();
-  /// Adds the counted cells m with use(m) != 0.
+  /// Adds each counted cell c with use(c) != 0.
   void Add(const MapQualityResult& result, const Eigen::VectorXi& use);
-  /// Returns the mean over cells where it is defined, weighted by size; LargestMeasure if there are
-  /// none.
+  /// Returns the mean of a measure, weighted by size, over the cells where it is defined;
+  /// LargestMeasure if there are none.
   double Mean(MapMeasure measure) const;
 };
 

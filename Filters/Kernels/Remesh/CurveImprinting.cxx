@@ -397,7 +397,7 @@ ImprintedCurves ImprintCurves(const Mesh& surface, const std::vector<SurfaceLoop
     if (std::find(result.LoopIds.begin(), result.LoopIds.end(), i) == result.LoopIds.end())
     {
       throw InvalidInput("loop " + std::to_string(i) +
-        " encloses no area, because it returns along the same path; draw it around an area");
+        " encloses no area, because it returns along the same path; draw a loop around an area");
     }
   }
   progress(1.0);

@@ -11,20 +11,21 @@ namespace shape
 struct IsotropicRemeshOptions
 {
   double EdgeLength = 0.0; ///< the target length of edges, in the surface's units; > 0
-  /// Degrees between normals above which an edge is a crease.
+  /// An edge is a crease if the normals of its triangles differ by more than this angle; in
+  /// degrees.
   double CreaseAngle = DefaultFeatureAngle;
   int Rounds = 6; ///< number of rounds; >= 1
 };
 
 /**
- * Returns a surface of nearly equilateral triangles of uniform size close to a closed surface.
- * Edges that are too long are split, those too short are collapsed, flips equalise the valences,
- * and points slide along the surface (Botsch and Kobbelt, "A remeshing approach to multiresolution
- * modeling", 2004).
+ * Remeshes a closed surface with nearly equilateral triangles of uniform size (Botsch and Kobbelt,
+ * "A remeshing approach to multiresolution modeling", 2004). In each round, edges that are too long
+ * are split, and edges that are too short are collapsed. Then edges are flipped to bring the
+ * valences closer to 6, and points slide along the surface.
  *
- * Creases are preserved, and so are points where they meet or end. Creases shorter than a few edges
- * are treated as noise and are not preserved. The topology is preserved; self-intersections of the
- * result are not checked (FindSelfIntersections).
+ * The topology is preserved. Creases are preserved, and so are points where creases meet or end.
+ * Creases shorter than a few edges count as noise and are not preserved. The result is not checked
+ * for self-intersections (FindSelfIntersections does so).
  *
  * surface: closed and consistently oriented. Throws InvalidInput if an option is out of range;
  * Aborted.

@@ -11,11 +11,11 @@
 namespace shape
 {
 
-/// A crease: points of a surface that are connected by consecutive edges.
+/// A crease between two patches of a surface: a sequence of points connected by edges.
 struct FeatureCurve
 {
   std::vector<int> Points;      ///< in order; a closed curve does not repeat its first point
-  bool Closed = false;          ///< whether the curve is closed; it then has no corner
+  bool Closed = false;          ///< whether the curve is closed and has no corner
   std::array<int, 2> Patches{}; ///< the patches on either side, the lower number first
   double Angle = 0.0;           ///< the mean interior dihedral angle along the curve, in degrees
 };
@@ -25,11 +25,11 @@ struct SurfaceFeatures
 {
   Eigen::VectorXi PatchOf; ///< m: the patch of each triangle
   int Patches = 0;
-  std::vector<FeatureCurve> Curves; ///< where two patches meet, from corner to corner
-  std::vector<int> Corners;         ///< points where creases meet or end
-  double CreaseLength = 0.0;        ///< total length of the edges that are as sharp as a crease
-  double CurveLength = 0.0;         ///< the part of it on curves: less if patches were too small
-  /// The fraction of CreaseLength that lies on curves; 1 if no edge is sharp.
+  std::vector<FeatureCurve> Curves; ///< creases between two patches, from corner to corner
+  std::vector<int> Corners;         ///< points where curves meet or end
+  double CreaseLength = 0.0;        ///< total length of all sharp edges
+  double CurveLength = 0.0;         ///< total length of the sharp edges that lie on curves
+  /// The fraction of the length of sharp edges that lies on curves; 1 if no edge is sharp.
   double CurveShare() const
   {
     return this->CreaseLength > 0.0 ? this->CurveLength / this->CreaseLength : 1.0;
@@ -37,27 +37,27 @@ struct SurfaceFeatures
 };
 
 /**
- * Finds the creases of a surface that bound patches: edges whose triangles' normals differ by more
- * than `angle` degrees.
+ * Finds the creases of a surface that bound patches. An edge is sharp if the normals of its
+ * triangles differ by more than `angle` degrees; sharp edges form creases.
  *
  * A crease that ends inside a patch is extended to another crease. The extension is the shortest
- * path over edges of at least three eighths of the angle. It must not meet the other crease at a
- * small angle. A patch smaller than `minimumArea` is merged with the neighbour with which it shares
- * the longest boundary.
+ * path over edges whose normals differ by at least three eighths of `angle`. It must not meet the
+ * other crease at a small angle. A patch smaller than `minimumArea` is merged with the adjacent
+ * patch with which it shares the longest boundary.
  *
- * Returns one patch and no curves if no edge is sharp. It does so, too, if less than two thirds of
- * the sharp edges bound patches of more than a thousandth of the area: they are then noise, as in a
- * scan.
+ * The result is a single patch without curves if no edge is sharp, or if the sharp edges are noise,
+ * as in a scan. They count as noise if less than two thirds of their length bounds patches larger
+ * than a thousandth of the surface's area.
  *
  * surface: closed and consistently oriented. Throws InvalidInput under the conditions of
  * RequireIndices.
  */
 SurfaceFeatures FindFeatures(const Surface& surface, double angle, double minimumArea);
 
-/// Returns the features of the same surface with a single patch and no curves or corners.
+/// Returns features of the same surface that have a single patch and no curves or corners.
 SurfaceFeatures RemoveCurves(const SurfaceFeatures& features);
 
-/// Returns the patches of the surface, each with the points that it uses.
+/// Returns each patch of a surface as a mesh of its own, without unused points.
 std::vector<Mesh> SplitIntoPatches(const Mesh& mesh, const SurfaceFeatures& features);
 
 } // namespace shape

@@ -262,10 +262,10 @@ Eigen::VectorXi FindRegionIds(const TetGenOutput& mesh, const Eigen::MatrixXi& o
   {
     if (!(std::abs(found(r) - regions.Volumes()(r)) <= 1e-9 * total))
     {
-      throw SolveFailure("TetGen's tetrahedra of region " + std::to_string(r) +
-        " do not have the volume that the surfaces enclose (off by " +
-        std::to_string(100.0 * (found(r) / regions.Volumes()(r) - 1.0)) +
-        " %); remesh where triangles are thin, or change PreserveBoundary");
+      throw SolveFailure("the volume of TetGen's tetrahedra in region " + std::to_string(r) +
+        " differs by " + std::to_string(100.0 * (found(r) / regions.Volumes()(r) - 1.0)) +
+        " % from the volume that the surfaces enclose; remesh where triangles are thin, or change "
+        "PreserveBoundary");
     }
   }
   return region;
@@ -307,7 +307,8 @@ TetrahedralizeResult Tetrahedralize(const Surface& surface,
   const double byVolume = maximumVolume > 0.0 ? regions.Volumes().sum() / maximumVolume : 0.0;
   if (byVolume > 1e8)
   {
-    throw InvalidInput("MaximumVolume would give more than 100 million tetrahedra; use more than " +
+    throw InvalidInput(
+      "MaximumVolume would give more than 100 million tetrahedra; use a value greater than " +
       std::to_string(regions.Volumes().sum() / (scale * scale * scale) * 1e-8));
   }
 
@@ -322,8 +323,9 @@ TetrahedralizeResult Tetrahedralize(const Surface& surface,
   if (mesh.Tetrahedra.rows() == 0 || mesh.Faces.rows() == 0 || mesh.Points.rows() < given ||
     mesh.Points.topRows(given) != complex.Surfaces.Points)
   {
-    throw SolveFailure("TetGen made no tetrahedra, or dropped points of the surface; merge points "
-                       "that nearly coincide with Clean (a tolerance above 0)");
+    throw SolveFailure(
+      "TetGen made no tetrahedra, or dropped points of the surface; use Clean with a tolerance "
+      "above 0 to merge points that nearly coincide");
   }
   if (mesh.Points.rows() - given >= maximumNewPoints)
   {

@@ -11,22 +11,25 @@ namespace shape
 
 struct TetrahedralizeOptions
 {
-  /// Bound on the ratio of each tetrahedron's circumradius to its shortest edge: > 1, or 0 for
-  /// none. It may be missed near sharp angles of the surface and along a preserved boundary.
+  /// Upper bound on the ratio of each tetrahedron's circumradius to its shortest edge: > 1, or 0
+  /// for no bound. Near sharp angles of the surface and along a preserved boundary, the ratio may
+  /// exceed the bound.
   double MaximumRadiusEdgeRatio = 2.0;
 
-  /// Bound on each tetrahedron's volume, in the model's units cubed; 0 for none. It may be missed
-  /// along a preserved boundary, and elsewhere by a few percent because of flips after refinement.
+  /// Upper bound on each tetrahedron's volume, in the model's units cubed; 0 for no bound. Along a
+  /// preserved boundary, the volume may exceed the bound. Elsewhere it may do so by a few percent,
+  /// because of flips after refinement.
   double MaximumVolume = 0.0;
 
-  /// Keeps every triangle of the surfaces unchanged; if false, points may be added on them.
+  /// Whether every triangle of the surfaces stays unchanged. If false, points may be added on the
+  /// triangles.
   bool PreserveBoundary = true;
 };
 
 struct TetrahedralizeResult
 {
-  /// n x 3: first the points of the surface that triangles use, in order, without duplicates; then
-  /// those of the inner surfaces; then the new ones.
+  /// n x 3: first the points that triangles of the surface use, in order and without duplicates.
+  /// The points of the inner surfaces follow, and then the new points.
   Eigen::MatrixXd Points;
   Eigen::MatrixXi Tetrahedra; ///< m x 4: (b - a) x (c - a) . (d - a) > 0
   Eigen::VectorXi RegionId;   ///< m: the region of each tetrahedron, see Tetrahedralize
@@ -46,22 +49,23 @@ struct TetrahedralizeResult
  * generation by Delaunay refinement", 1998; Hang Si, "TetGen, a Delaunay-based quality tetrahedral
  * mesh generator", 2015).
  *
- * surface: closed and consistently oriented. It may have several components: one inside an odd
- * number of others bounds a void, which stays empty.
+ * surface: closed and consistently oriented. It may have several components. A component inside an
+ * odd number of others bounds a void, which stays empty.
  *
  * innerSurfaces: closed and consistently oriented borders between materials inside the solid; they
- * may be nested. RegionId is i + 1 if inner surface i is the innermost around a tetrahedron, and 0
- * if none is. The region of a set of tetrahedra between surfaces is decided by winding numbers
- * inside the largest of them. Surfaces may touch each other at single points only. Points at the
- * same position are merged.
+ * may be nested. A tetrahedron's RegionId is i + 1 if inner surface i is the innermost around it,
+ * and 0 if no inner surface is around it. For each connected set of tetrahedra between surfaces,
+ * winding numbers at its largest tetrahedron decide the region. Surfaces may touch each other at
+ * single points only. Points at the same position are merged.
  *
- * The result is checked. Every tetrahedron is positive (exactly). Each region's volume agrees with
- * the surfaces' to 1e-9. If the boundary is preserved, each triangle of a surface is a face.
+ * The result is checked. Every tetrahedron is positive (by exact predicates). The volume of each
+ * region agrees with the volume that the surfaces enclose, to 1e-9 of the total volume. If the
+ * boundary is preserved, each triangle of a surface is a face of a tetrahedron.
  *
  * Throws InvalidInput if a surface is not closed, has degenerate triangles, crosses itself or
- * another, or encloses no volume. Throws it also if an inner surface lies outside the solid, an
- * option is out of range, or ShapeMap was built without TetGen. Throws SolveFailure if TetGen fails
- * or its result does not pass the checks; Aborted.
+ * another surface, or encloses no volume. Throws it also if an inner surface lies outside the
+ * solid, an option is out of range, or ShapeMap was built without TetGen. Throws SolveFailure if
+ * TetGen fails, or if its result does not pass the checks; Aborted.
  */
 TetrahedralizeResult Tetrahedralize(const Surface& surface,
   const std::vector<Surface>& innerSurfaces = {}, const TetrahedralizeOptions& options = {},

@@ -8,16 +8,18 @@ namespace shape
 {
 
 /**
- * A tetrahedron together with its reference shape. The affine map from the reference has the
- * Jacobian J = sum over corners of x_v Gradients_v^T.
+ * A tetrahedron and the gradients on its reference shape. The affine map from the reference shape
+ * has the Jacobian J = sum over corners v of x_v Gradients_v^T, where x_v is the position of corner
+ * v.
  */
 struct ReferenceSimplex
 {
   std::array<int, 4> Corners;
-  Eigen::Matrix<double, 4, 3> Gradients; ///< of the corners' hat functions on the reference
+  Eigen::Matrix<double, 4, 3> Gradients; ///< of each corner's hat function on the reference shape
 };
 
-/// Returns the four gradients for the reference with the given edges (columns) at its first corner.
+/// Returns the gradients of the hat functions on a reference shape (ReferenceSimplex). edges
+/// (columns): the edges from its first corner to the other three.
 Eigen::Matrix<double, 4, 3> ComputeHatGradients(const Eigen::Matrix3d& edges);
 
 /**
@@ -27,19 +29,19 @@ Eigen::Matrix<double, 4, 3> ComputeHatGradients(const Eigen::Matrix3d& edges);
  *
  *   (1 - t) |J|^2 / (3 chi^(2/3)) + t (D^2 + 1) / (2 chi),  chi = (D + sqrt(D^2 + epsilon^2)) / 2
  *
- * with t = VolumeShare. Its minimum is 1, for a rotation. It is finite for every J if epsilon > 0,
- * and tends to a barrier at D = 0 as epsilon tends to 0.
+ * with t = VolumeShare. Its minimum for epsilon = 0 is 1, which rotations attain. If epsilon > 0,
+ * it is finite for every J. As epsilon tends to 0, it tends to a barrier at D = 0.
  */
 class EllipticEnergy
 {
 public:
   static constexpr double VolumeShare = 0.1;
 
-  /// Returns chi, the regularised determinant; positive if epsilon is.
+  /// Returns chi, the regularised determinant. It is positive if epsilon is positive.
   static double Chi(double determinant, double epsilon);
 
-  /// Returns the epsilon for which Chi(determinant, epsilon) = chi, or `minimum` if that is
-  /// greater.
+  /// Returns the epsilon for which Chi(determinant, epsilon) = chi, or `minimum` if this epsilon is
+  /// smaller.
   static double EpsilonFor(double determinant, double chi, double minimum);
 
   EllipticEnergy(const Eigen::Matrix3d& jacobian, double epsilon);
@@ -47,14 +49,14 @@ public:
   double Value() const;
   double Determinant() const { return this->D; }
 
-  /// Returns the derivative with respect to J.
+  /// Returns the derivative of the energy with respect to J.
   Eigen::Matrix3d Gradient() const;
 
   /**
-   * A positive semi-definite part of the second derivative. It treats D as a linear function of J
-   * and chi as a linear function of D, because the energy is convex in J, D and chi jointly. It is
-   * Identity * I + Mixed (j c^T + c j^T) + Rank * c c^T, where j and c are the entries of J and of
-   * its cofactor matrix.
+   * A positive semi-definite part of the second derivative. It treats D as a linear function of J,
+   * and chi as a linear function of D. It is positive semi-definite because the energy is convex in
+   * J, D and chi jointly. It equals Identity * I + Mixed (j c^T + c j^T) + Rank * c c^T. The
+   * vectors j and c hold the entries of J and of its cofactor matrix.
    */
   struct Curvature
   {

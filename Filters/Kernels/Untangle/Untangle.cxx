@@ -318,7 +318,7 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
     {
       throw InvalidInput("the RestShape has " + std::to_string(rest.rows()) +
         " points, but the Input has " + std::to_string(cells.Points.rows()) +
-        "; give the Input before it was moved");
+        "; give the cells of the Input before they were moved");
     }
   }
   // If inverted cells remain, they may need more iterations, or another start.
@@ -374,6 +374,9 @@ UntangleResult ComputeFoldFreeMap(const Cells& domain, const Eigen::MatrixXd& mo
   const Eigen::MatrixXd images = PullBack(closest, boundary.Triangles, targets);
   Cells carried = domain;
   carried.Points = moved;
+  // The user asks for the cells that the map inverts, not for those left by the exact boundary.
+  SolidCells mapped(carried, {}, "the Domain");
+  const auto invertedBefore = static_cast<int>(FindInvertedCells(mapped).size());
   const double farthest = OnSurface * ComputeLongestBoxEdge(boundary.Points);
   for (std::size_t i = 0; i < outer.size(); ++i)
   {
@@ -388,7 +391,9 @@ UntangleResult ComputeFoldFreeMap(const Cells& domain, const Eigen::MatrixXd& mo
         : images.row(row);
     }
   }
-  return Untangle(carried, domain.Points, {}, progress.Part(0.1, 1.0));
+  UntangleResult result = Untangle(carried, domain.Points, {}, progress.Part(0.1, 1.0));
+  result.InvertedBefore = invertedBefore;
+  return result;
 }
 
 } // namespace shape

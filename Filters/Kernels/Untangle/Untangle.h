@@ -12,8 +12,10 @@ namespace shape
 
 struct UntangleOptions
 {
-  bool FixBoundary = true;     ///< if false, boundary points slide along the boundary's surface
-  int MaximumIterations = 100; ///< maximum number of Newton steps for a patch at a time; >= 1
+  bool FixBoundary = true; ///< if false, boundary points slide along the boundary's surface
+  /// Maximum number of Newton steps for each connected patch of points in each round; >= 1. Three
+  /// times as many are allowed if inverted cells remain.
+  int MaximumIterations = 100;
 };
 
 struct UntangleResult
@@ -25,9 +27,9 @@ struct UntangleResult
   Eigen::VectorXi Inverted; ///< for each cell: 1 if it stays inverted, else 0
   int InvertedBefore = 0;   ///< number of inverted cells in the input
   int InvertedAfter = 0;    ///< number of inverted cells in the result
-  int SplitCells = 0;       ///< number of the input's cells that were split
-  int MovedPoints = 0;      ///< number of the input's points that were moved
-  int Iterations = 0;       ///< number of Newton steps in all patches
+  int SplitCells = 0;       ///< number of input cells that were split
+  int MovedPoints = 0;      ///< number of input points that were moved
+  int Iterations = 0;       ///< total number of Newton steps
 };
 
 /**
@@ -35,42 +37,45 @@ struct UntangleResult
  * elliptic energy of Garanzha, Kaporin, Kudryavtseva, Protais, Ray and Sokolov, "Foldover-free maps
  * in 50 lines of code" (2021).
  *
- * cells: tetrahedra, pyramids, wedges, hexahedra, in VTK's order of points. A cell is inverted if
- * one of its corner tetrahedra is not positive, which exact predicates decide. A tetrahedron is its
- * own corner tetrahedron. For a pyramid the corners of the base are sufficient. For wedges and
- * hexahedra all corners are tested, which is necessary for a positive Jacobian and nearly always
- * sufficient.
+ * cells: tetrahedra, pyramids, wedges and hexahedra, in VTK's order of points. A cell is inverted
+ * if one of its corner tetrahedra is not positive; exact predicates decide this. A tetrahedron is
+ * its own corner tetrahedron. For a pyramid, the corners of the base are tested, which is
+ * sufficient for a positive Jacobian. For wedges and hexahedra, all corners are tested, which is
+ * necessary for a positive Jacobian and nearly always sufficient.
  *
- * rest (n x 3, or empty): the points before the map that is to be untangled; the energy measures
- * the distortion from there. If empty, cells become similar to regular ones. The sizes of cells are
- * given by the boundary, and interpolated smoothly inside.
+ * rest (n x 3, or empty): the positions of the points at rest, that is, before the map that is to
+ * be untangled. The energy measures the distortion of cells relative to their rest shape, or
+ * relative to regular cells if `rest` is empty. The target sizes of cells are measured at the
+ * boundary, and interpolated smoothly inside.
  *
- * Only points around inverted cells move, and more of their surroundings if that is not sufficient.
- * A fixed boundary stays exactly unchanged. Some tetrahedra then cannot be positive, such as those
- * with four points on it, and are split. Finally, the edges of other tetrahedra that stay inverted
- * are split, too. No new point lies on an edge or face of the boundary.
+ * At first, only the points of inverted cells move. If that is not sufficient, points in a growing
+ * neighbourhood move, too. A fixed boundary stays exactly unchanged. An inverted tetrahedron whose
+ * four points are all fixed cannot become positive, so it is split. Other tetrahedra that stay
+ * inverted are split later. No new point lies on an edge or face of the boundary.
  *
- * If inverted cells remain, three times as many Newton steps are tried. Then everything is repeated
- * from a state in which inner points are the means of their neighbours. The best result is
- * returned. Cells that stay inverted because the boundary itself is inverted are counted and
- * marked.
+ * If inverted cells remain, the iteration continues with three times as many Newton steps. If some
+ * still remain, everything is repeated with each inner point starting at the mean of its
+ * neighbours, and the better result is returned. Cells that stay inverted, for example because the
+ * boundary itself is inverted, are counted and marked.
  *
- * Throws InvalidInput if a cell is of another kind, a coordinate is not finite, an option is out of
- * range, or the rest shape has another number of points; Aborted.
+ * Throws InvalidInput if a cell is of another kind, repeats a point or uses one that does not
+ * exist. Throws it also if there is no cell, a coordinate is not finite, an option is out of range,
+ * or `rest` has another number of points. Throws Aborted.
  */
 UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest = {},
   const UntangleOptions& options = {}, const Progress& progress = {});
 
 /**
- * Carries a solid by a map of its boundary's surface, without inverted cells. Boundary points of
- * the solid that lie on the surface (within 1e-6 of the longest edge of its bounding box) are put
- * exactly on its image. The other boundary points stay where the map took them. The interior is
- * then untangled with a fixed boundary (Untangle). The result is a mesh, not a map that could be
- * evaluated elsewhere.
+ * Untangles a solid that a map has moved, and enforces the map's boundary values. A boundary point
+ * of the solid lies on the map's boundary surface if its distance is at most 1e-6 times the longest
+ * edge of the surface's bounding box. Such a point is put exactly on the surface's image. The other
+ * boundary points keep their images. The interior is then untangled with a fixed boundary
+ * (Untangle). The result is a mesh, not a map that could be evaluated elsewhere.
  *
- * domain: solid cells before the map. moved (n x 3): the images of their points. boundary: a
- * surface in the space of the domain. targets: the images of its points. Throws what Untangle
- * throws.
+ * domain: the solid's cells before the map. moved (n x 3): the images of their points. boundary:
+ * the map's boundary surface, in the space of the domain. targets: the images of the points of
+ * `boundary`. In the result, InvertedBefore counts the cells that the map inverts. Throws whatever
+ * Untangle throws.
  */
 UntangleResult ComputeFoldFreeMap(const Cells& domain, const Eigen::MatrixXd& moved,
   const Mesh& boundary, const Eigen::MatrixXd& targets, const Progress& progress = {});

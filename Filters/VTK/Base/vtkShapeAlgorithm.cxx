@@ -232,10 +232,10 @@ int vtkShapeAlgorithm::CreateOutputs(vtkInformationVector** inputs, vtkInformati
     std::string type = this->OutputTypes[port];
     if (type.empty())
     {
-      // Without an input the pipeline stops after this, with a message.
+      // If a required input is missing, the pipeline stops after this pass, with a message.
       const auto points = this->MovedOutputs.count(port) ? vtkShapeComposite::Points::Moved
                                                          : vtkShapeComposite::Points::Kept;
-      // The type is known only now: that of an output like an input follows from the input's.
+      // The type is known only now, because an output like an input has the type of that input.
       type = input ? vtkShapeComposite::FindOutputType(input, points) : "vtkPolyData";
     }
     vtkDataObject* output = vtkDataObject::GetData(outputs, port);
@@ -264,8 +264,8 @@ void vtkShapeAlgorithm::PrepareInputs()
         continue;
       }
       vtkDataObject* input = this->GetInputDataObject(port, i);
-      // Empty means empty on all processes: one that has no piece must still take part in the
-      // collectives.
+      // An input is empty only if it is empty on all processes: a process without a piece must
+      // still take part in the collective calls.
       if (vtkShapeGather::CountPoints(input, this->Controller) == 0)
       {
         throw shape::InvalidInput(
@@ -313,7 +313,7 @@ void vtkShapeAlgorithm::AddCount(int port, const std::string& name, double own)
   this->Counts.push_back({ port, name, own });
 }
 
-/// After the processes have agreed on success: the sum is a collective.
+/// Called after the processes have agreed on success, because the sum is a collective call.
 void vtkShapeAlgorithm::WriteCounts(vtkInformationVector* outputs)
 {
   for (Count& count : this->Counts)
@@ -384,10 +384,10 @@ int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
   }
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
-    // No partial output.
+    // Outputs are complete or empty.
     vtkDataObject::GetData(outputs, port)->Initialize();
   }
-  // An abort by the user is no error.
+  // An abort by the user is not an error.
   if (message.empty())
   {
     return 1;

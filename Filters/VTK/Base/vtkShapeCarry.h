@@ -16,62 +16,69 @@ class vtkDataSet;
 class vtkDataSetAttributes;
 
 /**
- * Carries data onto derived meshes, by one rule for every filter:
- * - Values (float, double and unsigned char, which is a colour) are interpolated by the weights of
- *   the provenance, colours rounded and clamped. What has no weight does not count, even NaN.
- * - Everything else (integers, ids, strings, bits) comes from the source with the largest weight,
- *   of several the first.
+ * Carries data onto derived meshes, by the same rules for every filter:
+ * - Values (float, double, and unsigned char for colours) are interpolated by the weights of the
+ *   provenance. Colours are rounded and clamped. A tuple without weight has no influence, even if
+ *   it is NaN.
+ * - All other data (integers, ids, strings, bits) are copied from the source with the largest
+ *   weight. If several sources have this weight, the first is used.
  * - Normals (the active ones, or an array Normals with three real components) are interpolated and
- *   made unit vectors again.
+ *   normalised.
  * - A tuple without a source is 0, or an empty string. If no cell has a source, there are no cell
  *   arrays.
- * - Arrays keep name, type, components with their names, information and attribute role. Global
- *   ids and ghost marks are left out, as both belong to the old mesh.
- * Data of two meshes are merged: arrays of one name, type and number of components become one. If
- * only one mesh has an array, or the other's is different, tuples of the other mesh are 0.
+ * - Arrays keep their name, type, components, names of components, information and attribute role.
+ *   Global ids and ghost marks are omitted, because both describe the old mesh.
+ * The data of several meshes are merged. Arrays with the same name, type and number of components
+ * become one array. If a mesh has no such array, its tuples are 0.
  */
 namespace vtkShapeCarry
 {
 
 using Weights = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// A mesh that data come from.
+/// A mesh from which data are carried.
 struct Source
 {
   vtkDataSet* Mesh;
   const shape::Provenance& From;
 };
 
-/// Carries the point data and cell data of one mesh or several, and the field data of the first.
+/// Carries the point data and cell data of one or several meshes, and the field data of the first
+/// mesh.
 void Carry(const std::vector<Source>& sources, vtkDataSet* derived);
 
-/// One array, by weights (new tuples x old ones, no entry 0). It has no role.
+/// Returns one carried array, without an attribute role. weights: number of new tuples x number of
+/// old tuples, without stored zeros.
 vtkSmartPointer<vtkAbstractArray> CarryArray(vtkAbstractArray* array, const Weights& weights);
 
-/// The weights of tuples that are copies: of each, the old one, less than oldTuples; -1: none.
+/// Returns the weights for tuples that are copies. tuples: for each new tuple, the index of the old
+/// tuple, less than oldTuples, or -1 for none.
 Weights ToWeights(const Eigen::VectorXi& tuples, vtkIdType oldTuples);
 
-/// Adds Provenance::Points or Provenance::Cells as an array of ids: `OriginalPointId`,
-/// `OriginalCellId`.
+/// Adds Provenance::Points or Provenance::Cells as an array of ids with the given name, such as
+/// `OriginalPointId` or `OriginalCellId`.
 void AddOriginals(
   const Eigen::VectorXi& originals, const std::string& name, vtkDataSetAttributes* data);
 
-/// The normals among point or cell data, or nullptr.
+/// Returns the array of normals in point or cell data, or nullptr if there is none.
 vtkDataArray* GetNormals(vtkDataSetAttributes* data);
 
-/// Whether an array of `data` belongs to the mesh and is not carried: global ids, ghost marks.
+/// Returns whether an array of `data` describes the mesh itself and is not carried: global ids and
+/// ghost marks.
 bool BelongsToMesh(vtkAbstractArray* array, vtkDataSetAttributes* data);
 
-/// Whether an array has values that can be averaged (float, double, colours).
+/// Returns whether an array has values that can be averaged (float, double, colours).
 bool AreValues(vtkAbstractArray* array);
 
-/// Whether arrays have the same type and number of components; nullptr is like none.
+/// Returns whether two arrays have the same type and number of components. It returns false if one
+/// of them is nullptr.
 bool AreAlike(vtkAbstractArray* one, vtkAbstractArray* other);
 
-/// The tuples of an array as rows.
+/// Returns the tuples of an array as rows.
 Eigen::MatrixXd GetTuples(vtkDataArray* array);
 
-/// Writes rows to an array of values from tuple `first` on; colours are rounded and clamped.
+/// Writes the rows of `values` to an array, beginning at tuple `first`. Colours are rounded and
+/// clamped.
 void SetTuples(const Eigen::MatrixXd& values, vtkIdType first, vtkDataArray* array);
 
 } // namespace vtkShapeCarry

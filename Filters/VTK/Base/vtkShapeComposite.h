@@ -9,11 +9,12 @@
 class vtkDataObject;
 class vtkDataSet;
 
-/// Access to the data sets in a data object, composite or not, and outputs with the same structure.
+/// Access to the data sets in a data object, which may be composite, and creation of outputs with
+/// the same blocks.
 namespace vtkShapeComposite
 {
 
-/// Returns the data set itself, or the non-empty blocks of a composite one.
+/// Returns the data set itself or, if it is composite, its non-empty blocks.
 std::vector<vtkDataSet*> Of(vtkDataObject* data);
 
 /// Whether an output keeps the points of its input.
@@ -23,33 +24,34 @@ enum class Points
   Moved ///< to any positions: image data and rectilinear grids become structured grids
 };
 
-/// Returns the class of an output like `input`. Composites that are not trees become multiblocks.
+/// Returns the class name of an output that has the structure of `input`. Composite data that are
+/// not trees become multiblock data sets.
 std::string FindOutputType(vtkDataObject* input, Points points);
 
 /**
- * Copies the data set `input` to `output` with its points at `points`. Attributes are passed on;
- * vtkShapeMeasures removes those that are no longer valid. Image data and rectilinear grids become
- * structured grids: see vtkShapeAlgorithm.
+ * Copies the data set `input` to `output`, and moves its points to `points`. Attributes are passed
+ * on; vtkShapeMeasures removes the attributes that are no longer valid. Image data and rectilinear
+ * grids become structured grids.
  */
 void Move(vtkDataSet* input, const Eigen::MatrixXd& points, vtkDataSet* output);
 
 /**
- * Gives `output`, a FindOutputType(input, points), the structure of `input`, and calls `fill` with
- * each data set in `input` and its empty counterpart in `output`. Throws shape::InvalidInput if a
- * block is not a data set.
+ * Builds the structure of `input` in `output`, whose class is FindOutputType(input, points). Calls
+ * `fill` with each data set in `input` and the corresponding empty data set in `output`. Throws
+ * shape::InvalidInput if a block is not a data set.
  */
 void ForEach(vtkDataObject* input, vtkDataObject* output, Points points,
   const std::function<void(vtkDataSet* input, vtkDataSet* output)>& fill);
 
-/// Values at points (n x d), and the name of their array.
+/// Values at points and the name of their array.
 struct PointField
 {
   std::string Name;
-  Eigen::MatrixXd Values;
-  bool AreIds = false; ///< integers, for an array of vtkIdType; n x 1
+  Eigen::MatrixXd Values; ///< n x d
+  bool AreIds = false;    ///< whether the array is of vtkIdType; then d = 1
 };
 
-/// Copies `input` to `output` and adds these fields, which contain the points of all blocks in
+/// Copies `input` to `output` and adds the fields. Their rows are the points of all blocks, in
 /// order.
 void AddPointFields(
   vtkDataObject* input, vtkDataObject* output, const std::vector<PointField>& fields);

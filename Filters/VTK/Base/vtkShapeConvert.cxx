@@ -43,8 +43,8 @@ vtkIdType CountTriangles(vtkPolyData* surface)
   return count;
 }
 
-/// Returns the shape whose corners a cell type has; a voxel has those of a hexahedron, in another
-/// order.
+/// Finds the shape of a type of cell. A voxel has the corners of a hexahedron, in another order.
+/// Returns false for other types, which have no such shape.
 bool ShapeOf(int cellType, shape::CellShape& shape)
 {
   switch (cellType)
@@ -70,7 +70,7 @@ bool ShapeOf(int cellType, shape::CellShape& shape)
   }
 }
 
-/// Adds the triangles or tetrahedra into which a cell is divided.
+/// Appends the triangles or tetrahedra into which a cell is divided.
 void AddTriangulated(vtkCell* cell, shape::CellSimplices& cells)
 {
   const int corners = cell->GetCellDimension() + 1;
@@ -105,7 +105,7 @@ shape::Mesh vtkShapeConvert::ToMesh(vtkPolyData* surface, const std::string& nam
   if (polys->GetNumberOfCells() != CountTriangles(surface))
   {
     throw shape::InvalidInput(name +
-      " has a polygon that cannot be triangulated; find it with Triangulate, which leaves it out, "
+      " has a polygon that cannot be triangulated; find it with Triangulate, which omits it, "
       "and repair it");
   }
   shape::Mesh mesh{ ToPoints(surface), Eigen::MatrixXi(polys->GetNumberOfCells(), 3) };
@@ -157,7 +157,8 @@ shape::Cells vtkShapeConvert::ToCells(vtkUnstructuredGrid* grid, const std::stri
   return cells;
 }
 
-/// VTK numbers the corners of pixels and voxels row by row, those of quads and hexahedra around.
+/// VTK numbers the corners of pixels and voxels row by row, but the corners of quads and hexahedra
+/// around each face.
 void vtkShapeConvert::ReorderVoxels(shape::Cells& cells)
 {
   for (Eigen::Index cell = 0; cell < cells.Kinds.size(); ++cell)
@@ -204,7 +205,7 @@ shape::CellSimplices vtkShapeConvert::ToSimplices(
     data->GetNumberOfCells() > std::numeric_limits<int>::max() / 8)
   {
     throw shape::InvalidInput(name +
-      " has more than 2^31 points, or more cells than 2^31 corners allow; divide it into blocks, "
+      " has more than 2^31 points or more than 2^28 cells; divide it into blocks, "
       "or use more processes");
   }
   shape::CellSimplices cells;
@@ -253,8 +254,8 @@ Eigen::MatrixXd vtkShapeConvert::ToPointArray(
   vtkDataArray* values = data->GetPointData()->GetArray(array.c_str());
   if (!values && data->GetPointData()->HasArray(array.c_str()))
   {
-    throw shape::InvalidInput(
-      "the point array '" + array + "' of " + name + " has strings; choose an array of numbers");
+    throw shape::InvalidInput("the point array '" + array + "' of " + name +
+      " contains strings; choose an array of numbers");
   }
   if (!values)
   {

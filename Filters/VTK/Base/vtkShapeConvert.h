@@ -28,29 +28,30 @@ namespace vtkShapeConvert
 /// shape::InvalidInput if a polygon cannot be triangulated.
 shape::Mesh ToMesh(vtkPolyData* surface, const std::string& name);
 
-/// Returns the point ids of each line and polyline.
+/// Returns the point indices of each line and polyline.
 std::vector<std::vector<int>> ToLines(vtkPolyData* data);
 
-/// Converts the grid's cells, of any type. Throws shape::InvalidInput if there are too many to
-/// number.
+/// Converts the cells of a grid, of any type. Throws shape::InvalidInput if it has more points or
+/// corners than an int can number.
 shape::Cells ToCells(vtkUnstructuredGrid* grid, const std::string& name);
 
 /// Converts voxels to hexahedra and pixels to quadrilaterals.
 void ReorderVoxels(shape::Cells& cells);
 
-/// Returns the points of any data set (n x 3). Throws shape::InvalidInput if there are too many.
+/// Returns the points of any data set (n x 3). Throws shape::InvalidInput if it has more points
+/// than an int can number.
 Eigen::MatrixXd ToPoints(vtkDataSet* data);
 
 /// Converts the cells in order, over the same points. Tetrahedra, pyramids, wedges, hexahedra,
-/// voxels and triangles are given by their corners. Any other surface or solid cell is divided into
-/// simplices. Points and lines have none. Throws shape::InvalidInput if there are too many points,
-/// shape::Aborted.
+/// voxels and triangles are given by their corners. Other surface or solid cells are divided into
+/// simplices. Points and lines have no simplices. Throws shape::InvalidInput if there are more
+/// points or cells than an int can number, and shape::Aborted.
 shape::CellSimplices ToSimplices(
   vtkDataSet* data, const std::string& name, const shape::Progress& progress = {});
 
-/// Returns a point array (n x components). An empty block, or an empty piece of distributed data,
-/// may lack its arrays. Throws shape::InvalidInput if the array is missing or has another number of
-/// components or tuples; the message lists the existing arrays.
+/// Returns a point array (n x components). The array may be missing in data without points, such as
+/// an empty piece of distributed data. Throws shape::InvalidInput if the array is missing or has
+/// another number of components or tuples; the message lists the existing arrays.
 Eigen::MatrixXd ToPointArray(
   vtkDataSet* data, const std::string& array, int components, const std::string& name);
 
@@ -66,7 +67,7 @@ Eigen::MatrixXd Rows(const Eigen::MatrixXd& values, const std::vector<int>& rows
 /// Converts a mesh to a surface.
 void FromMesh(const shape::Mesh& mesh, vtkPolyData* output);
 
-/// Adds field data: one number or one string.
+/// Adds a fact to the field data: one number or one string.
 void AddFact(vtkDataObject* output, const std::string& name, double value);
 void AddFact(vtkDataObject* output, const std::string& name, const std::string& words);
 

@@ -36,9 +36,8 @@ bool IsParallel(vtkMultiProcessController* controller)
   return controller && controller->GetNumberOfProcesses() > 1;
 }
 
-/// Returns the surface without ghost cells; its points are unchanged.
-/// Points stay, also those that only ghost cells use, since they are the points of this process's
-/// output.
+/// Returns the surface without ghost cells; its points are unchanged. All points are kept, even
+/// points that only ghost cells use, because the output of this process has the same points.
 vtkSmartPointer<vtkPolyData> WithoutGhostCells(vtkPolyData* piece)
 {
   auto kept = vtkSmartPointer<vtkPolyData>::New();
@@ -77,8 +76,8 @@ std::vector<vtkIdType> FindCoincidentPoints(vtkPolyData* data, bool weld)
     vtkNew<vtkStaticPointLocator> locator;
     locator->SetDataSet(data);
     locator->BuildLocator();
-    // Only exact copies are merged: they are the copies that a distributed surface has along the
-    // borders of its pieces.
+    // Only points with exactly equal coordinates are merged. Pieces of a distributed surface have
+    // such copies along their common boundary.
     locator->MergePoints(0.0, first.data());
   }
   return first;
@@ -112,7 +111,7 @@ vtkSmartPointer<vtkPolyData> Merge(const std::vector<vtkSmartPointer<vtkPolyData
   for (std::size_t i = 0; i < firstCoincident.size(); ++i)
   {
     vtkIdType& position = pointMap[firstCoincident[i]];
-    // The first one's data are kept.
+    // The data of the first point are kept.
     if (position == -1)
     {
       const auto point = static_cast<vtkIdType>(i);
@@ -150,7 +149,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> Surfaces(vtkDataObject* data, const st
     auto* surface = vtkPolyData::SafeDownCast(block);
     if (!surface)
     {
-      throw shape::InvalidInput("the input '" + name + "' holds a " + block->GetClassName() +
+      throw shape::InvalidInput("the input '" + name + "' contains a " + block->GetClassName() +
         ", which is not a surface; apply Extract Surface first, or remove it with Extract Block");
     }
     surfaces.push_back(WithoutGhostCells(surface));
@@ -170,7 +169,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> Surfaces(vtkDataObject* data, const st
   return surfaces;
 }
 
-/// Merges several data sets into one grid; those without points are left out.
+/// Merges several data sets into one grid. Data sets without points are omitted.
 vtkSmartPointer<vtkUnstructuredGrid> Merge(const std::vector<vtkDataSet*>& pieces)
 {
   vtkNew<vtkAppendFilter> append;
@@ -245,7 +244,7 @@ void vtkShapeGather::RunOnAllOrFail(
   {
     message = error.what();
   }
-  // Before any process waits in the next collective for one that failed.
+  // Otherwise, processes would wait in the next collective call for a process that has failed.
   AgreeOnFailure(controller, failed, message);
   if (failed && message.empty())
   {
@@ -307,8 +306,8 @@ vtkIdType vtkShapeGather::CountPoints(vtkDataObject* data, vtkMultiProcessContro
 
 // 1. Merge the blocks of this process.
 // 2. Send them to process 0, which merges the pieces of all processes.
-// 3. Broadcast the result, and for each point of each piece its index in it.
-// 4. Compose this map with that of step 1.
+// 3. Broadcast the result, and the index in the result of each point of each piece.
+// 4. Compose these indices with the indices of step 1.
 vtkSmartPointer<vtkPolyData> vtkShapeGather::Gather(vtkDataObject* data, const std::string& name,
   bool weld, vtkMultiProcessController* controller, std::vector<int>& ownPoints)
 {
@@ -375,7 +374,7 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkShapeGather::GatherGrid(
       for (vtkDataSet* leaf : vtkShapeComposite::Of(data))
       {
         grids.push_back(ToGrid(leaf));
-        // Ghost cells are cells of another process, which sends them as its own.
+        // A ghost cell belongs to another process, which sends it.
         grids.back()->RemoveGhostCells();
         grids.back()->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
         grids.back()->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());

@@ -15,8 +15,8 @@ class vtkUnstructuredGrid;
 
 /**
  * The communication between the processes of a parallel ParaView. Every function is collective: all
- * processes of the controller call it, in the same order. With a null controller or one process
- * nothing is sent.
+ * processes of the controller must call the functions in the same order. With a null controller or
+ * with one process, nothing is sent.
  */
 namespace vtkShapeGather
 {
@@ -27,30 +27,29 @@ vtkIdType CountPoints(vtkDataObject* data, vtkMultiProcessController* controller
 /**
  * Returns all blocks of `data` of all processes as one vtkPolyData, the same on every process.
  *
- * weld: points with the same coordinates in several blocks or processes become one, so that the
- * pieces of a surface are connected; otherwise every point stays. Ghost cells are left out.
- * Throws shape::InvalidInput on every process if a block is not vtkPolyData; `name` denotes the
- * data in the message. ownPoints: for each point of this process's blocks, in order, its index in
- * the result.
+ * weld: whether coincident points of several blocks or processes are merged, so that the pieces of
+ * a surface are connected. Otherwise, all points are kept. Ghost cells are omitted. ownPoints: for
+ * each point of the blocks of this process, in order, its index in the result. name: denotes the
+ * data in errors. Throws shape::InvalidInput on every process if a block is not vtkPolyData.
  */
 vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const std::string& name, bool weld,
   vtkMultiProcessController* controller, std::vector<int>& ownPoints);
 
 /**
  * Returns all blocks of `data` of all processes as one vtkUnstructuredGrid, the same on every
- * process, with the arrays that all of them have. All points are kept. Ghost and hidden cells are
- * left out, and so are the arrays that mark them.
+ * process. It has the arrays that all blocks have. All points are kept. Ghost cells, hidden cells
+ * and the arrays that mark them are omitted.
  */
 vtkSmartPointer<vtkUnstructuredGrid> GatherGrid(
   vtkDataObject* data, vtkMultiProcessController* controller);
 
-/// Calls `work` on every process. If it throws on one process, this function throws on all. Use it
-/// for the work of Execute before a collective call, since no process may wait for one that has
-/// failed.
+/// Calls `work` on every process. If it throws on one process, this function throws on all
+/// processes. Use it for work of Execute that precedes a collective call. Otherwise, the other
+/// processes would wait forever for a process that has failed.
 void RunOnAllOrFail(vtkMultiProcessController* controller, const std::function<void()>& work);
 
 ///@{
-/// Copies the data of the first process to every process.
+/// Replaces the argument on every process by the data of the first process.
 void Share(vtkMultiProcessController* controller, vtkDataObject* data);
 void Share(vtkMultiProcessController* controller, Eigen::MatrixXd& matrix);
 ///@}
@@ -63,11 +62,12 @@ enum class Reduction
   Maximum
 };
 
-/// Combines each of `count` values over all processes, and overwrites them with the results.
+/// Combines each of the `count` values over all processes. Overwrites `values` with the results, on
+/// every process.
 void Reduce(vtkMultiProcessController* controller, double* values, int count, Reduction reduction);
 
-/// Sets `failed` on every process if it is set on any, and `message` to that of the first process
-/// that failed.
+/// If `failed` is true on any process, sets it to true on all processes, and sets `message` to the
+/// message of the first process that failed.
 void AgreeOnFailure(vtkMultiProcessController* controller, bool& failed, std::string& message);
 
 } // namespace vtkShapeGather

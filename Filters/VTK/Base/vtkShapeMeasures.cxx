@@ -36,7 +36,7 @@ const std::pair<const char*, Setter> OfHexahedra[] = {
   { "Shape", &vtkMeshQuality::SetHexQualityMeasureToShape },
 };
 
-/// Measures with real values. Arrays of integers with these names are labels.
+/// Measures with real values. Integer arrays with these names are labels, not measures.
 const std::set<std::string> RealMeasures = {
   // Verdict's measures of cells, and the arrays of vtkMeshQuality, vtkCellQuality,
   // vtkCellSizeFilter
@@ -60,8 +60,8 @@ const std::set<std::string> RealMeasures = {
 /// Measures that are counts or Booleans.
 const std::set<std::string> IntegerMeasures = { "Degenerate", "Flipped", "Inverted", "Torn" };
 
-/// Returns the measure that an array contains; empty if it is none. Active normals may have any
-/// name.
+/// Returns the name of the measure that an array contains, or an empty string if it is not a
+/// measure. Active normals may have any name.
 std::string MeasureOf(vtkFieldData* data, vtkAbstractArray* array)
 {
   auto* attributes = vtkDataSetAttributes::SafeDownCast(data);
@@ -76,8 +76,8 @@ std::string MeasureOf(vtkFieldData* data, vtkAbstractArray* array)
   return (isReal && RealMeasures.count(name)) || IntegerMeasures.count(name) ? name : "";
 }
 
-/// Returns the filter that wrote a fact, HexRemesh for HexRemesh.CellSize; empty if it is not one
-/// of ShapeMap.
+/// Returns the filter that wrote a fact (HexRemesh for HexRemesh.CellSize), or an empty string if
+/// it is not a filter of ShapeMap.
 std::string FilterOf(const std::string& fact)
 {
   static const std::set<std::string> filters = []
@@ -141,7 +141,7 @@ std::vector<std::string> Remove(
   const vtkShapeMeasures::Filter& filter, const Parts& inherited, vtkFieldData* data)
 {
   std::vector<std::string> removed;
-  // Backwards, since arrays are removed on the way.
+  // Backwards, because arrays are removed during the loop.
   for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
   {
     vtkAbstractArray* array = data->GetAbstractArray(i);
@@ -223,7 +223,7 @@ void vtkShapeMeasures::AddToHexahedra(const std::vector<std::string>& names, vtk
   }
 }
 
-/// Measures of cells that VTK can compute again, those of hexahedra, are; others are removed.
+/// The Verdict measures of hexahedra are computed again. Other measures are removed.
 void vtkShapeMeasures::Renew(const Filter& filter, vtkDataObject* output)
 {
   const Parts inherited = PartsOf(filter.Inputs);
@@ -231,7 +231,7 @@ void vtkShapeMeasures::Renew(const Filter& filter, vtkDataObject* output)
   for (vtkDataSet* leaf : vtkShapeComposite::Of(output))
   {
     auto* points = vtkPointSet::SafeDownCast(leaf);
-    // Shared points did not move: all measures of them are still true.
+    // The points are shared with an input, so they did not move, and all measures are still valid.
     if (!points || inherited.count(points->GetPoints()))
     {
       continue;

@@ -60,8 +60,8 @@ shape::NumberedSurface vtkShapePreciseMap::ToSurface(
                isPolygon = type == VTK_TRIANGLE || type == VTK_QUAD || type == VTK_POLYGON;
     if (!isVertex && !isLine && !isPolygon && type != VTK_TRIANGLE_STRIP)
     {
-      throw shape::MapOfAnotherSurface("TargetCell refers to triangles of a surface, but " + name +
-        " has cells of other types (first cell " + std::to_string(cell) +
+      throw shape::MapOfAnotherSurface("TargetCell refers to triangles, but " + name +
+        " has a cell of another type (cell " + std::to_string(cell) +
         "); connect the surface for which the map was made as " + name +
         ", or remove TargetCell with Pass Arrays to use closest positions");
     }

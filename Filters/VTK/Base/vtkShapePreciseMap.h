@@ -15,25 +15,26 @@ class vtkUnstructuredGrid;
 namespace vtkShapePreciseMap
 {
 
-/// The arrays' names.
+/// The names of the point arrays.
 inline const std::string Position = "TargetPosition", Cell = "TargetCell",
                          Barycentric = "TargetBarycentric";
 
-/// Returns whether the points have both arrays and the map array is TargetPosition.
+/// Returns whether the points have TargetCell and TargetBarycentric, and `mapArray` is
+/// TargetPosition.
 bool Has(vtkDataSet* data, const std::string& mapArray);
 
 ///@{
-/// Returns the surface's triangles with their numbers. Vertices and lines are numbered first, then
-/// the triangles of polygons, then those of strips. Throws shape::MapOfAnotherSurface if the grid
-/// has another type of cell,
-/// shape::InvalidInput if a polygon cannot be triangulated.
+/// Returns the triangles of a surface with the numbers to which TargetCell refers. Vertices and
+/// lines are numbered first, then the triangles of polygons, then the triangles of strips. Throws
+/// shape::MapOfAnotherSurface if the grid has another type of cell, and shape::InvalidInput if a
+/// polygon cannot be triangulated.
 shape::NumberedSurface ToSurface(vtkPolyData* surface, const std::string& name);
 shape::NumberedSurface ToSurface(vtkUnstructuredGrid* grid, const std::string& name);
 ///@}
 
-/// Returns the map into a target that the arrays store: see shape::RequirePreciseMap. targetName
-/// denotes the target in errors. Throws shape::InvalidInput, also if an array has another number of
-/// components.
+/// Returns the map that the arrays store, as surface points of `target` (shape::RequirePreciseMap).
+/// targetName: denotes the target in errors. Throws the exceptions of shape::RequirePreciseMap, and
+/// shape::InvalidInput if an array has another number of components.
 shape::SurfacePoints Read(vtkDataSet* data, const std::string& name,
   const shape::NumberedSurface& target, const std::string& targetName, double tolerance = 0.01);
 

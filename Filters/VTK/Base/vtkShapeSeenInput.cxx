@@ -93,9 +93,9 @@ bool AreSame(vtkPolyData* a, vtkPolyData* b)
 
 } // namespace
 
-/// With one process, the identity and the modification time of the input are enough. With several,
-/// these change on some processes only, and the gathered data are new objects each time; so the
-/// data themselves are compared, which gives the same answer everywhere.
+/// With one process, the identity and the modification time of the input are sufficient. With
+/// several processes, these may change on some of them only, and the gathered data are new objects
+/// each time. So the data themselves are compared, which gives the same result on every process.
 bool vtkShapeSeenInput::IsNew(vtkShapeAlgorithm& filter, int port, vtkPolyData* whole)
 {
   vtkMultiProcessController* controller = filter.GetController();
@@ -110,7 +110,7 @@ bool vtkShapeSeenInput::IsNew(vtkShapeAlgorithm& filter, int port, vtkPolyData* 
     return !isSame;
   }
   vtkDataObject* data = filter.GetInputDataObject(port, 0);
-  // A composite does not become newer when one of its blocks is modified.
+  // The modification time of composite data does not change when a block is modified.
   vtkMTimeType time = data->GetMTime();
   for (vtkDataSet* leaf : vtkShapeComposite::Of(data))
   {

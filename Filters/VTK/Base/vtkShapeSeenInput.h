@@ -7,18 +7,19 @@ class vtkDataObject;
 class vtkPolyData;
 class vtkShapeAlgorithm;
 
-/// Detects whether an input of a filter has changed, so that results computed from it can be reused
-/// if it has not.
+/// Detects whether an input of a filter has changed. If it has not, results computed from it can be
+/// reused.
 class vtkShapeSeenInput
 {
 public:
-  /// Returns whether the first connection of a port has other data than at the last call, or
-  /// whether this is the first call. whole: the gathered data of the input. Data of other processes
-  /// may change without notice: then `whole` is compared number by number.
+  /// Returns whether this is the first call, or the first connection of a port has other data than
+  /// at the last call. whole: the gathered data of the input. With several processes, `whole` is
+  /// compared value by value, because a change on another process leaves the modification time here
+  /// unchanged.
   bool IsNew(vtkShapeAlgorithm& filter, int port, vtkPolyData* whole);
 
 private:
-  vtkDataObject* Data = nullptr; ///< only compared, since it may have been deleted
+  vtkDataObject* Data = nullptr; ///< only compared, since the data may have been deleted
   vtkMTimeType Time = 0;
-  vtkSmartPointer<vtkPolyData> Copy; ///< of the gathered data of several processes
+  vtkSmartPointer<vtkPolyData> Copy; ///< with several processes: the gathered data of the last call
 };

@@ -60,8 +60,8 @@ vtkSmartPointer<vtkSelection> Own(vtkSelection* selection, vtkMultiProcessContro
 }
 
 /// Converts the result of vtkExtractSelection for a block: marks of its cells, or of its points. A
-/// block that the selection does not contain is empty.
-/// A selection of points selects the cells all of whose points it contains.
+/// block that the selection does not contain is empty. Selected points stand for the cells whose
+/// points are all selected.
 std::vector<char> MarksOf(vtkDataSet* data, vtkIdType count)
 {
   const char* name = "vtkInsidedness";
@@ -126,8 +126,8 @@ std::vector<char> MarksOfExtracted(vtkDataSet* extracted, vtkIdType cells)
   return marks;
 }
 
-/// Returns the data sets of a tree at the positions of those of another tree; nullptr if there is
-/// none.
+/// Returns, for each data set of one tree, the data set at the same position in another tree, or
+/// nullptr if there is none.
 std::vector<vtkDataSet*> LeavesLike(vtkDataObject* like, vtkDataObject* data)
 {
   auto* tree = vtkCompositeDataSet::SafeDownCast(like);

@@ -7,20 +7,21 @@
 class vtkDataObject;
 class vtkMultiProcessController;
 
-/// The cells of a selection.
+/// Conversion of a selection to a cell array.
 namespace vtkShapeSelectedCells
 {
 
-/// The cell array that marks them, 1 or 0.
+/// The name of the cell array: 1 in selected cells, otherwise 0.
 inline const std::string Name = "vtkShapeSelected";
 
 /**
- * Returns a copy of this process's part of `surface`, with the same tree of blocks, and adds the
+ * Returns a copy of this process's part of `surface`, with the same blocks and the additional cell
  * array Name.
  *
- * selection: a vtkSelection of cells; or one of points, which selects the cells whose points are
- * all selected; or extracted cells with the array vtkOriginalCellIds, block by block. Throws
- * shape::InvalidInput if it is something else. No process waits for another.
+ * selection: a vtkSelection of cells or points, or extracted cells, in the same blocks, with the
+ * array vtkOriginalCellIds. Selected points stand for the cells whose points are all selected.
+ * Throws shape::InvalidInput if it is none of these. The function is not collective: no process
+ * waits for another.
  */
 vtkSmartPointer<vtkDataObject> Mark(
   vtkDataObject* surface, vtkDataObject* selection, vtkMultiProcessController* controller);

@@ -135,8 +135,8 @@ void vtkShapeSolid::RequireOneSolid(vtkDataObject* domain, vtkMultiProcessContro
   }
 }
 
-/// The moved output is the start, the domain the rest shape. Cells may be split, so the output is
-/// written anew with arrays interpolated from its own.
+/// The moved output is the initial state, and the domain is the rest shape. Cells may be split, so
+/// the output is rebuilt, with arrays interpolated from the moved output.
 std::pair<int, int> vtkShapeSolid::MakeFoldFree(vtkDataObject* domain, vtkDataObject* moved,
   const shape::Mesh& boundary, const Eigen::MatrixXd& targets,
   vtkMultiProcessController* controller, const shape::Progress& progress)

@@ -41,9 +41,9 @@ double ComputeMeanEdgeLength(const shape::Mesh& mesh)
   return sum / 3.0;
 }
 
-/// Returns the points of the landmarks, and positions between them along lines.
-/// Lines are sampled at the mean edge length of the surface: coarser samples leave points between
-/// them free, finer ones fall on the same points.
+/// Returns the points of the landmarks, and positions between them along lines. Lines are sampled
+/// at the mean edge length of the surface. Coarser samples would leave points between them
+/// unconstrained, and finer samples would have the same nearest points.
 Partners ReadPartners(vtkUnstructuredGrid* given, double step)
 {
   const Eigen::MatrixXd positions = vtkShapeConvert::ToPoints(given);

@@ -5,39 +5,42 @@
  * Inputs
  * - SurfaceA, SurfaceB: oriented 2-manifolds that face outwards. Polygons are triangulated
  *   internally. shape::RequireMethodInput states which methods accept boundaries, handles or
- *   several components. Blocks and distributed pieces are joined first, and each process gets its
- *   own back.
- * - Landmarks (optional): points and polylines on SurfaceA with the point array `TargetPosition`
- *   on SurfaceB. Each point is moved to the nearest point of its surface. If two reach the same
- *   point, only the first is used. Polylines are sampled at the mean edge length of SurfaceA.
- *   Without this input the filter finds landmarks (shape::FindLandmarks) on surfaces of one
- *   component.
+ *   several components. Blocks and distributed pieces are joined before the computation, and each
+ *   process gets its own pieces back.
+ * - Landmarks (optional): points and polylines on SurfaceA. Their point array `TargetPosition`
+ *   gives the corresponding positions on SurfaceB. Each position is replaced by the nearest point
+ *   of its surface. If two landmarks have the same point on a surface, only the first landmark is
+ *   used. Polylines are sampled at the mean edge length of SurfaceA. Without this input, the filter
+ *   finds landmarks itself (shape::FindLandmarks), which requires surfaces of one component.
  *
  * Outputs: SurfaceA and SurfaceB with the precise map onto the other one, the point arrays
  * - `TargetPosition` (double, 3).
- * - `TargetCell` (vtkIdType): the triangle that contains it. This is a cell of the other surface
- *   if that has neither strips nor larger polygons. Otherwise polygons and strips are cut into
- *   triangles, which are numbered in order after vertices and lines.
+ * - `TargetCell` (vtkIdType): the triangle that contains this position. It is a cell index if all
+ *   polygons of the other surface are triangles and it has no strips. Otherwise, polygons and
+ *   strips are cut into triangles, which are numbered in order after vertices and lines.
  * - `TargetBarycentric` (double, 3): the barycentric coordinates, in the order of the corners.
  *
  * Field data of both, with the prefix Correspondence
- * - .Landmarks: number of landmarks used. .LandmarksFound: 1 if the filter found them.
- * - .Distortion, .MirroredDistortion, .MirrorImage, .Confidence: if the filter found them, see
- *   shape::AutomaticLandmarksResult; otherwise -1.
- * - .DirichletEnergy, .RoundTrip, .ReversedArea: shape::SurfaceMapFacts.
- * - .Part: 1 if SurfaceA is taken as a part of SurfaceB, 2 if SurfaceB is a part of SurfaceA,
- *   otherwise 0. .Scale: lengths on SurfaceB divided by those on SurfaceA. .PartShare: area of the
- *   part divided by that of the other surface. See shape::SurfacePart.
- * - .CoverageOfA, .CoverageOfB: shares of area that have a partner: points that the round trip
- *   returns to within a 50th of the root of the area.
- * - .Mirrored: 1 if ReversedArea exceeds 0.3, that is, if the map exchanges left and right, on all
- *   of the surface or on protrusions.
- * - .CouplingDistortion, .CouplingError: of GromovWasserstein, otherwise -1. The first measures
- *   how well samples preserve their distances, the second how far masses are from their prescribed
- *   weights.
- * - .CoarsePoints: number of points of the larger surface on which the method worked.
- * - .Iterations: of ReversibleHarmonic, otherwise 0. It is also 0 if one surface is a part: the
- *   initial functional map is then the result, since iterations would spread it.
+ * - .Landmarks: number of landmarks used. .LandmarksFound: 1 if the filter found the landmarks
+ *   itself, otherwise 0.
+ * - .Distortion, .MirroredDistortion, .MirrorImage, .Confidence: see
+ *   shape::AutomaticLandmarksResult. They are -1 if landmarks are given.
+ * - .DirichletEnergy, .RoundTrip, .ReversedArea: see shape::SurfaceMapFacts.
+ * - .Part: 1 if SurfaceA is treated as a part of SurfaceB, 2 if SurfaceB is treated as a part of
+ *   SurfaceA, otherwise 0. .Scale: lengths on SurfaceB divided by those on SurfaceA. .PartShare:
+ *   area of the part divided by the area of the other surface, at this scale. See
+ *   shape::SurfacePart.
+ * - .CoverageOfA, .CoverageOfB: share of the area of each surface that has a partner. A point has a
+ *   partner if both maps in turn return it to within 1/50 of the root of the area.
+ * - .Mirrored: 1 if ReversedArea exceeds 0.3. The map then exchanges left and right, on all of the
+ *   surface or on protrusions.
+ * - .CouplingDistortion, .CouplingError: only for GromovWasserstein, otherwise -1. The first
+ *   measures how much distances between samples change. The second measures how far the masses of
+ *   samples are from their prescribed weights.
+ * - .CoarsePoints: number of points of the larger of the two surfaces on which the method was run.
+ * - .Iterations: number of iterations of ReversibleHarmonic, otherwise 0. If one surface is a part
+ *   of the other, .Iterations is also 0. The result is then the initial functional map, because
+ *   iterations would spread the part over the other surface.
  *
  * A sparse factorisation cannot be interrupted, so an abort takes effect at its end.
  *
@@ -84,7 +87,7 @@ private:
   vtkShapeCorrespondence(const vtkShapeCorrespondence&) = delete;
   void operator=(const vtkShapeCorrespondence&) = delete;
 
-  /// Fills output `port` with its surface and the map onto the other one.
+  /// Fills output `port` with the surface of that port and its map onto the other surface.
   void WriteMap(int port, const shape::SurfacePoints& map, const shape::Mesh& other, int otherPort);
 
   shape::CorrespondenceOptions Options;

@@ -36,7 +36,7 @@ void vtkShapeMapErrorCurve::Execute(const shape::Progress& progress)
     truth.Mirrored = vtkShapeConvert::ToPointArray(positions, this->SymmetryArray, 3, "the Truth");
   }
 
-  // If the target has a map, too, it is taken as the way back, and the round trip is measured.
+  // If the target has the map array, too, it is the map back, and the round trip is measured.
   const bool hasBack = goal->GetPointData()->HasArray(this->MapArray.c_str());
   const shape::MapErrorCurveResult result = shape::ComputeMapErrorCurve(
     input, map, target, truth, this->Options, progress.Part(0.0, hasBack ? 0.7 : 0.9));
@@ -64,7 +64,7 @@ void vtkShapeMapErrorCurve::Execute(const shape::Progress& progress)
     add("RoundTripMean", trips.size() > 0 ? trips.mean() : 0.0);
     add("RoundTripMaximum", trips.size() > 0 ? trips.maxCoeff() : 0.0);
   }
-  // Every process has the same curve: one of them outputs it.
+  // Every process has the same curve, and one of them outputs it.
   if (!this->GetController() || this->GetController()->GetLocalProcessId() == 0)
   {
     output->AddColumn(vtkShapeConvert::ToArray(result.Errors, "Error"));

@@ -4,32 +4,34 @@
  *
  * Inputs
  * - Input: a surface with the map array (double, 3).
- * - Target: the surface that the map leads to. It may have the map array of the map back to Input.
- * - Truth: any data set whose points are positions on Input and whose map array gives their true
- *   images on Target. An array with the name SymmetryArray gives the images under a symmetry of
- *   the shape. Errors are then measured to each of the two truths, and those with the smaller mean
- *   are reported.
- * Blocks and distributed pieces of each are joined first.
+ * - Target: the surface onto which the map takes Input. If Target has the map array, too, that
+ *   array is the map back to Input.
+ * - Truth: any data set with points on Input. Its map array gives their true images on Target. Its
+ *   optional array SymmetryArray gives the mirror images of the true images under a symmetry of the
+ *   shape. Errors are then measured from both, and the errors with the smaller mean are reported.
+ * Blocks and distributed pieces of each input are joined first.
  *
  * Output: a table, on one process
- * - `Error`: ascending, the exact geodesic distance on the triangles of Target, divided by the
- *   Normalisation.
+ * - `Error`: the exact geodesic distance on Target between the image of a point and its true image,
+ *   divided by .Unit. The rows are in ascending order of this error.
  * - `Share`: the share of points with at most this error.
  *
  * Field data, with the prefix MapErrorCurve
  * - .Mean, .Median, .Percentile95, .Maximum, .AreaUnderCurve (the mean share for errors up to
  *   LargestError).
  * - .Unit: the length by which errors were divided.
- * - .Mirrored: 1 if errors are measured to the symmetric truth.
- * - .UnreachedPlaces: points mapped to another component than their truth. They have no row, but
- *   are included in the total of Share.
- * - .LargestGap: maximum distance of a point of Truth from its surface, in their units.
- * - .Coverage: share of the area of Target that is nearer to the image than a hundredth of the
- *   root of the area.
- * - .RoundTripMean, .RoundTripMaximum: if Target has the map array. Distance of points of Input
- *   from themselves after the round trip, divided by the root of the area.
+ * - .Mirrored: 1 if the reported errors are measured from the mirror images.
+ * - .UnreachedPlaces: number of points whose image is on another component than the true image.
+ *   They have no row, but are counted in the total to which Share refers.
+ * - .LargestGap: maximum distance of a point of Truth from Input, or of its true image from Target,
+ *   in the units of the model.
+ * - .Coverage: share of the area of Target that the image of Input covers, within a hundredth of
+ *   the root of the area.
+ * - .RoundTripMean, .RoundTripMaximum: only if Target has the map array. Distance of the points of
+ *   Input from their original positions after the map to Target and back, divided by the root of
+ *   the area.
  *
- * Measures of the cells of a map, such as conformal distortion, are those of vtkShapeMapQuality.
+ * vtkShapeMapQuality measures the cells of a map, for example their conformal distortion.
  *
  * The mathematics: shape::ComputeMapErrorCurve, shape::ComputeRoundTripErrors,
  * shape::ComputeCoverage.

@@ -100,8 +100,8 @@ std::vector<char> SelectedTriangles(vtkPolyData* marked, const Eigen::VectorXi& 
 
 } // namespace
 
-/// While a loop is dragged, an invalid one must not empty the view: the last result stays, with the
-/// reason as a fact.
+/// An invalid loop must not empty the view during a drag. The last result stays, and the reason is
+/// added as a fact.
 void vtkShapeCutFeature::Execute(const shape::Progress& progress)
 {
   vtkSmartPointer<vtkPolyData> marked;
@@ -163,8 +163,8 @@ void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progres
   {
     throw shape::InvalidInput("there is no loop, and Loop Points has " +
       std::to_string(loopPoints) +
-      " positions instead of at least 3; draw a loop, or connect a closed polyline to Loop or a "
-      "selection to Selection");
+      " positions, but needs at least 3; draw a loop, connect a closed polyline to Loop, or "
+      "connect a selection to Selection");
   }
   vtkPolyData* surface = this->GetGatheredInput(0).Data;
   Kept& kept = *this->Cache;
@@ -179,7 +179,7 @@ void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progres
       std::make_unique<shape::FeatureCutter>(kept.Numbered.Surface, progress.Part(0.0, 0.1));
   }
   shape::CutFeatureOptions options = this->Options;
-  // Filling takes longer than a drag step may; it follows on release.
+  // Filling is too slow for a step of a drag. The hole is filled when the mouse button is released.
   options.FillHole = options.FillHole && !this->Dragging;
   shape::CutFeatureResult cut;
   if (marked)
@@ -210,8 +210,8 @@ void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progres
     auto* input = vtkPolyData::SafeDownCast(this->GetInputDataObject(0, 0));
     const bool isAlone =
       !this->GetController() || this->GetController()->GetNumberOfProcesses() == 1;
-    // The input itself keeps its arrays and cells as they are; the gathered one stands for
-    // composite and distributed data.
+    // The input itself keeps all arrays and cells. The gathered input replaces composite and
+    // distributed data.
     rest->ShallowCopy(input && isAlone ? input : surface);
   }
   vtkShapeCutParts::AddFacts(cut, feature);

@@ -3,43 +3,47 @@
  * @brief   cut a feature from a surface and fill the hole
  *
  * Inputs
- * - Input: a surface, open or closed, also non-manifold. Polygons are triangulated internally, and
- *   seams are closed (shape::WeldedSurface). Blocks and distributed pieces are joined first.
+ * - Input: a surface, open or closed, which may be non-manifold. Polygons are triangulated
+ *   internally, and seams are closed (shape::WeldedSurface). Blocks and distributed pieces are
+ *   joined first.
  * - Loop (optional): closed curves on the surface or near it. Their points are projected to the
  *   surface and joined by locally shortest paths. Lines connected end to end, in any order, are
  *   one curve.
- * - Selection (optional): a selection of cells, a selection of points (of all cells whose points
- *   are all selected), or the output of Extract Selection (with vtkOriginalCellIds).
- * One of the two is required, or LoopPoints: x, y, z of the positions of a closed curve.
+ * - Selection (optional): selected cells, selected points, or the output of Extract Selection (with
+ *   vtkOriginalCellIds). Selected points stand for the cells whose points are all selected. Loop,
+ *   Selection or LoopPoints is required. LoopPoints are the positions (x, y, z) of a closed curve.
  *
- * Outputs: 0 the feature, 1 the rest with the hole filled. Both are surfaces of triangles with all
- * point and cell data (see vtkShapeCutParts). Triangles that the loop crosses are split, and the
- * geometry does not change.
- * - Point array `OriginalPointId` (vtkIdType): the point of Input, or -1 for a new point.
- * - Cell array `Filled` (int, 0 or 1) of the rest.
- * If KeepOriginal is on, the rest is the unchanged Input without further arrays. In parallel the
- * first process has both.
+ * Outputs: 0 is the feature, and 1 is the rest of the surface with the hole filled. Both consist of
+ * triangles and have all point and cell data (see vtkShapeCutParts). Triangles that the loop
+ * crosses are split, and the geometry does not change.
+ * - Point array `OriginalPointId` (vtkIdType): the index of the point in Input, or -1 for a new
+ *   point.
+ * - Cell array `Filled` (int) of the rest: 1 on the fill, otherwise 0. If KeepOriginal is on,
+ *   output 1 is the unchanged Input without further arrays.
+ * In parallel, the first process has both outputs.
  *
- * The feature stores the base on which it stood, so that vtkShapePasteFeature can return it to
- * its position (shape::FeatureFootprint). Its longest filled loop has the point arrays, 0
- * elsewhere
- * - `LoopCoordinates` (double, 3): u, v, 0 in an exponential map of the filled rest around the
- *   centre of the fill.
+ * The feature stores its base (shape::FeatureFootprint), the surface on which it stood, so that
+ * vtkShapePasteFeature can paste it back at its original position. The points of its longest filled
+ * loop have these arrays, which are 0 elsewhere:
+ * - `LoopCoordinates` (double, 3): u, v and 0, the coordinates of the point in the exponential map
+ *   of the filled rest around the centre of the fill.
  * - `LoopNormal` (double, 3): the unit normal of the filled rest.
- * and the feature has the field data, with the prefix CutFeature
- * - .Seed, .SeedNormal, .SeedDirection (3 numbers each): the origin, normal and u axis of the map.
+ * The feature also has field data with the prefix CutFeature:
+ * - .Seed, .SeedNormal, .SeedDirection (3 numbers each): the origin, the normal and the u axis of
+ *   the exponential map.
  * - .ConformalRadius: 0 unless the layout is conformal.
  * - .Refined: 1 if the layout minimises distortion.
  * - .ReturnsInPlace: 1 if the loop returns to its position when it is pasted there.
  *
  * Field data of both outputs, with the prefix CutFeature
- * - .Loops: closed loops that were cut. .LoopsLeftOut: unused parts of curves that touch
- *   themselves; the longest part is used.
- * - .CutLength, .FeatureArea, .WeldedPoints, .Holes: number of filled holes.
- * - .Refused, .Refusal: 1 and the reason if Dragging is on and the loop cannot be cut. The outputs
- *   are then the last valid ones.
+ * - .Loops: number of closed loops that were cut. .LoopsLeftOut: number of ignored parts of curves
+ *   that touch themselves. Only the longest part of such a curve is used.
+ * - .CutLength: length of the cut. .FeatureArea: area of the feature. .WeldedPoints: number of
+ *   welded points of Input. .Holes: number of filled holes.
+ * - .Refused: 1 if Dragging is on and the loop cannot be cut, otherwise 0. .Refusal is then the
+ *   reason, and the outputs are the last valid ones.
  *
- * Everything that depends only on Input is reused while the loop changes.
+ * If only the loop changes, everything that depends only on Input is reused.
  *
  * The mathematics: shape::CutFeature.
  */

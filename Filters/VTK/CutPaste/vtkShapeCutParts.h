@@ -5,15 +5,15 @@
 
 class vtkPolyData;
 
-/// Conversion of a cut feature and the rest of the surface to data.
+/// Conversion of a cut feature, and of the rest of the surface, to VTK data.
 namespace vtkShapeCutParts
 {
 
 /**
- * Writes both with the data of `surface` (vtkShapeCarry); those on fills are from
- * vtkShapeFillValues. Adds `OriginalPointId` (vtkIdType; -1: new) to both, the cell array `Filled`
- * to the rest, and the base to the feature: see vtkShapeCutFeature. numbered: the surface's
- * triangles.
+ * Writes the feature and the rest with the data of `surface` (vtkShapeCarry). vtkShapeFillValues
+ * computes the data on fills. Adds `OriginalPointId` (vtkIdType; -1: new) to both, the cell array
+ * `Filled` to the rest, and the base to the feature: see vtkShapeCutFeature. numbered: the
+ * triangles of `surface`.
  */
 void Write(const shape::CutFeatureResult& cut, const shape::NumberedSurface& numbered,
   vtkPolyData* surface, vtkPolyData* feature, vtkPolyData* rest);

@@ -39,7 +39,7 @@ std::optional<Eigen::RowVectorXd> Fact(vtkPolyData* data, const std::string& nam
   return numbers;
 }
 
-/// Returns the array at the feature's points; empty if it does not exist.
+/// Returns the array at the points of the feature, or an empty matrix if there is no such array.
 Eigen::MatrixXd LoopArray(vtkPolyData* data, const std::string& name)
 {
   return data->GetPointData()->HasArray(name.c_str())
@@ -47,7 +47,7 @@ Eigen::MatrixXd LoopArray(vtkPolyData* data, const std::string& name)
     : Eigen::MatrixXd(0, 3);
 }
 
-/// Returns whether all of a loop was cut and filled.
+/// Returns whether a loop was cut and filled at all of its points.
 bool WasCut(const std::vector<int>& loop, const Eigen::MatrixXd& normals)
 {
   return normals.rows() > 0 &&
@@ -70,7 +70,7 @@ std::vector<int> ChooseLoop(const shape::Mesh& feature, const Eigen::MatrixXd& n
   }
   const auto wasCut = std::find_if(loops.begin(), loops.end(),
     [&](const std::vector<int>& loop) { return WasCut(loop, normals); });
-  // By default the loop at which the feature was cut, even if another one is longer.
+  // By default, the loop at which the feature was cut, even if another loop is longer.
   return index == 0 && wasCut != loops.end() ? *wasCut : loops[index];
 }
 
@@ -83,7 +83,8 @@ void vtkShapeFeatureBase::Write(const shape::CutFeatureResult& cut, vtkPolyData*
     return;
   }
   const shape::FeatureFootprint& base = *cut.Base;
-  // By position, since points on a seam are duplicated and all copies must carry the base.
+  // Points are found by position, because points on a seam are duplicated, and all copies must
+  // store the base.
   std::map<int, Eigen::Index> rows; // of the loop, by the position on the surface
   for (std::size_t i = 0; i < base.Loop.size(); ++i)
   {
@@ -119,7 +120,7 @@ vtkShapeFeatureBase::Feature vtkShapeFeatureBase::Read(
   const Eigen::MatrixXd positions = LoopArray(data, Positions);
   Eigen::MatrixXd normals = LoopArray(data, Normals);
   const auto normal = Fact(data, "SeedNormal", 3), axis = Fact(data, "SeedDirection", 3);
-  // A base is used as a whole or not at all.
+  // A base is used only if it is complete.
   if (positions.rows() == 0 || !normal || !axis)
   {
     normals.resize(0, 3);
@@ -127,7 +128,7 @@ vtkShapeFeatureBase::Feature vtkShapeFeatureBase::Read(
   const std::vector<int> loop = ChooseLoop(surface, normals, loopIndex);
   if (!WasCut(loop, normals))
   {
-    // A feature from elsewhere, or a loop that was not filled.
+    // The feature was not made by Shape Cut Feature, or its hole was not filled.
     return { shape::BuildFootprintOnOwnFill(surface, loop, progress), true };
   }
   const auto radius = Fact(data, "ConformalRadius", 1), refined = Fact(data, "Refined", 1);

@@ -3,37 +3,37 @@
  * @brief   paste a feature on a surface with a smooth seam
  *
  * Inputs
- * - Feature: triangles around an open loop, such as the first output of vtkShapeCutFeature, which
- *   stores the base on which it stood. Without that base the hole at the loop is filled
- *   (shape::FillHole), and the feature stands on the fill. Away from the loop the feature may be
- *   non-manifold.
+ * - Feature: a surface with an open loop, such as the first output of vtkShapeCutFeature. That
+ *   output also stores the base on which the feature stood. If no base is stored, the hole at the
+ *   loop is filled (shape::FillHole), and the feature stands on the fill. Away from the loop, the
+ *   feature may be non-manifold.
  * - Target: an oriented 2-manifold, open or closed.
- * Polygons of both are triangulated, seams are closed (shape::WeldedSurface), and points without
- * triangles are removed.
+ * In both inputs, polygons are triangulated, seams are closed (shape::WeldedSurface), and points
+ * without triangles are removed.
  *
  * Output: the target without its covered region, a seam band, and the feature, deformed to fit. It
- * is watertight if the target is and the feature has no other loop. Points and cells keep their
- * arrays (see vtkShapePastedData), and the field data are those of the target. The cell array
- * `Part` is 0 on the target, 1 on the band and 2 on the feature.
+ * is watertight if the target is watertight and the feature has no other loop. Points and cells
+ * keep their arrays (see vtkShapePastedData). The field data are copied from the target. The cell
+ * array `Part` is 0 on the target, 1 on the seam band and 2 on the feature.
  *
  * Field data, with the prefix PasteFeature
  * - .Seed, .Normal, .Direction (3 numbers each): the position on the target, its normal, and the
  *   tangent from which Rotation is measured.
  * - .DeviationBefore, .DeviationAfter: median angle between the normals of feature and target at
- *   the loop, in degrees, before and after optimisation. .Deviation95Before, .Deviation95After:
- *   the 95th percentile.
- * - .Refused, .Refusal: 1 and the reason if Dragging is on and the feature does not fit, otherwise
- *   0.
- * - .Layout: "exponential map", or "conformal" if that flips triangles at the loop, or "least
- *   distortion" if the conformal map does, too.
+ *   the loop, in degrees, before and after optimisation. .Deviation95Before, .Deviation95After: the
+ *   95th percentile of these angles.
+ * - .Refused: 1 if Dragging is on and the feature does not fit, otherwise 0. .Refusal is then the
+ *   reason.
+ * - .Layout: "exponential map"; "conformal" if the exponential map flips triangles at the loop; or
+ *   "least distortion" if the conformal map flips triangles, too.
  * - .Base: "where it was cut" or "own fill".
  * - .EulerNumber, .BandTriangles, .WeldedPoints (of both inputs), .NonManifold (edges and points
  *   of the feature).
- * - .FlippedTriangles: triangles of the target below the feature that its layout in the plane
- *   flips.
+ * - .FlippedTriangles: number of triangles of the target, below the feature, that are flipped when
+ *   the target is flattened.
  *
  * Everything that depends only on the feature, or only on the target, is reused while the position
- * changes. In parallel the first process has the result.
+ * changes. In parallel, the first process has the result.
  *
  * The mathematics: shape::FeatureToPaste, shape::PasteTarget.
  */

@@ -22,7 +22,8 @@
 namespace
 {
 
-/// The feature's data, its values blended with the target's at the loop.
+/// Returns the data of the feature, with values that are blended to agree with the target at the
+/// loop.
 vtkSmartPointer<vtkPolyData> Blend(const shape::PastedFeature& pasted,
   const shape::FeatureToPaste& feature, const vtkShapePastedData::Part& target,
   const vtkShapePastedData::Part& featurePart, double width)

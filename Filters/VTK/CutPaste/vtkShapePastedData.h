@@ -8,7 +8,7 @@
 
 #include <string>
 
-/// Conversion of the result of Shape Paste Feature to data.
+/// Conversion of the inputs of Shape Paste Feature to kernel types, and of its result to VTK data.
 namespace vtkShapePastedData
 {
 
@@ -16,19 +16,20 @@ namespace vtkShapePastedData
 struct Part
 {
   shape::Mesh Surface;               ///< without points that no triangle uses
-  vtkSmartPointer<vtkPolyData> Data; ///< the same with the data of its points and cells
+  vtkSmartPointer<vtkPolyData> Data; ///< the same surface with its point and cell data
   int WeldedPoints = 0;
 };
 
-/// Reads a surface. name: denotes the data in errors. Throws shape::InvalidInput as
-/// shape::WeldedSurface does.
+/// Reads a surface. name: denotes the data in errors. Throws the exceptions of
+/// shape::WeldedSurface.
 Part Read(vtkPolyData* data, const std::string& name, const shape::Progress& progress);
 
 /**
- * Writes the pasted surface with the data of both parts (vtkShapeCarry). If both parts have an
- * array, its values at the feature's points are blended to agree with the target's at the loop:
- * shape::BlendAtSeam over `blendWidth` of the feature's depth. The band's cells get the target's
- * values there. The cell array `Part` is 0 on the target, 1 on the band and 2 on the feature.
+ * Writes the pasted surface with the data of target and feature (vtkShapeCarry). If both have an
+ * array, its values at the points of the feature are changed to agree with the target at the loop
+ * (shape::BlendAtSeam). blendWidth: the width of the changed band, as a share of the depth of the
+ * feature. The cells of the seam band get the values of the target at the loop. The cell array
+ * `Part` is 0 on the target, 1 on the seam band and 2 on the feature.
  */
 void Write(const shape::PastedFeature& pasted, const shape::FeatureToPaste& feature,
   const Part& target, const Part& featurePart, double blendWidth, vtkPolyData* output);

@@ -3,34 +3,36 @@
  * @brief   deform a shape by its boundary or another handle, and preserve its detail
  *
  * Inputs
- * - Input: surfaces, solids, curves, polygon soups and points of any data set, also composite or
- *   distributed. Image data become structured grids. Coincident points move as one. Cells of any
- *   type may be degenerate or non-manifold. Parts that are not connected to the handle follow the
- *   nearest part.
+ * - Input: surfaces, solids, curves, polygon soups and points of any data set, which may be
+ *   composite or distributed. Image data become structured grids. Coincident points move together.
+ *   Cells of any type may be degenerate or non-manifold. Parts that are not connected to the handle
+ *   follow the nearest connected part.
  * - Boundary: the handle at its new position: one or several curves, surfaces or points, with
  *   point arrays
- *   - `SourcePosition` (double, 3): the old position, on Input or near it. Points of Input at its
- *     points, on its lines and in its triangles follow it exactly.
- *   - `SourceNormal`, `TargetNormal` (double, 3; optional, both or neither): the normal of Input
- *     there, and its image. Without them the frames are estimated by one rule that rotates with
- *     the shape.
- *   - `FrameRotation` (double, 3; optional, with `FrameSet`): rotations of the frames as axis
- *     times radians. They apply at points with a non-zero `FrameSet` and are interpolated along the
- *     curve in between.
+ *   - `SourcePosition` (double, 3): the old position, on Input or near it. Points of Input that lie
+ *     on the old handle follow it exactly.
+ *   - `SourceNormal`, `TargetNormal` (double, 3; optional, both or neither): the normal of Input at
+ *     the handle, before and after the deformation. Without these arrays, the frames are estimated
+ *     from the old and the new handle by the same rule, which is invariant to rotation.
+ *   - `FrameRotation` (double, 3; optional, with `FrameSet`): further rotations of the frames, as
+ *     the axis times the angle in radians. They apply at points with a non-zero `FrameSet`. Between
+ *     such points, they are interpolated along the curve.
  *
  * Output: the deformed Input with the point array `SourcePosition` (double, 3). Normals of points
  * rotate, and normals of cells are dropped. A rigid motion of the handle moves the shape rigidly.
- * If the handle is scaled by Scale, the shape follows that similarity. A handle at rest leaves the
- * shape unchanged.
+ * If the handle is scaled by the factor Scale, the entire shape undergoes the same similarity. A
+ * handle at rest leaves the shape unchanged.
  *
  * Field data, with the prefix Deform
- * - .Islands: parts that are not connected to the handle.
- * - .EmptyBands: points without upwind points within UpwindRadius. .ZeroWeights: points whose
- *   upwind points all have weight 0.
- * - .WeldedPoints. .Segments: connected parts of one value of SegmentArray.
- * - .BasePoints: points of the coarse shape, 0 if none is used.
- * - .Streamed: 1 if the weights are too many to be stored. .Prepared: 1 if the weights were
- *   computed in this run, 0 if only the handle's new position or the frames changed.
+ * - .Islands: number of parts that are not connected to the handle.
+ * - .EmptyBands: number of points without upwind points within UpwindRadius. .ZeroWeights: number
+ *   of points whose upwind points all have weight 0.
+ * - .WeldedPoints: number of points that coincide with another one. .Segments: number of connected
+ *   parts with the same value of SegmentArray.
+ * - .BasePoints: number of points of the coarse shape, 0 if none is used.
+ * - .Streamed: 1 if there are too many weights to be stored, otherwise 0. .Prepared: 1 if the
+ *   weights were computed in this run, 0 if they were reused because only the new position of the
+ *   handle or the frames changed.
  *
  * The mathematics: shape::Deformer, shape::ShapeDeformation.
  */

@@ -2,8 +2,8 @@
  * @class   vtkShapeDeformingAlgorithm
  * @brief   base of the filters that deform a shape by its boundary: its parameters
  *
- * All of them may change interactively. The source is Schmidt and Singh, "Drag-and-drop surface
- * composition" (Graphics Interface 2010), section 2.
+ * All these parameters may be changed interactively. The source is Schmidt and Singh,
+ * "Drag-and-drop surface composition" (Graphics Interface 2010), section 2.
  */
 #ifndef vtkShapeDeformingAlgorithm_h
 #define vtkShapeDeformingAlgorithm_h

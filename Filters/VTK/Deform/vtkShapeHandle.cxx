@@ -138,7 +138,8 @@ private:
   }
 
   const Eigen::MatrixXd& Points;
-  // Exact positions suffice: the whole was gathered from these points without arithmetic.
+  // Exact positions are sufficient, because the complete shape was gathered from these points
+  // without arithmetic.
   std::map<std::array<double, 3>, int> Positions;
 };
 
@@ -193,7 +194,8 @@ Eigen::VectorXi vtkShapeHandle::ToLabels(vtkUnstructuredGrid* grid, const std::s
   {
     return vtkShapeConvert::ToPointArray(grid, array, 1, "the Input").col(0).cast<int>();
   }
-  // A point gets the label of most of its cells; of equally many, the lowest.
+  // A point gets the most frequent label of its cells. If several labels are equally frequent, it
+  // gets the lowest.
   std::vector<std::map<int, int>> around(points);
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)

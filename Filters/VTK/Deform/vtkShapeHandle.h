@@ -7,18 +7,21 @@
 class vtkDataObject;
 class vtkUnstructuredGrid;
 
-/// Conversion of the shape and the handle of vtkShapeDeform.
+/// Conversion of the shape and the handle of vtkShapeDeform to kernel types, and of the deformed
+/// shape to VTK data.
 namespace vtkShapeHandle
 {
 
-/// Returns the points and cells of a grid of any type, as lines, triangles and tetrahedra. Other
-/// cells are divided into these. Throws shape::InvalidInput, shape::Aborted.
+/// Returns the points of a grid, and its cells as lines, triangles and tetrahedra. Cells of other
+/// types are divided into these. name: denotes the grid in errors. Throws the exceptions of
+/// vtkShapeConvert::ToSimplices.
 shape::ShapeElements ToElements(
   vtkUnstructuredGrid* grid, const std::string& name, const shape::Progress& progress = {});
 
-/// Returns labels of the points from a point array or a cell array of one component. With a cell
-/// array, a point gets the most frequent label of the cells around it, or the lowest of several.
-/// Throws shape::InvalidInput if there is neither array.
+/// Returns a label for each point from a point array or a cell array with one component. With a
+/// cell array, a point gets the most frequent label of the cells around it. If several labels are
+/// equally frequent, it gets the lowest. Throws shape::InvalidInput if there is neither array, or a
+/// label does not fit into an int.
 Eigen::VectorXi ToLabels(vtkUnstructuredGrid* grid, const std::string& array);
 
 struct Boundary
@@ -27,13 +30,16 @@ struct Boundary
   shape::HandleTarget Target;
 };
 
-/// Reads the point arrays `SourcePosition`, `SourceNormal` and `TargetNormal`, `FrameRotation` and
-/// `FrameSet`. Throws shape::InvalidInput.
+/// Reads the handle before (Source) and after (Target) its motion. The old positions are the point
+/// array `SourcePosition`. The optional point arrays are `SourceNormal` and `TargetNormal`, and
+/// `FrameRotation` with `FrameSet`. Throws shape::InvalidInput if an array is missing or has
+/// another number of components.
 Boundary Read(vtkUnstructuredGrid* boundary);
 
-/// Writes the deformed `input`, which is a part of the shape, to `output`. whole: the points of the
-/// complete shape before the deformation; deformed: the complete shape. Adds the point array
-/// `SourcePosition`, and rotates point normals. Throws shape::InvalidInput.
+/// Writes the deformed `input`, which is a part of the shape, to `output`. Adds the point array
+/// `SourcePosition`, and rotates point normals. whole: n x 3, the points of the complete shape
+/// before the deformation. deformed: the complete shape after it. Throws shape::InvalidInput if a
+/// point of `input` is not in `whole`.
 void Write(vtkDataObject* input, const Eigen::MatrixXd& whole, const shape::DeformedShape& deformed,
   vtkDataObject* output);
 

@@ -3,13 +3,14 @@
  * @brief   compute the distance of points to a surface, negative inside the solid that it bounds
  *
  * Inputs
- * - Input: points or cells of any data set, also composite or distributed.
- * - Surface: gathered from all its blocks and processes. Polygons are triangulated internally.
- *   With Signed it is closed, with one or several components of any orientation. A component
- *   inside another one bounds a void. Without Signed it may be open.
+ * - Input: any data set, which may be composite or distributed.
+ * - Surface: a surface, gathered from all blocks and processes. Polygons are triangulated
+ *   internally. If Signed is on, it must be closed. It may have several components, of any
+ *   orientation, and a component inside another component bounds a void. If Signed is off, it may
+ *   be open.
  *
- * Output: the same data (image data stay image data) with the point array `BoundaryDistance`
- * (double, in the units of the surface).
+ * Output: Input, of the same type, with the point array `BoundaryDistance` (double, in the units of
+ * Surface).
  *
  * The mathematics: shape::BoundaryDistance.
  */

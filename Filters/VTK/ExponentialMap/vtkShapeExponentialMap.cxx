@@ -35,7 +35,8 @@ vtkShapeExponentialMap::~vtkShapeExponentialMap() = default;
 vtkShapeExponentialMap::Kept& vtkShapeExponentialMap::Update(const shape::Progress& progress)
 {
   Kept& kept = *this->Cache;
-  // The map's structures do not depend on the seed: while it is dragged they are reused.
+  // The search structures of the map do not depend on the seed, so they are reused while it is
+  // dragged.
   const bool isNew = kept.Input.IsNew(*this, 0, this->GetGatheredInput(0).Data);
   if (isNew || !kept.Map || kept.Options.NormalSmoothing != this->Options.NormalSmoothing ||
     kept.Options.UpwindAverage != this->Options.UpwindAverage)

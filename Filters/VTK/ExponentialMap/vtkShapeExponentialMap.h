@@ -2,18 +2,19 @@
  * @class   vtkShapeExponentialMap
  * @brief   flatten the part of a surface around a seed
  *
- * Input: a surface, open or closed, also non-manifold. Polygons are triangulated internally, and
- * coincident points are treated as one. Blocks and distributed pieces are joined first. In parallel
- * the first process has the patch.
+ * Input: a surface, open or closed, which may be non-manifold. Polygons are triangulated
+ * internally, and coincident points are treated as one. Blocks and distributed pieces are joined
+ * first. In parallel, the first process has the patch.
  *
- * Output: the patch, which consists of the triangles whose points the front reaches within Radius.
- * It has the data of their points and cells, and the point arrays
- * - `ExponentialMap` (double, 2): texture coordinates. The seed is at (0.5, 0.5), and the disk of
- *   the radius fills the square.
- * - `TargetPosition` (double, 3): the same in the units of the surface, with z = 0 and the seed at
- *   the origin.
- * - `GeodesicDistance`: from the seed. `OriginalPointId`.
- * and the cell arrays
+ * Output: the patch, which consists of the triangles whose points are all within the distance
+ * Radius of the seed. The patch has the point and cell data of the input, and the point arrays
+ * - `ExponentialMap` (double, 2): texture coordinates. The seed is at (0.5, 0.5), and the disk with
+ *   the radius of the patch touches all edges of the unit square.
+ * - `TargetPosition` (double, 3): the same coordinates in the units of the surface, with z = 0 and
+ *   the seed at the origin.
+ * - `GeodesicDistance` (double): the distance from the seed. `OriginalPointId`: the index of the
+ *   point in the input.
+ * It also has the cell arrays
  * - `Flipped`, `Torn` (int, 0 or 1). Torn: the image is more than twice as long as the triangle,
  *   because the front met itself behind a protrusion.
  * - `ConformalDistortion`, `SymmetricDirichlet`: as defined in vtkShapeMapQuality.
@@ -21,17 +22,17 @@
  * Field data, with the prefix ExponentialMap
  * - .Seed, .SeedNormal, .XAxis (3 numbers each): origin of the patch, its normal, and the
  *   direction of u.
- * - .SeedDistance: distance of Seed from the surface. .Radius.
- * - .Flipped, .Torn: numbers of triangles. .FlipRate: the flipped share. .Mended: repaired
- *   triangles.
- * - .ConformalDistortion, .SymmetricDirichlet (2 numbers each): median and 95th percentile, by
- *   area, of triangles neither flipped nor torn. .Coverage: the area of their images divided by
- *   that of the disk.
+ * - .SeedDistance: distance of Seed from the surface. .Radius: the radius that was used.
+ * - .Flipped, .Torn: numbers of triangles. .FlipRate: the share of flipped triangles. .Mended: the
+ *   number of repaired triangles.
+ * - .ConformalDistortion, .SymmetricDirichlet (2 numbers each): median and 95th percentile,
+ *   weighted by area, over the triangles that are neither flipped nor torn. .Coverage: the area of
+ *   the images of these triangles divided by the area of the disk.
  * - .Overlaps: 1 if parts of the image overlap. .ReachesRim: 1 if the patch ends at a boundary of
  *   the surface.
  *
- * Everything that depends only on the surface, NormalSmoothing and UpwindAverage is reused. A new
- * seed or radius takes time for the patch only.
+ * Results that depend only on the surface, NormalSmoothing and UpwindAverage are reused. The time
+ * for a new seed or radius depends only on the size of the patch.
  *
  * The mathematics: shape::ExponentialMap, shape::FlattenPatch.
  */
@@ -73,7 +74,8 @@ private:
   void operator=(const vtkShapeExponentialMap&) = delete;
 
   struct Kept;
-  /// Returns the map of the current surface.
+  /// Returns the map of the current surface, which is built only if the surface or an option has
+  /// changed.
   Kept& Update(const shape::Progress& progress);
 
   double Seed[3] = { 0.0, 0.0, 0.0 };

@@ -6,13 +6,13 @@
 
 class vtkPolyData;
 
-/// Conversion of a flattened patch to data.
+/// Conversion of a flattened patch to VTK data.
 namespace vtkShapePatch
 {
 
-/// Writes the patch of a surface to `output`, with the data of its points and cells, and the arrays
-/// and field data of vtkShapeExponentialMap. mesh: the surface's triangles; cells: the cell of the
-/// surface that each triangle is a part of.
+/// Writes the patch of a surface to `output`, with the point and cell data of the surface, and with
+/// the arrays and field data of vtkShapeExponentialMap. mesh: the triangles of the surface. cells:
+/// for each triangle, the cell of the surface to which it belongs.
 void Write(const shape::PatchLayout& layout, const shape::Mesh& mesh, vtkPolyData* surface,
   const Eigen::VectorXi& cells, vtkPolyData* output);
 

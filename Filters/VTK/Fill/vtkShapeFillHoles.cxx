@@ -48,7 +48,7 @@ void vtkShapeFillHoles::SetFillMethod(int method)
   if (method < 0 || method > static_cast<int>(shape::FillMethod::Membrane))
   {
     vtkErrorMacro(<< this->GetLabel() << ": FillMethod " << method
-                  << " does not exist; it ranges from 0 to 3");
+                  << " does not exist; use a value from 0 to 3");
   }
   else if (method != this->GetFillMethod())
   {
@@ -102,7 +102,7 @@ shape::CurveNetwork ToCurveNetwork(vtkPolyData* data)
   if (lines.empty())
   {
     throw shape::InvalidInput(
-      "the Input has neither polygons nor lines; connect a surface, or closed polylines");
+      "the Input has neither polygons nor lines; connect a surface or closed polylines");
   }
   vtkDataArray* normals = data->GetPointData()->GetNormals();
   const bool hasNormals = normals || data->GetPointData()->HasArray("Normals");

@@ -4,31 +4,36 @@
  *
  * Input: a surface, manifold or not, whose open loops are holes. Polygons are triangulated
  * internally, and coincident points are connected. Blocks and distributed pieces are joined first.
- * Without polygons it is closed polylines or a network of lines, with or without point `Normals`.
- * Each face of the network gets a patch (shape::FindCurveLoops).
+ * An input without polygons is treated as closed polylines or a network of lines, with or without
+ * the point array `Normals`. Each face of the network is filled with a patch
+ * (shape::FindCurveLoops).
  *
- * Output: the input with the fills, whose triangles are as large as those at the loops, and the
- * cell array `Filled` (int, 1 in fills, otherwise 0). Points, cells and their data are those of
- * the input. On fills, floating-point values and colours continue smoothly from the loop, and
- * normals are those of the fill. Other point data are those of the nearest point of the loop, and
- * cell data those of a cell there. Loops that touch themselves at a point are split there. In
- * parallel the first process has the output.
+ * Output: the input, followed by the fills, with the cell array `Filled` (int, 1 in fills,
+ * otherwise 0). The triangles of a fill are as large as the triangles at its loop. The points and
+ * cells of the input and their data do not change. On fills, floating-point values and colours
+ * continue smoothly from the loop, and normals are computed from the fill. Other point data are
+ * copied from the nearest point of the loop, and cell data from a cell at this point. Loops that
+ * touch themselves at a point are split at this point. In parallel, the first process has the
+ * output.
  *
- * The parameters of the deformation apply to FillMethod Deformation and may change interactively.
- * The frames at the loop are optimised once, for the default parameters. A factorisation cannot be
- * interrupted, so an abort takes effect at its end.
+ * The parameters of vtkShapeDeformingAlgorithm apply to the FillMethod Deformation and may be
+ * changed interactively. The frames at the loop are optimised once, for the default parameters. A
+ * factorisation cannot be interrupted, so an abort takes effect at its end.
  *
  * Field data, with the prefix FillHoles
- * - .Loops: number of loops found. .UnclosedSides: boundary edges in no closed loop.
- * - .LooseSegments, .SkippedFaces: of curves, see shape::CurveNetwork.
- * and a tuple for each filled loop
- * - .Loop: number of the loop, 0 for the longest. .LoopPoints. .Method and .Reason (strings).
- * - .Nonplanarity: maximum distance of the loop from its plane, divided by its diameter.
+ * - .Loops: number of loops found. .UnclosedSides: number of boundary edges that belong to no
+ *   closed loop.
+ * - .LooseSegments, .SkippedFaces: for input without polygons, see shape::CurveNetwork.
+ * These arrays have a tuple for each filled loop:
+ * - .Loop: index of the loop, 0 for the longest. .LoopPoints: number of its points. .Method and
+ *   .Reason (strings).
+ * - .Nonplanarity: maximum distance of a point of the loop from the plane of the loop, divided by
+ *   the diameter of the loop.
  * - .NormalDeviationBefore, .NormalDeviationAfter: mean angle between the normals of the fill at
- *   the loop and the prescribed ones, in degrees. Before: of the membrane, or before the frames
- *   are optimised.
- * - .SelfIntersections: pairs of triangles that intersect without a shared point, at least one of
- *   them of the fill.
+ *   the loop and the prescribed normals, in degrees. "Before" refers to the membrane or, for
+ *   Deformation, to the fill before the frames are optimised.
+ * - .SelfIntersections: number of pairs of triangles that intersect but share no point. At least
+ *   one triangle of each pair is in the fill.
  * - .Points, .Triangles: numbers of new points and triangles.
  *
  * The mathematics: shape::SurfaceFiller.

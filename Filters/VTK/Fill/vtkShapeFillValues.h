@@ -14,10 +14,10 @@ namespace vtkShapeFillValues
 {
 
 /**
- * Replaces the data that the points of fills took from the nearest point of their loop. Values
- * (vtkShapeCarry::AreValues) continue smoothly from the loop (shape::ExtendValuesOntoFill); normals
- * of points and cells are those of the fill. surface: with the fills, whose triangles are the cells
- * of `output` from `firstCell` on.
+ * Replaces data on fills, which were copied from the nearest point of the loop. Values
+ * (vtkShapeCarry::AreValues) continue smoothly from the loop (shape::ExtendValuesOntoFill). Normals
+ * of points and cells are computed from the fill. surface: the surface with the fills. The
+ * triangles of the fills are the cells of `output` from `firstCell` on.
  */
 void Continue(const shape::Mesh& surface, const std::vector<shape::FilledHole>& holes,
   vtkIdType firstCell, vtkPolyData* output);

@@ -7,16 +7,17 @@
 
 class vtkPolyData;
 
-/// Conversion of a surface with filled holes to data: see vtkShapeFillHoles.
+/// Conversion of a surface with filled holes to VTK data: see vtkShapeFillHoles.
 namespace vtkShapeFilledData
 {
 
 /// Writes `input` with the fills after its polygons, and the cell array `Filled`. numbered: the
-/// input's triangles, which come first in `filled`.
+/// triangles of `input`, which are also the first triangles of `filled`.
 void Write(const shape::FilledSurface& filled, const shape::NumberedSurface& numbered,
   vtkPolyData* input, vtkPolyData* output);
 
-/// Adds the field data of each fill. loops: the number of each filled loop among all loops.
+/// Adds the field data that describe each fill. loops: for each fill, the index of its loop among
+/// all loops.
 void AddFacts(
   const shape::FilledSurface& filled, const std::vector<int>& loops, vtkPolyData* output);
 

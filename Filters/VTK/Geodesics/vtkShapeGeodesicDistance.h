@@ -5,13 +5,13 @@
  * Inputs
  * - Input: an oriented 2-manifold, open or closed, of any number of components. Polygons are
  *   triangulated internally. Blocks and distributed pieces are joined first, and each process gets
- *   its own back.
+ *   its own pieces back.
  * - Seeds: any data set, such as points, curves or an extracted selection. Each point is projected
  *   to the surface.
  *
  * Output: the same surface with the point array `GeodesicDistance` (double, in the units of the
- * surface), -1 on components without a seed. Field data: GeodesicDistance.UnreachedPoints, the
- * number of these points.
+ * surface). On components without a seed, it is -1. Field data: GeodesicDistance.UnreachedPoints,
+ * the number of points on such components.
  *
  * Method Heat computes two or three factorisations. A factorisation cannot be interrupted, so an
  * abort takes effect at its end.

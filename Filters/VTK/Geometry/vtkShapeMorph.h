@@ -2,17 +2,17 @@
  * @class   vtkShapeMorph
  * @brief   move a shape along its map as time goes from 0 to 1
  *
- * At time t each point is at (1 - t) x + t y. Here x is its position and y its map array, so t = 0
- * gives the input and t = 1 the image of the map.
+ * At time t, a point is at (1 - t) x + t y. Here, x is its position in the input, and y is the
+ * value of its map array. So t = 0 gives the input, and t = 1 gives the image under the map.
  *
- * Input: points or cells of any data set, also composite or distributed, with the map array (3
- * components) at its points.
+ * Input: any data set, which may be composite or distributed, with the map array (3 components) at
+ * its points.
  *
- * Output: the same data moved, with `SourcePosition` (double, 3), the position at t = 0. Image
- * data and rectilinear grids become structured grids. Point normals are dropped. The time range is
- * [0, 1], and each time in it can be requested. An earlier time, or no time, gives t = 0, and a
- * later time gives t = 1. The range is listed in 41 steps, which the player of ParaView uses by
- * default. If the input has time steps, the first one is used.
+ * Output: the moved data, with the point array `SourcePosition` (double, 3), the position at t = 0.
+ * Image data and rectilinear grids become structured grids. Point normals are dropped. The time
+ * range is [0, 1], and any time in it can be requested. Earlier requests, and requests without a
+ * time, give t = 0. Later requests give t = 1. The filter lists 41 time steps, which ParaView plays
+ * by default. If the input has time steps, the first one is used.
  *
  * The mathematics is the formula above: there is no kernel.
  */

@@ -30,8 +30,8 @@ namespace
 
 using Affine = Eigen::Matrix<double, 3, 4>;
 
-/// Reads [A b] of each region: 3 tuples of 4 if there is one region, otherwise a tuple of 12 for
-/// each.
+/// Reads [A b] of each region: 3 tuples of 4 if there is one region, otherwise one tuple of 12 for
+/// each region.
 std::vector<Affine> ReadAffines(vtkPolyData* data, const std::string& name)
 {
   vtkDataArray* array = data->GetFieldData()->GetArray("Affine");
@@ -71,7 +71,7 @@ std::vector<int> ReadRegions(vtkPolyData* data, int regions, const std::string& 
     if (!(values(i) >= shape::PiecewiseCharges::Void && values(i) < regions))
     {
       throw shape::InvalidInput(name + " has " + std::to_string(regions) +
-        " affine parts, but RegionId " + std::to_string(values(i)) + " at point " +
+        " affine parts, but RegionId is " + std::to_string(values(i)) + " at point " +
         std::to_string(i) + "; number the regions from 0, and use -1 at the boundaries of voids");
     }
     ids[i] = static_cast<int>(values(i));
@@ -178,7 +178,7 @@ shape::PiecewiseCharges vtkShapeChargeSet::Read(vtkPolyData* data, const std::st
     }
   }
   vtkDataArray* offset = data->GetFieldData()->GetArray("HarmonicVolumeMap.OffsetDistance");
-  // Charge sets that other programs wrote have no such fact.
+  // Charge sets that other programs wrote do not have this fact.
   contents.Farthest = offset && offset->GetNumberOfTuples() > 0
     ? shape::ComputeFarthest(offset->GetComponent(0, 0), contents.Surface.Points())
     : MeasuredMaximum(vtkShapeConvert::Rows(all.Points, sources), contents.Surface);
@@ -192,7 +192,7 @@ void vtkShapeChargeSet::Share(
   {
     return;
   }
-  // All as doubles, which represent indices exactly.
+  // All numbers are sent as doubles, which represent indices exactly.
   Eigen::MatrixXd sizes(1, 2);
   sizes << static_cast<double>(charges.Maps.size()), charges.Farthest;
   vtkShapeGather::Share(controller, sizes);
@@ -285,7 +285,7 @@ std::array<vtkIdType, 3> vtkShapeChargeSet::Move(vtkDataObject* domain, vtkDataO
       vtkUnsignedCharArray* ghosts = input->GetPointGhostArray();
       for (Eigen::Index i = 0; i < sources.rows(); ++i)
       {
-        // Points that belong to another process are counted there.
+        // Points that belong to another process are counted by that process.
         const bool own =
           !ghosts || (ghosts->GetValue(i) & vtkDataSetAttributes::DUPLICATEPOINT) == 0;
         counts[positions.OutsideDomain(i)] += own;

@@ -14,33 +14,34 @@ class vtkMultiProcessController;
 class vtkPolyData;
 
 /**
- * Conversion of charge sets to data and back. The data are points with `Charge` (double, 3) and
- * field data `Affine` (3 tuples of 4). Their cells are the surface that bounds the domain, whose
- * points have no charge.
+ * Conversion of charge sets to VTK data and back. The points of the data have `Charge` (double, 3),
+ * and their field data have `Affine` (3 tuples of 4). The cells are the surface that bounds the
+ * domain; the points of this surface have charge 0.
  *
- * If the map has several layers, `RegionId` (int) at a charge is the region to whose map it
- * belongs. At the surfaces' points and cells it is the region that the surface encloses (-1: a
- * void). `Affine` has one tuple of 12 for each region, the rows of its A and b. Field data `Skin`
- * has one number for each region (PiecewiseCharges).
+ * If the map has several layers, there is also `RegionId` (int). At a charge, it is the region to
+ * whose map the charge belongs. At the points and cells of a surface, it is the region that the
+ * surface encloses (-1: a void). `Affine` then has one tuple of 12 for each region, the rows of its
+ * A and b. The field data `Skin` have one number for each region (PiecewiseCharges).
  */
 namespace vtkShapeChargeSet
 {
 
-/// Reads a charge set. The distance of the charges is the field data
-/// HarmonicVolumeMap.OffsetDistance or, without it, measured. Throws shape::InvalidInput if `data`
-/// is not a charge set; `name` denotes it in the message.
+/// Reads a charge set. The distance of the charges from the boundary is the field data
+/// HarmonicVolumeMap.OffsetDistance or, if there is none, it is measured. name: denotes the data in
+/// errors. Throws shape::InvalidInput if `data` is not a charge set.
 shape::PiecewiseCharges Read(vtkPolyData* data, const std::string& name);
 
 /// Copies the charge set of the first process to every process.
 void Share(vtkMultiProcessController* controller, shape::PiecewiseCharges& charges);
 
-/// Writes the charge set to `output`; charges of zero are left out.
+/// Writes the charge set to `output`. Charges that are zero are omitted.
 void Write(const shape::PiecewiseCharges& charges, vtkPolyData* output);
 
 /**
- * Writes the moved data of `domain` to `moved`: `position` returns the new positions of the points
- * of every data set. Adds `SourcePosition` and `OutsideDomain` (0, 1 or 2). Returns the number of
- * points with each value of OutsideDomain, without those that belong to other processes.
+ * Moves the points of `domain`, adds the point arrays `SourcePosition` and `OutsideDomain` (0, 1 or
+ * 2), and writes the result to `moved`. position: computes the new positions of the points of one
+ * data set. Returns the number of points with each value of OutsideDomain; points of other
+ * processes are not counted.
  */
 std::array<vtkIdType, 3> Move(vtkDataObject* domain, vtkDataObject* moved,
   const std::function<shape::MovedPoints(

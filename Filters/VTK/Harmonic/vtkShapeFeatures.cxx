@@ -88,7 +88,8 @@ shape::VolumeFeatures ByOrder(vtkPolyData* feature, vtkPolyData* target,
   {
     throw shape::InvalidInput(name + " has " + std::to_string(feature->GetNumberOfPoints()) +
       " points, but its target has " + std::to_string(target->GetNumberOfPoints()) +
-      "; points are paired by order: use equal numbers of points, or curves, or add the map array");
+      " points; points are paired by their order, so use equally many, or use curves, or add the "
+      "map array");
   }
   return { vtkShapeConvert::ToPoints(feature), vtkShapeConvert::ToPoints(target), weights };
 }
@@ -146,14 +147,13 @@ shape::VolumeFeatures vtkShapeFeatures::Read(const std::vector<vtkPolyData*>& fe
   {
     throw shape::InvalidInput("there are " + std::to_string(targets.size()) +
       " TargetFeatures, but only " + std::to_string(used) +
-      " Features without the map array, which need one; disconnect the other targets, or connect "
-      "their Features");
+      " Features without a map array; disconnect the other targets, or connect their Features");
   }
   return all;
 }
 
-/// Surfaces are met exactly as boundaries of regions; points and curves remain least-squares
-/// constraints.
+/// Surfaces are fitted exactly, as boundaries of regions. Points and curves are still fitted in the
+/// least-squares sense.
 vtkShapeFeatures::Split vtkShapeFeatures::TakeSurfaces(const std::vector<vtkPolyData*>& features,
   const std::vector<vtkPolyData*>& targets, const std::string& mapArray)
 {
@@ -170,9 +170,9 @@ vtkShapeFeatures::Split vtkShapeFeatures::TakeSurfaces(const std::vector<vtkPoly
       if (!feature->GetPointData()->HasArray("Weight"))
       {
         throw shape::InvalidInput(name +
-          " is not a surface, so Exact cannot meet it: by the maximum principle, a harmonic map "
-          "could meet inner points or curves only by moving the boundary about as far; add a point "
-          "array 'Weight' to meet it in the least-squares sense, or turn Exact off");
+          " is not a surface, so Exact cannot fit its image exactly (by the maximum principle of "
+          "harmonic maps); add a point array 'Weight' to fit the image in the least-squares sense, "
+          "or turn Exact off");
       }
       split.Features.push_back(feature);
       if (target)

@@ -142,7 +142,8 @@ void vtkShapeHarmonicTransform::InternalDeepCopy(vtkAbstractTransform* transform
   }
 }
 
-/// A transform cannot return an error: without a valid map it reports one and leaves all points.
+/// A transform cannot return an error. Without a valid map, it reports an error and does not move
+/// any point.
 void vtkShapeHarmonicTransform::InternalUpdate()
 {
   if (this->Producer)
@@ -151,7 +152,7 @@ void vtkShapeHarmonicTransform::InternalUpdate()
   }
   vtkPolyData* charges = this->GetChargeSet();
   const bool inverted = this->InverseFlag != 0;
-  // Building the map takes long: it is reused as long as the charges are the same.
+  // Building the map takes long, so it is reused as long as the charges do not change.
   if (this->Map && charges == this->MappedCharges && charges->GetMTime() == this->MappedTime &&
     (this->MapHasInverse || !inverted))
   {
@@ -273,7 +274,7 @@ vtkShapeHarmonicTransform::Many vtkShapeHarmonicTransform::TransformMany(vtkPoin
       this->Map ? results[i] : shape::VolumeTransform::Result{ rows.row(i).transpose() };
     this->NotInverted += result.State == shape::InverseMap::State::Missed;
     many.Positions.push_back(result.Position);
-    // Backward returns the derivative of the map itself at the position found.
+    // Backward returns the derivative of the forward map at the position found.
     many.Derivatives.push_back(this->InverseFlag ? Inverted(result.Jacobian) : result.Jacobian);
   }
   return many;

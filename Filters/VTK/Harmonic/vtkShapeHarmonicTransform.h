@@ -2,23 +2,25 @@
  * @class   vtkShapeHarmonicTransform
  * @brief   a harmonic volume map as a transformation of space, with its derivative and inverse
  *
- * Works with every user of vtkAbstractTransform. The transform filters of VTK rotate normals and
- * vectors with the map. The reslice filter vtkImageReslice moves images: it needs the position from
- * which a value comes, so it takes the inverse.
+ * Use it wherever VTK accepts a vtkAbstractTransform. The transform filters of VTK also transform
+ * normals and vectors by the map. To move an image with vtkImageReslice, set the inverse transform,
+ * because the filter needs the position from which a value comes:
  *
  *   carried = vtkImageReslice(); carried.SetInputData(image)
  *   transform = vtkShapeHarmonicTransform(); transform.SetChargeSetData(charges)
  *   transform.Inverse(); carried.SetResliceTransform(transform); carried.Update()
  *
- * The map is that of a charge set, the output Charges of vtkShapeHarmonicVolumeMap, also of
- * several layers. Points outside its domain, or for the inverse outside its image, keep their
- * position. So do points whose preimage is not found, which NotInverted counts. A missing or
- * invalid charge set is an error, and each point keeps its position.
+ * The map is given by a charge set, which is the output Charges of vtkShapeHarmonicVolumeMap. It
+ * may have several layers. Points outside the domain or, for the inverse, outside the image of the
+ * domain keep their position. Points whose preimage is not found also keep their position, and
+ * NotInverted counts them. If the charge set is missing or invalid, an error is reported, and all
+ * points keep their position.
  *
- * The derivative is analytic. The inverse is that of vtkShapeApplyVolumeMap, by Newton's method.
- * f(f^-1(y)) is y to 1e-11 of the size of the image. InverseTolerance and InverseIterations of the
- * base class are not used. The calling thread transforms single points, and all threads transform
- * sets of points. Both are safe from any thread after Update.
+ * The derivative is analytic. The inverse is computed by Newton's method, like in
+ * vtkShapeApplyVolumeMap. f(f^-1(y)) differs from y by at most 1e-11 of the size of the image.
+ * InverseTolerance and InverseIterations of the base class are not used. Single points are
+ * transformed by the calling thread, and sets of points by all threads. After Update, both
+ * functions may be called from any thread.
  *
  * The mathematics: shape::VolumeTransform.
  */
@@ -49,22 +51,22 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The charge set: the output of a filter, which is updated, or data.
+  /// Sets the charge set: the output of a filter, which Update updates, or data.
   virtual void SetChargeSetConnection(vtkAlgorithmOutput* charges);
   virtual void SetChargeSetData(vtkPolyData* charges);
   virtual vtkPolyData* GetChargeSet();
   ///@}
 
-  /// The number of preimages not found since the last update. These are points that lie inside the
-  /// image of the domain's boundary and keep their position. Each inversion of the same point
-  /// counts.
+  /// Returns the number of points whose preimage was not found since the last update. These points
+  /// lie inside the image of the boundary of the domain and keep their position. If the same point
+  /// is inverted repeatedly, each attempt counts.
   virtual vtkIdType GetNotInverted() { return this->NotInverted; }
 
   vtkAbstractTransform* MakeTransform() override;
   vtkMTimeType GetMTime() override;
 
   ///@{
-  /// The points are appended to `outPts`.
+  /// Appends the transformed points to `outPts`.
   void TransformPoints(vtkPoints* inPts, vtkPoints* outPts) override;
   void TransformPointsNormalsVectors(vtkPoints* inPts, vtkPoints* outPts, vtkDataArray* inNms,
     vtkDataArray* outNms, vtkDataArray* inVrs, vtkDataArray* outVrs, int nOptionalVectors = 0,
@@ -100,11 +102,11 @@ private:
   template <bool Forward, typename Number>
   void Transform(const Number in[3], Number out[3], Number (*derivative)[3]);
 
-  vtkSmartPointer<vtkAlgorithm> Producer; ///< of the charge set
+  vtkSmartPointer<vtkAlgorithm> Producer; ///< the filter whose output is the charge set
   int Port = 0;
   std::shared_ptr<const shape::VolumeTransform> Map; ///< empty: every point keeps its position
-  vtkSmartPointer<vtkPolyData> MappedCharges;        ///< the data from which Map was built
-  vtkMTimeType MappedTime = 0;                       ///< modification time of these data
+  vtkSmartPointer<vtkPolyData> MappedCharges;        ///< the charge set from which Map was built
+  vtkMTimeType MappedTime = 0; ///< modification time of MappedCharges when Map was built
   bool MapHasInverse = false;
   std::atomic<vtkIdType> NotInverted{ 0 };
 };

@@ -2,76 +2,85 @@
  * @class   vtkShapeHarmonicVolumeMap
  * @brief   map a solid onto another by the harmonic map that a boundary map determines
  *
- * Each coordinate of the map is harmonic inside the boundary surface and equals the map array of
- * the boundary on it. It is the potential of point charges outside the solid (the method of
- * fundamental solutions).
+ * Each coordinate of the map is a harmonic function inside the boundary surface. On the boundary,
+ * the map equals the map array. The map is the sum of an affine map and the potentials of point
+ * charges outside the solid (the method of fundamental solutions).
  *
  * Inputs
- * - Domain: points or cells of any data set, also composite or distributed.
- * - Boundary: the closed surface of the solid and of its voids, with the map array (double, 3) at
- *   its points.
- * - Features (optional, repeatable): points, curves or surfaces inside, which the map sends to
- *   their images in the least-squares sense. The images are the map array, or the TargetFeatures.
- *   `Weight` (one component) is optional and defaults to FeatureWeight.
- * - TargetFeatures (optional, repeatable): the images of the Features without the map array, in
- *   the same order. Curves are paired with curves by arc length, points with points by order.
- * - Target (optional): the surface that the boundary goes to. It is an error if its genus or
- *   number of components is not that of the boundary.
+ * - Domain: any data set, which may be composite or distributed.
+ * - Boundary: the closed surface that bounds the solid and its voids, with the map array (double,
+ *   3) at its points.
+ * - Features (optional, repeatable): points, curves or surfaces inside the solid, whose images are
+ *   fitted in the least-squares sense. The images are the map array of the Features or the
+ *   TargetFeatures. The point array `Weight` (one component) is optional; its default is
+ *   FeatureWeight.
+ * - TargetFeatures (optional, repeatable): the images of the Features that have no map array, in
+ *   the same order. Curves are paired by arc length, and points by their order.
+ * - Target (optional): the surface to which the boundary goes. It must have the same genus and the
+ *   same number of components as the boundary.
  *
  * Outputs
- * - 0: the domain moved, without point normals, with `SourcePosition` (double, 3) and
- *   `OutsideDomain` (1 at points outside the boundary, which keep their position).
- * - 1: the charge set, which stores the map: points with `Charge` (double, 3), field data `Affine`
- *   (3 x 4). It can be evaluated anywhere inside.
- * - 2: a table of levels: Level, Sources, Collocations, RMSEVertices, RMSEInside, Maximum,
- *   Seconds, Kept, RegionId. Kept is 0 if the level reduced no error and is not in the map. Errors
- *   are of the whole boundary, at its points and inside its triangles, divided by the longest edge
- *   of the target's bounding box. With Exact they are those of the region's own boundary.
+ * - 0: the moved domain, without point normals, with the point arrays `SourcePosition` (double, 3)
+ *   and `OutsideDomain` (int). `OutsideDomain` is 1 at points outside the boundary, which keep
+ *   their position.
+ * - 1: the charge set, which stores the map (vtkShapeApplyVolumeMap). Its points have `Charge`
+ *   (double, 3), and its field data have `Affine` (3 tuples of 4).
+ * - 2: a table of levels: Level, Sources, Collocations, RMSEVertices, RMSEInside, Maximum, Seconds,
+ *   Kept, RegionId. Kept is 0 if the level did not reduce the error and was discarded. The errors
+ *   refer to the complete boundary, at its points and inside its triangles. They are divided by the
+ *   longest edge of the bounding box of the target. With Exact, they refer to the boundary of the
+ *   region.
  *
  * Field data of outputs 0 and 1, with the prefix HarmonicVolumeMap
  * - .RMSEVertices, .RMSEInside, .Maximum, .RMSEFeatures (0 without features), .FeaturePoints.
- * - .OffsetDistance: of the nearest charges. .DeletedSources, .InsertedSources.
- * - .OutsidePoints: over all processes, without ghosts.
- * - .TargetDistance: with Target only, the root mean square distance of the boundary's images from
- *   it, divided by the longest edge.
- * - .Iterations, .RefinedPoints (added to the boundary): of Accelerated, otherwise 0.
- * - .PointsWithoutCharge: of Accelerated, otherwise 0. Boundary points in gaps too narrow for a
- *   charge, or inside degenerate triangles.
- * - .Method (a string).
- * - .Stop (a string): Tolerance (reached), Levels (all were fitted), NoImprovement (the last
- *   levels gained less than LeastGain), or Refinement (Accelerated would have to refine more than
- *   MostRefined).
- * - With Exact the counts are sums over the maps of the layers.
+ * - .OffsetDistance: distance of the nearest charges from the boundary. .DeletedSources,
+ *   .InsertedSources: numbers of sources that were removed or added.
+ * - .OutsidePoints: number of points outside the boundary, over all processes, without ghosts.
+ * - .TargetDistance: only with Target, the root mean square distance of the images of the boundary
+ *   from Target, divided by the longest edge of its bounding box.
+ * - .Iterations, .RefinedPoints (number of points added to the boundary): only for Accelerated,
+ *   otherwise 0.
+ * - .PointsWithoutCharge: only for Accelerated, otherwise 0. It is the number of boundary points
+ *   that have no normal or lie in gaps too narrow for a charge.
+ * - .Method (a string): the method that was used.
+ * - .Stop (a string): why no further level was fitted. Tolerance: it was reached. Levels: all
+ *   levels were fitted. NoImprovement: the last levels gained less than LeastGain. Refinement:
+ *   further refinement would exceed MostRefined.
+ * - With Exact, the counts are sums over the maps of all layers.
  *
- * With Exact, closed surfaces among the Features are met as exactly as the boundary. By the
- * maximum principle no single harmonic map can do this. Each of these surfaces is therefore an
- * interface between layers, and each layer has a harmonic map, with charges on both sides, by any
- * Method. The map is continuous across interfaces. Points and curves are met in the least-squares
- * sense in the layer that contains them. They must have `Weight`: without it they would have to be
- * met exactly, which is an error.
+ * With Exact, the images of closed surfaces among the Features are fitted as exactly as the images
+ * of the boundary. By the maximum principle, a single harmonic map cannot do this. Therefore, each
+ * of these surfaces is an interface between two layers. Each layer has its own harmonic map, which
+ * Method computes, with charges outside the layer. The map is continuous across interfaces. Points
+ * and curves are fitted in the least-squares sense, in the layer that contains them. They must have
+ * `Weight`. Without it, they would have to be fitted exactly, which is an error.
  *
- * With Exact the charge set also has
- * - `RegionId` (int) at its points: the region to whose map a charge belongs. Numbers are those of
- *   vtkShapeTetrahedralize: 0 around the first interface, i + 1 inside surface i of the Features.
- *   Unconnected pieces of one region have numbers of their own, after these.
- * - `RegionId` (int) at its cells: the region that they enclose, -1 for voids.
+ * With Exact, the charge set also has
+ * - `RegionId` (int) at its points: the region to whose map a charge belongs. Regions are numbered
+ *   like in vtkShapeTetrahedralize: 0 outside all interfaces, and i + 1 inside surface i of the
+ *   Features. If a region has several components, each further component gets a number after these.
+ * - `RegionId` (int) at its cells: the region that their surface encloses, -1 for voids.
  * - Field data `Affine` with 12 numbers for each region: the rows of A and b.
- * - Field data `Skin` for each region: the thickness of the skin inside its interface in which the
- *   outer map blends into its own.
- * and field data with an entry for each region, with the prefix HarmonicVolumeMap
- * - .BorderRMSEVertices, .BorderRMSEInside, .BorderMaximum: errors of the map at the surface
- *   around it.
- * - .BorderJumpRMS, .BorderJumpMaximum: difference of the two fitted maps there, for which the
- *   skin compensates.
+ * - Field data `Skin` with a number for each region: the thickness of the skin along the inner side
+ *   of its interface. In the skin, the map of the outer layer is blended into the map of the
+ *   region.
+ * Outputs 0 and 1 also have field data with the prefix HarmonicVolumeMap and an entry for each
+ * region:
+ * - .BorderRMSEVertices, .BorderRMSEInside, .BorderMaximum: errors of the map of the region on the
+ *   surface around the region.
+ * - .BorderJumpRMS, .BorderJumpMaximum: difference between the fitted maps on both sides of this
+ *   surface. The skin removes this difference.
  *
- * With FreeBoundary the field data have .DistortionBefore and .DistortionAfter: the mean symmetric
- * Dirichlet energy of the solid, images scaled to its volume, 6 for an isometry. The boundary's
- * solid is filled with tetrahedra for this. .FreeBoundary (a string) is Slid, or NotLower if the
- * energy did not decrease and the images are unchanged.
+ * With FreeBoundary, the field data also have .DistortionBefore and .DistortionAfter. They are the
+ * mean symmetric Dirichlet energy of the map of the solid, after scaling the image to the same
+ * volume. It is 6 for an isometry. To measure it, the solid is filled with tetrahedra.
+ * .FreeBoundary (a string) is Slid or, if the energy did not decrease and the images are unchanged,
+ * NotLower.
  *
- * With FoldFree output 0 is the result of vtkShapeUntangle for the moved domain, with its arrays,
- * .InvertedBefore and .InvertedAfter. The charge set still stores the harmonic map, which may
- * fold.
+ * With FoldFree, the moved domain is untangled (shape::ComputeFoldFreeMap). Unstructured grids get
+ * the arrays of vtkShapeUntangle, and structured grids only `Inverted`. The field data of output 0
+ * also have .InvertedBefore and .InvertedAfter, the numbers of inverted cells. The charge set still
+ * stores the harmonic map, which may fold.
  *
  * A singular value decomposition cannot be interrupted, so an abort takes effect at its end.
  *
@@ -95,7 +104,7 @@ public:
   vtkTypeMacro(vtkShapeHarmonicVolumeMap, vtkShapeAlgorithm);
 
   ///@{
-  /// The feature inputs.
+  /// The connections of the inputs Features and TargetFeatures.
   void AddFeatures(vtkAlgorithmOutput* feature);
   void RemoveAllFeatures();
   void AddTargetFeatures(vtkAlgorithmOutput* target);
@@ -143,7 +152,7 @@ private:
   vtkShapeHarmonicVolumeMap(const vtkShapeHarmonicVolumeMap&) = delete;
   void operator=(const vtkShapeHarmonicVolumeMap&) = delete;
 
-  /// Computes the map of the gathered inputs; the facts about it are added to the field data of
+  /// Computes the map from the gathered inputs, and adds facts about it to the field data of
   /// `facts`.
   shape::VolumeMapResult Solve(vtkPolyData* facts, const shape::Progress& progress);
 
@@ -152,7 +161,7 @@ private:
   bool FreeBoundary = false;
   bool FoldFree = false;
   shape::HarmonicVolumeMapOptions Options;
-  std::shared_ptr<shape::AcceleratedSetup> Setup; ///< of the last boundary
+  std::shared_ptr<shape::AcceleratedSetup> Setup; ///< reused if the boundary does not change
 };
 
 #endif

@@ -106,7 +106,7 @@ void vtkShapeVolumeMapFacts::AddFacts(const shape::PiecewiseVolumeMapResult& res
     iterations += layer.Iterations;
     refined += layer.RefinedPoints;
     without += layer.PointsWithoutCharge;
-    // The tolerance counts as reached only if it is in all layers.
+    // The tolerance counts as reached only if all layers reached it.
     reason = layer.Reason == Stop::Tolerance ? reason : layer.Reason;
   }
   const std::pair<const char*, double> facts[] = { { "RMSEVertices", boundary.RMSEVertices },

@@ -2,58 +2,61 @@
  * @class   vtkShapeHexRemesh
  * @brief   fill the solid inside a closed surface with hexahedra
  *
- * No hexahedron is inverted. The boundary has the topology of the surface, and its creases and
- * corners if the cells are fine enough.
+ * No hexahedron is inverted. The boundary has the same topology as the surface. If the cells are
+ * small enough, it also has the creases and corners of the surface.
  *
  * Inputs (polygons are triangulated internally)
- * - Surface: the closed surface of one or several solids, with voids. A self-intersecting surface
- *   bounds the region that it winds around at least once.
- * - Polycube (optional): a surface whose faces are orthogonal to the axes at integer multiples of
- *   one length. Its point array `SourcePosition` (3) gives positions on Surface. The second output
- *   of vtkShapePolycube is such a surface. Its cells become the hexahedra.
- * - InnerSurfaces (optional, repeatable): closed surfaces inside the solid, also nested:
- *   interfaces between materials. Hexahedra of two regions share points on the inner surface,
- *   whose creases are rounded. They need the cells of a grid.
+ * - Surface: the closed surface that bounds one or several solids, which may have voids. A
+ *   self-intersecting surface bounds the region with a winding number of at least 1.
+ * - Polycube (optional): a surface whose faces are orthogonal to the axes and lie at integer
+ *   multiples of one length, such as the second output of vtkShapePolycube. Its point array
+ *   `SourcePosition` (double, 3) gives the corresponding positions on Surface. The cells of this
+ *   polycube become the hexahedra.
+ * - InnerSurfaces (optional, repeatable): closed surfaces inside the solid that are interfaces
+ *   between materials. They may be nested. Hexahedra on both sides of an inner surface share points
+ *   on it, and its creases are rounded. Inner surfaces need the Grid method.
  *
  * Output 0: hexahedra (vtkUnstructuredGrid) with the cell arrays
- * - `ScaledJacobian` (double): Verdict's, 1 for a box.
- * - `RegionId` (int): i + 1 inside inner surface i, counted from 0, otherwise 0. Inside several
- *   surfaces, the innermost one determines it.
+ * - `ScaledJacobian` (double): Verdict's scaled Jacobian, 1 for a box.
+ * - `RegionId` (int): i + 1 if inner surface i (counted from 0) is the innermost surface around the
+ *   cell; 0 outside all inner surfaces.
  * - `Jacobian`, `Volume`, `EdgeRatio` (longest to shortest edge), `MaxAspectFrobenius` (1 for a
  *   cube).
  * - `EquiangleSkew` (0 for a box, 1 if an angle of a face is 0 or 180 degrees).
  * - `Skew`, `Taper` (0 for a box), `Shape` (1 for a cube, 0 if degenerate).
- * The doubles after `RegionId` are the measures of these names in the Mesh Quality filter.
+ * The arrays after `RegionId` are of type double. The Mesh Quality filter defines measures with the
+ * same names.
  *
- * Output 1: the boundary quads, then the quads between regions, which face out of the inner
- * surface (vtkPolyData). The points are those of the hexahedra that they use, numbered by
- * `OriginalPointId`. The cell arrays are
- * - `Patch` (int): number of the patch between creases to which the quad belongs.
+ * Output 1 (vtkPolyData): the quads of the boundary, then the quads between regions, which face out
+ * of the inner surface. `OriginalPointId` of a point is its index in output 0. The cell arrays are
+ * - `Patch` (int): index of the patch to which the quad belongs. Creases separate patches.
  * - `Interface` (int): 0 on the boundary, i + 1 on inner surface i.
- * - `Distance` (double): distance of the centre of the quad from its surface.
- * In parallel the first process has both.
+ * - `Distance` (double): distance of the centre of the quad from Surface or, between regions, from
+ *   the inner surface.
+ * In parallel, the first process has both outputs.
  *
  * Field data of both, with the prefix HexRemesh
  * - .Method ("Polycube" or "Grid"), .Reason (for this choice), .Hexahedra, .CellSize, .Regions.
  * - .MinimumScaledJacobian, .MeanScaledJacobian, .ScaledJacobianHistogram (20 counts of hexahedra,
  *   for [0, 0.05), ..., [0.95, 1]).
  * - .Distance: the larger one-sided Hausdorff distance between the boundary and the surface.
- *   .InnerDistance: the same between regions and inner surfaces.
- * - .Patches (of the boundary), .Corners (of the surface), .CornersKept (corners that are points
- *   of the boundary).
- * - .CreasesKept: 1, or 0 if the cells are too coarse for a crease and none is kept.
- *   .InnerCreasesKept: 0 if an inner surface has creases.
- * - .CreaseDistance: the larger one-sided Hausdorff distance between the creases of the surface
- *   and those of the boundary, or to the boundary if none is kept.
- * - .CreaseShare: length of the creases that the method tries to keep, as a share of that of all
- *   edges as sharp as a crease. It is less than 1 if some end inside a patch, or bound patches
- *   smaller than 4 cells. It is 0 if less than two thirds of the length bounds patches larger than
- *   a thousandth of the area: the rest is noise. A greater FeatureAngle may find a real crease of
- *   a scan.
- * - .ReleasedPoints: boundary points that were moved off the surface because hexahedra would
- *   otherwise be inverted or of bad quality.
- * - .Crossings: pairs of triangles of the surface that intersect.
- * - .EulerNumber, .Components: of the boundary.
+ *   .InnerDistance: the same distance between the quads between regions and the inner surfaces.
+ * - .Patches: number of patches of the boundary. .Corners: number of corners of the surface.
+ *   .CornersKept: number of these corners that are points of the boundary.
+ * - .CreasesKept: 1 if the boundary has all creases. If the cells are too large for one of them, no
+ *   crease is kept, and it is 0. .InnerCreasesKept: 0 if an inner surface has creases, otherwise 1.
+ * - .CreaseDistance: the larger one-sided Hausdorff distance between the creases of the surface and
+ *   the creases of the boundary. If no crease is kept, it is the distance of the creases of the
+ *   surface from the boundary.
+ * - .CreaseShare: length of the creases that the method tries to keep, divided by the length of all
+ *   edges that are as sharp as a crease. The share is less than 1 if some of these edges end inside
+ *   a patch or bound patches smaller than 4 cells. The share is 0 if less than two thirds of the
+ *   length of these edges bounds patches larger than a thousandth of the area. The sharp edges are
+ *   then noise. With a larger FeatureAngle, real creases of a noisy scan may be found.
+ * - .ReleasedPoints: number of boundary points that left the surface because hexahedra would
+ *   otherwise be inverted or have low quality.
+ * - .Crossings: number of pairs of triangles of the surface that intersect.
+ * - .EulerNumber, .Components: Euler number and number of components of the boundary.
  * - Minimum, mean and maximum of each further measure, such as .Volume.
  *
  * The mathematics: shape::RemeshHexahedra.
@@ -72,7 +75,7 @@ public:
   vtkTypeMacro(vtkShapeHexRemesh, vtkShapeAlgorithm);
 
   ///@{
-  /// The interfaces between materials.
+  /// The connections of the input InnerSurfaces.
   void AddInnerSurfaces(vtkAlgorithmOutput* surface);
   void RemoveAllInnerSurfaces();
   ///@}

@@ -125,7 +125,8 @@ void vtkShapeHexResult::WriteHexahedra(const shape::HexFit& fit, vtkUnstructured
   vtkShapeMeasures::AddToHexahedra(Measures(), output);
 }
 
-/// The outer quads first, then those of each interface, with points numbered anew.
+/// Joins the quads of the boundary and then the quads of each interface, and renumbers their
+/// points.
 void vtkShapeHexResult::WriteBoundary(const shape::HexRemeshResult& result,
   const shape::Surface& surface, const std::vector<shape::Surface>& innerSurfaces,
   vtkPolyData* output)

@@ -8,19 +8,20 @@ class vtkDataObject;
 class vtkPolyData;
 class vtkUnstructuredGrid;
 
-/// The outputs of Shape Hex Remesh, with the arrays and facts that vtkShapeHexRemesh documents.
+/// Conversion of the result of Shape Hex Remesh to VTK data, with the arrays and facts that
+/// vtkShapeHexRemesh documents.
 namespace vtkShapeHexResult
 {
 
 /// Writes the hexahedra with their cell arrays.
 void WriteHexahedra(const shape::HexFit& fit, vtkUnstructuredGrid* output);
 
-/// Writes the quads of the boundary, then those of the interfaces. innerSurfaces: one for each
-/// interface.
+/// Writes the quads of the boundary, then the quads of each interface. innerSurfaces: the inner
+/// surface of each interface.
 void WriteBoundary(const shape::HexRemeshResult& result, const shape::Surface& surface,
   const std::vector<shape::Surface>& innerSurfaces, vtkPolyData* output);
 
-/// Adds the field data. hexahedra: as written by WriteHexahedra.
+/// Adds the field data. hexahedra: the output of WriteHexahedra.
 void AddFacts(
   const shape::HexRemeshResult& result, vtkUnstructuredGrid* hexahedra, vtkDataObject* output);
 

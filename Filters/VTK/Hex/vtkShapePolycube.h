@@ -2,23 +2,23 @@
  * @class   vtkShapePolycube
  * @brief   map a closed surface onto a polycube
  *
- * A polycube is a solid whose faces are orthogonal to the axes. Here they lie at integer multiples
- * of TargetEdgeLength, so that a grid of that size fills it with hexahedra.
+ * A polycube is a solid whose faces are orthogonal to the axes. Here, its faces lie at integer
+ * multiples of one length, so a grid with cells of this size divides it into hexahedra.
  *
- * Input: the closed surface of one solid. Polygons are triangulated internally. Blocks and
- * distributed pieces are joined first, and each process gets its own back.
+ * Input: the closed surface that bounds one solid. Polygons are triangulated internally. Blocks and
+ * distributed pieces are joined first, and each process gets its own pieces back.
  *
  * Outputs
  * - 0: the same surface with the point array `TargetPosition` (double, 3) and the cell array
- *   `Label` (int). Label is the direction of the face that a cell goes to, 0 to 5 = +x, -x, +y,
- *   -y, +z, -z.
+ *   `Label` (int). Label is the direction of the face of the polycube to which a cell goes, 0 to 5
+ *   = +x, -x, +y, -y, +z, -z.
  * - 1: the polycube: the same cells at their target positions, with `SourcePosition` and `Label`.
- *   No triangle is flipped, and each lies in a plane orthogonal to its axis. The polycube may
- *   overlap itself.
+ *   No triangle is flipped, and each triangle lies in a plane orthogonal to the direction of its
+ *   label. The polycube may overlap itself.
  *
- * Field data of both: Polycube.Charts, .Corners (of the polycube),
- * .EdgeLength (the one used), .Distortion (the mean elliptic energy of the map inside the solid: 1
- * without distortion).
+ * Field data of both: Polycube.Charts and .Corners (their numbers), .EdgeLength (the unit of length
+ * that was used), and .Distortion. This is the mean elliptic energy of the map inside the solid,
+ * which is 1 without distortion.
  *
  * If no polycube is found, the error names the charts that prevent it. TetGen is required, and
  * runs in its own process. A single library call takes up to a second, and an abort takes effect

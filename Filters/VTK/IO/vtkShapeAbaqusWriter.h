@@ -2,16 +2,18 @@
  * @class   vtkShapeAbaqusWriter
  * @brief   write a mesh as an input file of Abaqus or CalculiX
  *
- * CalculiX reads these files, too. The file has nodes (point + 1), elements (cell + 1) and an
- * element set for each region. The boundary of the solid cells is the node set Boundary. Each
- * patch between creases is a node set Patch0, ... and a surface PatchSurface0, ... Node sets
- * Interface0_1, ... lie between regions. Materials, sections and steps are in an input file that
- * includes this one,
+ * CalculiX reads these files, too. The file has nodes (numbered by point index + 1), elements
+ * (numbered by cell index + 1) and an element set for each region. The node set Boundary contains
+ * the points on the boundary of the solid cells. Each patch between creases is a node set Patch0,
+ * ... and a surface PatchSurface0, ... The node sets Interface0_1, ... contain the points between
+ * two regions. The file has no materials, sections or steps. Include it in an input file that has
+ * them:
  *
  *   *INCLUDE, INPUT=mesh.inp
  *   *SOLID SECTION, ELSET=Region0, MATERIAL=Bone
  *
- * Names, types and digits: shape::WriteAbaqus. Input, regions and patches: vtkShapeWriter.
+ * Names of sets, types of elements and precision: shape::WriteAbaqus. Input, regions and patches:
+ * vtkShapeWriter.
  */
 #ifndef vtkShapeAbaqusWriter_h
 #define vtkShapeAbaqusWriter_h

@@ -2,8 +2,8 @@
  * @class   vtkShapeJoinPieces
  * @brief   what several processes have of a mesh as one mesh, for the writers
  *
- * Coincident points of several inputs become one, so that the pieces are connected. A single input
- * is unchanged: its coincident points, as in a crack, are intended.
+ * Coincident points of several inputs are merged, so that the pieces are connected. A single input
+ * is passed on unchanged, because coincident points in it are intended, for example along a crack.
  */
 #ifndef vtkShapeJoinPieces_h
 #define vtkShapeJoinPieces_h

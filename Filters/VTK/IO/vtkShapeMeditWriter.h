@@ -2,11 +2,11 @@
  * @class   vtkShapeMeditWriter
  * @brief   write a mesh in Medit's format, for Gmsh or Mmg
  *
- * The extension is .mesh. The file has the points, and the cells with region + 1 as reference. If
- * the mesh has no surface cells of its own, the boundary faces of the solid cells follow with
- * patch + 1 as reference, then the faces between regions.
+ * The extension is .mesh. The file has the points and the cells. The reference of a cell is its
+ * region + 1. If the mesh has no surface cells, the boundary faces of the solid cells follow, with
+ * their patch + 1 as reference, and then the faces between regions.
  *
- * The sections: shape::WriteMedit. Input, regions and patches: vtkShapeWriter.
+ * Sections of the file: shape::WriteMedit. Input, regions and patches: vtkShapeWriter.
  */
 #ifndef vtkShapeMeditWriter_h
 #define vtkShapeMeditWriter_h

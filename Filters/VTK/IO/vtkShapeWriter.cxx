@@ -118,7 +118,7 @@ shape::MeshSets vtkShapeWriter::ReadInput(const shape::Progress& progress)
 void vtkShapeWriter::WriteWhole(const shape::MeshSets& sets, const shape::Progress& progress)
 {
   const auto why = [] { return " (" + std::generic_category().message(errno) + "); "; };
-  // Streams do not report why they failed; the system call beneath them does.
+  // Streams do not report why they failed, but the system calls that they use set errno.
   errno = 0;
   std::ofstream file(this->FileName);
   if (!file)

@@ -6,10 +6,10 @@
  * tetrahedra, pyramids, wedges and hexahedra (or voxels), mixed. Other cells are errors. Ghost
  * cells are ignored. Each point is written, even if no cell uses it.
  *
- * The writer writes the data of this process. In ParaView the pieces of all processes are first
- * gathered on one process, and coincident points of several pieces become one.
+ * The writer writes only the data of this process. In ParaView, the pieces of all processes are
+ * first gathered on one process, and coincident points of different pieces are merged.
  *
- * If a file is incomplete because the disk is full or the user stopped, it is removed.
+ * An incomplete file, after an error or an abort, is removed.
  *
  * The sets in the files: shape::FindMeshSets.
  */
@@ -37,7 +37,7 @@ public:
   vtkTypeMacro(vtkShapeWriter, vtkWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The name that ParaView's messages show: "Shape Abaqus Writer" for vtkShapeAbaqusWriter.
+  /// Returns the name of the writer in messages: "Shape Abaqus Writer" for vtkShapeAbaqusWriter.
   std::string GetLabel();
 
   ///@{
@@ -56,7 +56,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void WriteData() final;
 
-  /// Writes the text.
+  /// Writes the content of the file.
   virtual void WriteText(
     std::ostream& file, const shape::MeshSets& sets, const shape::Progress& progress) = 0;
 

@@ -20,7 +20,7 @@
 namespace
 {
 
-/// The lowest point first: the same triangle may begin at another corner.
+/// The lowest point comes first, because the same triangle may begin at another corner.
 std::array<int, 3> Turned(std::array<int, 3> points)
 {
   std::rotate(points.begin(), std::min_element(points.begin(), points.end()), points.end());

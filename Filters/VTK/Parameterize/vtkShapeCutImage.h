@@ -9,24 +9,25 @@
 
 class vtkDataSet;
 
-/// The image of a surface that was cut open, written block by block.
+/// Writes the image of a surface that was cut open, block by block.
 class vtkShapeCutImage
 {
 public:
-  /// surface: the complete, uncut surface. positions: of the points of `cut` (k x 3).
+  /// surface: the complete surface, before the cut. positions: k x 3, the images of the points of
+  /// `cut`.
   vtkShapeCutImage(
     const shape::Mesh& surface, const shape::CutSurface& cut, const Eigen::MatrixXd& positions);
 
-  /// Writes the image of the block `from` to `to`, as triangles. It has the block's arrays,
-  /// `SourcePosition`, and `OriginalPointId`: the point of the block that each point is a copy of.
-  /// Points that keep their number in the complete surface come first, in order. whole: for each
-  /// point of the block, its number in the complete surface.
+  /// Writes the image of the block `from` to `to`, as triangles. The image has the arrays of the
+  /// block, `SourcePosition`, and `OriginalPointId`, which is the index in the block of the point
+  /// that was copied. First come the points that have the same index in the cut surface as before,
+  /// in order. whole: for each point of the block, its index in the complete surface.
   void Fill(vtkDataSet* from, const std::vector<int>& whole, vtkDataSet* to) const;
 
 private:
   const shape::Mesh& Surface;
   const shape::CutSurface& Cut;
   const Eigen::MatrixXd& Positions;
-  /// Indices of triangles by their points, the lowest first.
+  /// Index of each triangle, by its points, of which the lowest comes first.
   std::map<std::array<int, 3>, int> Triangles;
 };

@@ -3,33 +3,34 @@
  * @brief   map a surface onto a simple domain without flipping a triangle
  *
  * Inputs
- * - Input: for Sphere and Orbifold a closed surface of genus 0, for Disk a surface with one
- *   boundary loop and no handle, for FreeBoundary one or more boundary loops. Polygons are
- *   triangulated internally. Blocks and distributed pieces are joined first, and each process gets
- *   its own back.
- * - Landmarks (optional): for Orbifold three or four points, whose nearest points of the surface
- *   become its cones.
+ * - Input: for Sphere and Orbifold, a closed surface of genus 0. For Disk, a surface with one
+ *   boundary loop and no handle. For FreeBoundary, a surface with one or more boundary loops.
+ *   Polygons are triangulated internally. Blocks and distributed pieces are joined first, and each
+ *   process gets its own pieces back.
+ * - Landmarks (only for Orbifold): three or four points. The nearest points of the surface become
+ *   the cones, in the same order.
  *
  * Outputs
  * - 0: the same surface with the point array `TargetPosition` (double, 3).
- * - 1: the image: the same triangles at their target positions with `SourcePosition`. The image on
- *   an orbifold is cut open. Points on the cut have one copy for each position. `OriginalPointId`
- *   of a copy is its point of the input. `TargetPosition` of that point is the position of the
- *   copy that has the same number as the point.
+ * - 1: the image: the same triangles at their target positions, with `SourcePosition`. The image on
+ *   an orbifold is cut open, and points on the cut have several copies at different positions.
+ *   `OriginalPointId` of a copy is the index of its point in the input. In output 0,
+ *   `TargetPosition` of this point is the position of the copy with the same index.
  *
  * Field data of both, with the prefix Parameterize
- * - .Method: ConformalFlow for Sphere, or PositiveFlow or GlobalReinsertion, if the former would
- *   flip triangles or AreaWeight > 0 requires the latter. For Disk it is the weights, and for
- *   FreeBoundary BoundaryFirst; both become SymmetricDirichlet if the map is refined. For Orbifold
- *   it is the tile.
- * - .Iterations. .ReinsertedPoints: points that needed a new position to remove flips of the
- *   method.
+ * - .Method: for Sphere, ConformalFlow or, if that would flip triangles, PositiveFlow or
+ *   GlobalReinsertion. With AreaWeight > 0, it is GlobalReinsertion. For Disk, it is the name of
+ *   the weights, and for FreeBoundary, it is BoundaryFirst. For both, it is SymmetricDirichlet if
+ *   the map is refined. For Orbifold, it is the name of the tile.
+ * - .Iterations: number of iterations of the method. .ReinsertedPoints: number of points that got a
+ *   new position because the method had flipped triangles around them.
  * - .FlippedTriangles: 0, because a map that flips a triangle is an error.
- * - .ConformalDistortion: mean over the area of the surface, 1 if all angles are preserved.
- * - .Energy: mean symmetric Dirichlet energy over the area of the surface, 4 where lengths are
- *   preserved. For Disk and Orbifold it is scaled to the area of the image, for Sphere it is 0.
- * - .LoopLength: for Disk and FreeBoundary the length of the longest boundary loop, in the units
- *   of the surface, otherwise 0.
+ * - .ConformalDistortion: mean over the area of the surface. It is 1 if all angles are preserved.
+ * - .Energy: mean symmetric Dirichlet energy over the area of the surface. It is 4 if lengths are
+ *   preserved. For Disk and Orbifold, the surface is first scaled to the area of the image. For
+ *   Sphere, the energy is not computed and is 0.
+ * - .LoopLength: for Disk and FreeBoundary, the length of the longest boundary loop, in the units
+ *   of the surface; otherwise 0.
  *
  * A factorisation cannot be interrupted, so an abort takes effect at its end (within a second at
  * 100,000 points).

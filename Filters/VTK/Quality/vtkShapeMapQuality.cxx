@@ -127,8 +127,8 @@ Eigen::MatrixXd Summary(const shape::MapQualitySums& sums)
   {
     const auto measure = static_cast<shape::MapMeasure>(row);
     const double count =
-      // The share is that of flipped cells for the determinant, and of undefined values for the
-      // others.
+      // For the determinant, this is the share of flipped cells. For other measures, it is the
+      // share of undefined values.
       measure == shape::MapMeasure::JacobianDeterminant ? sums.Flipped : sums.Undefined(row);
     summary.row(row) << sums.Minima(row), sums.Mean(measure), sums.Maxima(row), count / sums.Cells;
   }
@@ -223,7 +223,7 @@ void vtkShapeMapQuality::Execute(const shape::Progress& progress)
   }
   const Eigen::MatrixXd summary = Summary(sums);
   WriteFacts(sums, summary, measured);
-  // Every process has the same sums: one of them outputs them.
+  // Every process has the same sums, and one of them outputs them.
   if (!controller || controller->GetLocalProcessId() == 0)
   {
     WriteTable(summary, vtkTable::SafeDownCast(this->GetOutputDataObject(1)));

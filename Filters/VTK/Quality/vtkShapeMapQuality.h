@@ -2,38 +2,42 @@
  * @class   vtkShapeMapQuality
  * @brief   measure how far a map of a surface or solid is from an isometry
  *
- * The map takes each point to its map array, and each cell with its corners. J is its Jacobian on
- * a triangle, or at a corner of a solid cell, with singular values s_i in d = 2 or 3 dimensions.
+ * The map takes each point to the position in its map array, and interpolates between the corners
+ * of each cell. J is the Jacobian of the map, on a triangle (d = 2) or at a corner of a solid cell
+ * (d = 3). Its d singular values are s_i.
  *
- * Input: any data set with the map array (double, 3) at its points, also image data, composite or
- * distributed. Solid cells (tetrahedra, pyramids, wedges, hexahedra, voxels) are measured at their
- * corners, a pyramid at those of its base. Other cells, such as polygons, are divided into
- * simplices. If there are solid cells, surface cells are not counted. Points and lines never are.
+ * Input: any data set with the map array (double, 3) at its points, including image data. It may be
+ * composite or distributed. Solid cells (tetrahedra, pyramids, wedges, hexahedra, voxels) are
+ * measured at their corners, and pyramids at the four corners of the base. Other cells, such as
+ * polygons, are divided into simplices. Points and lines are not measured. If there are solid
+ * cells, surface cells are not measured, either.
  *
  * Output 0: the input with the cell arrays
- * - `JacobianDeterminant`: the minimum ratio of areas or volumes in the cell, negative if flipped.
- *   The orientation of a surface is measured against +z if the images lie in the plane z = 0, and
- *   against the radius on the unit sphere. Otherwise it is measured against the surface around the
- *   triangle, in this block of this process. See shape::EvaluateMapQuality.
- * - `Flipped`: 1 if that is negative.
+ * - `JacobianDeterminant`: the factor by which the map changes area or volume, at its minimum in
+ *   the cell. It is negative if the cell is flipped. A triangle is flipped if its image faces
+ *   opposite to +z (images in the plane z = 0), or inwards (images on the unit sphere). Otherwise,
+ *   its image is compared with the images of the surrounding triangles of the same block and
+ *   process. See shape::EvaluateMapQuality.
+ * - `Flipped` (int): 1 if `JacobianDeterminant` is negative, otherwise 0.
  * - `Dirichlet`: |J|^2 / 2.
- * - `SymmetricDirichlet`: |J|^2 + |J^-1|^2. Its minimum is 4 for an isometry of surfaces and 6 of
+ * - `SymmetricDirichlet`: |J|^2 + |J^-1|^2. Its minimum, for isometries, is 4 on surfaces and 6 in
  *   solids.
- * - `ConformalDistortion`: |J|^2 / (d |det J|^(2/d)). Its minimum is 1 for a similarity.
- * - `ARAP`: the sum of (s_i - 1)^2, with the smallest s_i negative if flipped.
- * - `Degenerate`: 1 if the cell has no area or volume (it then has the values of an isometry), or
- *   if its image, or a part of it, has none. SymmetricDirichlet and ConformalDistortion are then
- *   1e30.
- * Energies are means over the cell. 1e30 stands for infinity.
+ * - `ConformalDistortion`: |J|^2 / (d |det J|^(2/d)). Its minimum, for similarities, is 1.
+ * - `ARAP`: the sum of (s_i - 1)^2. In flipped cells, the smallest s_i is taken as negative.
+ * - `Degenerate` (int): 1 if the cell or a part of its image has no area or volume. If the cell
+ *   itself has none, the measures have the values of an isometry. Otherwise, SymmetricDirichlet and
+ *   ConformalDistortion are 1e30.
+ * Energies are means over the cell. Infinite values are replaced by 1e30.
  *
- * Output 1: a table of the measures over all blocks and processes, without ghost cells. The
- * columns are Measure, Minimum, Mean (weighted by area or volume, where defined), Maximum and
- * Share. Share is the share of flipped cells in the row JacobianDeterminant. In other rows it is
- * the share of cells whose measure is undefined: without size, or 1e30.
+ * Output 1: a table of the measures over all blocks and processes, without ghost cells. The columns
+ * are Measure, Minimum, Mean, Maximum and Share. The mean is weighted by area or volume, over the
+ * cells with a defined measure. In the row JacobianDeterminant, Share is the share of flipped
+ * cells. In the other rows, it is the share of cells whose measure is undefined, because the cell
+ * has no area or volume or the value is 1e30.
  *
- * Field data of output 0: MapQuality.Cells, .FlippedCells, .DegenerateCells, and the numbers of
- * the table by column and row, such as MapQuality.MeanSymmetricDirichlet and
- * MapQuality.ShareJacobianDeterminant.
+ * Field data of output 0: MapQuality.Cells, .FlippedCells, .DegenerateCells, and the numbers of the
+ * table. Their names consist of the column and the row, such as MapQuality.MeanSymmetricDirichlet
+ * and MapQuality.ShareJacobianDeterminant.
  *
  * The mathematics: shape::EvaluateMapQuality.
  */

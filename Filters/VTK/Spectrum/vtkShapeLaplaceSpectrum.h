@@ -4,19 +4,20 @@
  *
  * Input: an oriented 2-manifold, open or closed, of any number of components. Polygons are
  * triangulated internally. Blocks and distributed pieces are joined first, and each process gets
- * its own back.
+ * its own pieces back.
  *
- * Output: the same surface with the point arrays, 0 at points without a triangle
- * - `Eigenfunctions` (double, one component for each eigenpair): orthonormal in the areas around
- *   points.
- * - `HeatKernelSignature`, `WaveKernelSignature` (double, 100 components): their mean over the
- *   surface is 1.
- * - `Embedding` (double, EmbeddingDimensions components): for MDS in the units of the surface.
+ * Output: the same surface with these point arrays, which are 0 at points without a triangle:
+ * - `Eigenfunctions` (double, one component for each eigenpair): orthonormal in the inner product
+ *   weighted by the area around each point.
+ * - `HeatKernelSignature`, `WaveKernelSignature` (double, 100 components): the mean of each
+ *   component over the surface is 1.
+ * - `Embedding` (double, EmbeddingDimensions components): coordinates of the point; for MDS, in the
+ *   units of the surface.
  *
  * Field data: LaplaceSpectrum.Eigenvalues, ascending, in 1 / length^2.
  *
- * A factorisation cannot be interrupted, nor can the decomposition of a surface with few points
- * for the number of eigenpairs. An abort takes effect at its end.
+ * A factorisation cannot be interrupted, nor can the dense decomposition that is used if the
+ * surface has few points for the number of eigenpairs. An abort takes effect at their end.
  *
  * The mathematics: shape::ComputeLaplaceSpectrum, shape::SolveLaplaceEigenproblem.
  */

@@ -2,29 +2,31 @@
  * @class   vtkShapeTetrahedralize
  * @brief   fill the solid inside a closed surface with tetrahedra
  *
- * TetGen computes a constrained Delaunay tetrahedralisation and refines it to the bounds on shape
- * and size.
+ * TetGen computes a constrained Delaunay tetrahedralisation and refines it until the tetrahedra
+ * satisfy the bounds on shape and volume.
  *
  * Inputs (polygons are triangulated internally)
- * - Input: the closed surface of the solid. A component inside an odd number of others bounds a
- *   void, which stays empty.
- * - InnerSurfaces (optional, repeatable): closed surfaces inside the solid, also nested:
- *   interfaces between materials.
+ * - Input: the closed surface that bounds the solid. A component inside an odd number of other
+ *   components bounds a void, which stays empty.
+ * - InnerSurfaces (optional, repeatable): closed surfaces inside the solid that are interfaces
+ *   between materials. They may be nested.
  *
- * Output: tetrahedra (vtkUnstructuredGrid). In parallel the first process has all of them. The
- * points of Input come first and in order, except those that no polygon uses and duplicates of
- * earlier ones. Those of the inner surfaces follow, then new ones.
- * - Cell array `RegionId` (int): i + 1 inside inner surface i, counted from 0, otherwise 0. Inside
- *   several surfaces, the innermost one determines it.
- * - Point array `OriginalPointId` (vtkIdType): the point of Input, or -1.
- * - Point data of Input. Other points get those at the closest position on the triangles of Input
- *   (vtkShapeCarry).
+ * Output: tetrahedra (vtkUnstructuredGrid). In parallel, the first process has all of them. The
+ * points of Input come first, in order. Points that no polygon uses, and duplicates of earlier
+ * points, are omitted. The points of the inner surfaces follow, and then new points.
+ * - Cell array `RegionId` (int): i + 1 if inner surface i (counted from 0) is the innermost surface
+ *   around the cell; 0 outside all inner surfaces.
+ * - Point array `OriginalPointId` (vtkIdType): the index of the point in Input, or -1 for other
+ *   points.
+ * - Point data of Input. Other points get the data at the closest position on the triangles of
+ *   Input (vtkShapeCarry).
  *
- * Field data: Tetrahedralize.Points, .Tetrahedra, .SteinerPoints (points of no surface), .Regions,
- * .MinimumScaledJacobian (1 for the regular tetrahedron), .Volume.
+ * Field data: Tetrahedralize.Points, .Tetrahedra, .SteinerPoints (number of points that belong to
+ * no surface), .Regions, .MinimumScaledJacobian (1 for the regular tetrahedron), .Volume.
  *
- * Open or self-intersecting surfaces are errors, and the message gives the position. TetGen runs
- * in its own process, so that its crash cannot reach ParaView. An abort ends it at once.
+ * Open or self-intersecting surfaces are errors, and the message gives the position of the defect.
+ * TetGen runs in a separate process, so a crash of TetGen does not affect ParaView. An abort ends
+ * this process immediately.
  *
  * The mathematics: shape::Tetrahedralize.
  */
@@ -42,7 +44,7 @@ public:
   vtkTypeMacro(vtkShapeTetrahedralize, vtkShapeAlgorithm);
 
   ///@{
-  /// The interfaces between materials.
+  /// The connections of the input InnerSurfaces.
   void AddInnerSurfaces(vtkAlgorithmOutput* surface);
   void RemoveAllInnerSurfaces();
   ///@}

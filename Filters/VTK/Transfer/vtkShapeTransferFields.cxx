@@ -48,7 +48,7 @@ std::string NameOf(vtkAbstractArray* array)
 }
 
 /// The arrays to transfer: all except the point arrays named `left`. taken: names already in use.
-/// Normals are directions of the giver and not true at the receiver.
+/// Normals are omitted, because normals of the giver are wrong on the receiver.
 std::vector<Field> FieldsOf(
   vtkDataSet* giver, const std::set<std::string>& left, std::set<std::string> taken)
 {
@@ -67,7 +67,7 @@ std::vector<Field> FieldsOf(
       {
         continue;
       }
-      // The receiver's own array of the same name stays.
+      // The array of the receiver with the same name is kept.
       while (name.empty() || taken.count(name))
       {
         name.insert(0, "Giver");
@@ -79,7 +79,7 @@ std::vector<Field> FieldsOf(
   return fields;
 }
 
-/// Renames an array of the receiver whose name another array takes.
+/// Renames an array of the receiver whose name is needed for another array.
 void SetAside(vtkDataSet* receiver, const std::string& array)
 {
   vtkPointData* attributes = receiver->GetPointData();
@@ -224,8 +224,8 @@ void vtkShapeTransferFields::Execute(const shape::Progress& progress)
       std::optional<shape::SurfacePoints> precise;
       if (!push && vtkShapePreciseMap::Has(from, this->MapArray))
       {
-        // The triangles of a precise map need no search, and are right where the giver touches
-        // itself.
+        // The triangles of a precise map need no search. They are also correct where the giver
+        // touches itself.
         precise = FittingMap(from, giver, this->Options.Tolerance, numbered);
       }
       const shape::TransferWeights found = precise

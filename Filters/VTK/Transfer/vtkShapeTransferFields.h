@@ -2,39 +2,41 @@
  * @class   vtkShapeTransferFields
  * @brief   transfer fields from one shape to another along a map between them
  *
- * Direction states which of the two shapes has the map array.
- * - Pull: the Input (the receiver) has it, and it leads into the Source (the giver). The point x
- *   takes the value of the giver at f(x). Maps compose: if the giver has a map array t of the same
- *   name, that of the receiver becomes t(f(x)). If MapArray is TargetPosition, the values are
- *   taken at `TargetCell` and `TargetBarycentric`, if present, because the closest position may be
- *   on the other side of a thin part. If these were made for another surface than the Source,
- *   closest positions are used, and PrecisePoints is 0.
- * - Push: the Source has it, and it leads into the Input. The value of the giver at z goes to
- *   h(z). The receiver gets the inverse as its map array: at x the z with h(z) = x. Where h folds
- *   the giver, one of several z is used.
+ * Direction says which of the two shapes has the map array.
+ * - Pull: Input, the receiver, has a map f into Source, the giver. A point x of the receiver gets
+ *   the value of the giver at f(x). Maps are composed: if the giver has a map array t with the same
+ *   name, the map array of the output is t(f(x)). If MapArray is TargetPosition and `TargetCell`
+ *   and `TargetBarycentric` are present, the values are taken at the surface points that they give.
+ *   The closest position could be on the other side of a thin part. If these arrays belong to
+ *   another surface than Source, closest positions are used, and PrecisePoints is 0.
+ * - Push: Source, the giver, has a map h into Input, the receiver. A point x of the receiver gets
+ *   the value of the giver at the position z with h(z) = x. The map array of the output is the
+ *   inverse map, which takes x to z. Where h folds the giver, several z are possible, and one of
+ *   them is used.
  *
  * Inputs
- * - Input: points or cells of any data set, also composite or distributed.
- * - Source: a solid, or a surface if no cell is solid. It is gathered from all its blocks and
+ * - Input: any data set, which may be composite or distributed.
+ * - Source: a solid or, if it has no solid cells, a surface. Source is gathered from all blocks and
  *   processes, with the arrays that all of them have.
  *
- * Output: the receiver with, at its points,
+ * Output: the receiver with these additional point arrays:
  * - the point arrays of the giver. Floating-point values and colours are interpolated in the cell
- *   that contains the position (on a surface at the closest position, or in `TargetCell`). Other
- *   arrays have the value at the point of that cell with the largest weight, so that labels stay
- *   labels. Vectors keep their components. Normals and global ids of the giver are not
- *   transferred.
- * - the cell arrays of the giver: the value of that cell.
- * - `OutsideDomain` (int): 1 if the position is farther than Tolerance from each cell of the
- *   giver. The values are then those of the closest position.
+ *   that contains the position. On a surface, this is the cell with the closest position, or
+ *   `TargetCell`. Other values are copied from the point of this cell with the largest weight, so
+ *   that labels stay labels. Vectors keep their components. Normals and global ids of the giver are
+ *   not transferred.
+ * - the cell arrays of the giver, with the value of the same cell.
+ * - `OutsideDomain` (int): 1 if the position is farther than Tolerance from all cells of the giver,
+ *   otherwise 0. The values are then taken at the closest position.
  *
- * Arrays of the receiver keep their names. An array of the giver whose name is taken gets the
- * prefix `Giver`. The new map array and `OutsideDomain` take their names, and arrays that they
- * replace are kept with the prefix `Receiver`. So are `TargetCell` and `TargetBarycentric`, which
- * belong to the replaced map.
+ * Arrays of the receiver keep their names. If the receiver has an array with the same name as an
+ * array of the giver, the latter gets the prefix `Giver`. Only the new map array and
+ * `OutsideDomain` keep their names. Arrays of the receiver that they replace are kept with the
+ * prefix `Receiver`, and so are the `TargetCell` and `TargetBarycentric` of a replaced map.
  *
- * Field data, over all processes without ghosts: TransferFields.OutsidePoints, and .PrecisePoints,
- * the number of points whose values were taken in `TargetCell`.
+ * Field data, over all processes, without ghosts: TransferFields.OutsidePoints, the number of
+ * points with OutsideDomain = 1, and .PrecisePoints, the number of points whose values were taken
+ * in `TargetCell`.
  *
  * The mathematics: shape::TransferFields.
  */

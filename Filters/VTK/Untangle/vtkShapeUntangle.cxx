@@ -50,8 +50,8 @@ void Join(shape::Cells& cells, const Eigen::MatrixXd& rest)
   }
 }
 
-/// Moves a point that was merged into another to the position of that one.
-/// They are used by no cell, so the untangling left them behind.
+/// Moves each merged point to the position of the point that replaced it. No cell uses merged
+/// points, so untangling did not move them.
 void Follow(const shape::Cells& before, const shape::Cells& joined, Eigen::MatrixXd& points)
 {
   for (Eigen::Index i = 0; i < before.Corners.size(); ++i)
@@ -81,9 +81,9 @@ void vtkShapeUntangle::Execute(const shape::Progress& progress)
       other.Corners.size() != given.Corners.size() || other.Kinds != given.Kinds ||
       other.Corners != given.Corners)
     {
-      throw shape::InvalidInput("the RestShape does not have the cells of the Input (" +
-        std::to_string(other.Kinds.size()) + " and " + std::to_string(given.Kinds.size()) +
-        " cells, " + std::to_string(other.Points.rows()) + " and " +
+      throw shape::InvalidInput("the RestShape does not have the cells of the Input (it has " +
+        std::to_string(other.Kinds.size()) + " cells and " + std::to_string(other.Points.rows()) +
+        " points, and the Input has " + std::to_string(given.Kinds.size()) + " cells and " +
         std::to_string(given.Points.rows()) +
         " points); connect the same mesh before it was moved");
     }
@@ -106,7 +106,7 @@ void vtkShapeUntangle::Execute(const shape::Progress& progress)
   }
 
   Eigen::MatrixXd sources = rest.rows() > 0 ? rest : given.Points;
-  // The output of a map already has the positions it came from; they remain the origin.
+  // If the input is the output of a map, it already has SourcePosition, which is kept.
   if (rest.rows() == 0 && input->GetPointData()->HasArray("SourcePosition"))
   {
     sources = vtkShapeConvert::ToPointArray(input, "SourcePosition", 3, "the Input");

@@ -6,26 +6,32 @@
  * et al. 2021) around inverted cells, with Newton's method.
  *
  * Inputs
- * - Input: tetrahedra, pyramids, wedges, hexahedra or voxels (which become hexahedra), mixed, in
- *   any data set, also composite or distributed. Coincident points of several pieces are merged.
+ * - Input: tetrahedra, pyramids, wedges, hexahedra and voxels (which become hexahedra), of any data
+ *   set, which may be composite or distributed. Coincident points of different pieces are merged.
  * - RestShape (optional): the same cells before they were moved. The distortion of the map from
- *   there is then minimised. Without it cells approach regular ones.
+ *   RestShape to the output is then minimised. If RestShape is not connected, the cells become as
+ *   regular as possible.
  *
- * Output: the cells, none of them inverted (vtkUnstructuredGrid). A cell is inverted if the
- * tetrahedron of a corner and the ends of its edges has no positive volume, by an exact predicate.
- * All corners of hexahedra and wedges are checked, and those of the base of pyramids. Tetrahedra
- * that cannot be positive while the boundary is fixed are split, with their neighbours. New points
- * come last and have the mean of the values around them. The boundary has no new points.
+ * Output (vtkUnstructuredGrid): the cells, after untangling. The edges at a corner of a cell span a
+ * tetrahedron. A cell is inverted if one of these tetrahedra does not have positive volume, which
+ * an exact predicate decides. All corners of hexahedra and wedges are checked, and the four corners
+ * of the base of pyramids. Some tetrahedra cannot have positive volume while the boundary is fixed.
+ * They are split, together with their neighbours. New points come last and get the mean of the
+ * values at the points around them. No new point lies on the boundary.
  * - Point arrays `OriginalPointId` (vtkIdType; -1 at new points) and `SourcePosition` (double, 3):
- *   the position in RestShape. Without RestShape it is the array of Input with that name, or the
- *   position in Input.
- * - Cell array `OriginalCellId` (vtkIdType): the cell of Input of which it is a part.
- * - Cell array `Inverted` (int): 1 if a fold remains because the boundary itself folds.
+ *   the position in RestShape. If RestShape is not connected, it is the array SourcePosition of
+ *   Input or, if there is none, the position in Input.
+ * - Cell array `OriginalCellId` (vtkIdType): the index of the cell of Input to which the cell
+ *   belongs.
+ * - Cell array `Inverted` (int): 1 if the cell is still inverted, for example because the boundary
+ *   itself folds; otherwise 0.
  *
- * Point normals are dropped. In parallel the first process has all cells.
+ * Point normals are dropped. In parallel, the first process has all cells.
  *
- * Field data: Untangle.InvertedBefore, .InvertedAfter, .SplitCells (of Input), .MovedPoints (of
- * Input), .Iterations (Newton steps of all patches).
+ * Field data, with the prefix Untangle
+ * - .InvertedBefore, .InvertedAfter: numbers of inverted cells.
+ * - .SplitCells, .MovedPoints: numbers of cells and points of Input that were split or moved.
+ * - .Iterations: number of Newton steps in all patches.
  *
  * A Newton step cannot be interrupted, so an abort takes effect at its end.
  *

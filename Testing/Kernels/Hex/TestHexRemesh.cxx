@@ -29,7 +29,7 @@ TEST(HexRemesh, EveryMethodFillsATorus)
 {
   const shape::Mesh torus = shapetest::Torus(1.0, 0.45, 60, 30);
   shape::HexRemeshOptions options;
-  options.CellSize = 0.18;
+  options.CellSize = 0.14;
   std::map<MethodType, Eigen::MatrixXd> points;
   for (const MethodType method : { MethodType::Grid, MethodType::Polycube, MethodType::Automatic })
   {

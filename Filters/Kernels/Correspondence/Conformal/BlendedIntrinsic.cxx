@@ -291,7 +291,7 @@ SurfaceMaps ComputeBlendedIntrinsicMap(const Surface& a, const Surface& b,
   if (maps.empty())
   {
     throw InvalidInput("of the " + std::to_string(used.size()) +
-      " landmarks no three are distinct points on both surfaces; give three that are apart");
+      " landmarks, no three are distinct points on both surfaces; give three that are apart");
   }
   Blend blend = Choose(onA, onB, locatorB, maps, SampleFarthestPoints(a, options.Samples), options,
     progress.Part(0.7, 0.8));

@@ -11,24 +11,24 @@
 namespace shape
 {
 
-/// Finds positions of the plane on a surface that was laid out on the tile of an orbifold. The
-/// images of the tile under the orbifold's motions cover the plane, so each position has one image
-/// on the surface.
+/// Finds the surface point at a position in the plane, for a surface that is laid out on the tile
+/// of an orbifold. The images of the tile under the orbifold's motions cover the plane, so there is
+/// one surface point at each position.
 class OrbifoldLocator
 {
 public:
-  /// reach: the maximum distance of the positions from the tile's first cone.
+  /// reach: the maximum distance from the tile's first cone to a position given to Find.
   OrbifoldLocator(OrbifoldImage image, double reach);
 
-  /// Returns the point of the surface at each position (n x 2). If a position coincides with a
-  /// corner or a cone up to rounding, that corner has weight 1. Throws InvalidInput if a
-  /// position is out of reach, Aborted.
+  /// Returns the point of the surface at each position (n x 2). If a position coincides with the
+  /// corner of a triangle up to rounding, that corner has weight 1. Throws InvalidInput if a
+  /// position is farther from the first cone than the reach; Aborted.
   SurfacePoints Find(const Eigen::MatrixXd& positions, const Progress& progress = {}) const;
 
 private:
   OrbifoldImage Image;
   double Reach;
-  /// All motions that bring a position within reach to the image.
+  /// All motions that can take a position within the reach to the image of the surface.
   std::vector<PlaneIsometry> Motions;
   SurfaceLocator Flat;
 };
@@ -36,8 +36,8 @@ private:
 /// A map between two surfaces, in both directions.
 struct OrbifoldMap
 {
-  SurfacePoints AToB; ///< one for each point of A, on triangles of B
-  /// one for each point of B, on triangles of A
+  SurfacePoints AToB; ///< the image of each point of A, on triangles of B
+  /// The image of each point of B, on triangles of A.
   SurfacePoints BToA;
 };
 
@@ -45,16 +45,17 @@ struct OrbifoldMap
  * Computes the seamless map between two closed surfaces of genus 0 through their images on one
  * orbifold (Aigerman and Lipman 2015, section 5). The map is one to one, keeps orientation, and
  * takes the cones of A to those of B in the given order. It does not depend on where the images are
- * cut. With three cones the map is unique; with four it depends on the shortest paths through the
- * cones of both surfaces. The images of two meshes of one shape agree in the limit. At a cone of
- * order k they differ by h^(2 / k), so Rhombus and Rectangle depend least on the mesh.
+ * cut. With three cones, the map is unique. With four, it depends on the shortest paths that join
+ * the cones on each surface. If the meshes of a shape are refined, their images converge. At a cone
+ * of order k and with edge length h, the error is of order h^(2 / k), so Rhombus and Rectangle
+ * depend least on the mesh.
  *
- * Throws the exceptions of MapToOrbifold, with the surface's letter in the message; Aborted.
+ * Throws what MapToOrbifold throws, with the surface's name (A or B) in the message; Aborted.
  */
 OrbifoldMap MapThroughOrbifold(const Surface& a, const std::vector<int>& conesA, const Surface& b,
   const std::vector<int>& conesB, OrbifoldType type, const Progress& progress = {});
 
-/// Returns the position in the image (n x 2) of each point of the uncut surface.
+/// Returns the position in the image (n x 2) of each point of the uncut surface. points: n.
 Eigen::MatrixXd CollectUncutPositions(const OrbifoldImage& image, Eigen::Index points);
 
 } // namespace shape

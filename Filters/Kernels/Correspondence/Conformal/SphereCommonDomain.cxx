@@ -150,10 +150,10 @@ void Warp(const Mesh& surface, const std::vector<int>& landmarks, const Eigen::M
     step *= 0.5;
     if (step < minimumStep)
     {
-      throw SolveFailure("landmarks of surface A remain up to " +
+      throw SolveFailure("on the unit sphere, landmarks of surface A remain up to " +
         std::to_string((goals - at).rowwise().norm().maxCoeff()) +
-        " away from those of surface B on the sphere, since moving them further would flip a "
-        "triangle; check their order, or leave out those closest together");
+        " away from their partners, since moving them further would flip a triangle; check the "
+        "order of the landmarks on both surfaces, or remove those closest together");
     }
     // Two sweeps move the points out of the way of the landmarks; complete relaxation is left to
     // the end.

@@ -11,41 +11,45 @@ namespace shape
 
 struct SphereCommonDomainOptions
 {
-  int Steps = 16; ///< steps in which the landmarks move to their targets if no triangle flips; >= 1
-  int RelaxationSweeps = 20; ///< relaxation sweeps over all other points afterwards; >= 0
+  /// Number of steps in which the landmarks move to their targets if no step flips a triangle;
+  /// >= 1.
+  int Steps = 16;
+  int RelaxationSweeps = 20; ///< sweeps over all other points after the last step; >= 0
 };
 
 struct SphereCommonDomainResult
 {
-  SurfacePoints AToB; ///< one for each point of A, on triangles of B
-  /// one for each point of B, on triangles of A
+  SurfacePoints AToB; ///< the image of each point of A, on triangles of B
+  /// The image of each point of B, on triangles of A.
   SurfacePoints BToA;
-  Eigen::MatrixXd SphereA; ///< n x 3: A on the unit sphere, its landmarks at those of B
+  Eigen::MatrixXd SphereA; ///< n x 3: A on the unit sphere, with its landmarks at those of B
   Eigen::MatrixXd SphereB; ///< k x 3: B on the unit sphere, as MapToSphere maps it
 };
 
 /**
- * Computes the map between two closed surfaces of genus 0 that takes any number of landmarks to
- * landmarks. The map is one to one and keeps orientation.
+ * Computes a one-to-one map between two closed surfaces of genus 0 that takes any number of
+ * landmarks to their partners. The map keeps orientation.
  *
  * Both surfaces are mapped to the unit sphere (MapToSphere). A is rotated to minimise the sum of
  * squared distances between its landmarks and those of B. Then A is warped: its points flow along a
  * smooth field that takes the landmarks to their targets. The field is a sum of Gaussians around
- * the landmarks, as wide as the distance between these. Each step is halved until no spherical
- * triangle flips. Finally all points except the landmarks are relaxed towards the shapes that their
- * triangles have on A (RelaxOnSphere).
+ * the landmarks. Their width is the minimum distance between two landmarks. Each step is halved
+ * until no spherical triangle flips. Finally, RelaxOnSphere moves all points except the landmarks,
+ * so that the spherical triangles approach the shapes that they have on A.
  *
- * a, b: both facing outwards, or both inwards. landmarksA, landmarksB: equally many distinct
- * points, at least one on each surface. Throws InvalidInput if they are not, and what MapToSphere
- * throws. Throws SolveFailure if the steps become too small for the landmarks to arrive, which
- * means that their order around some point differs too much. Throws Aborted.
+ * a, b: closed surfaces of genus 0, both facing outwards or both inwards. landmarksA, landmarksB:
+ * indices of distinct points, equally many on both surfaces, at least one. Throws InvalidInput if
+ * the input is not as required, and what MapToSphere throws. Throws SolveFailure if the steps
+ * become too small for the landmarks to arrive, usually because their order around some point
+ * differs between the surfaces. Throws Aborted.
  */
 SphereCommonDomainResult MapThroughSphere(const Surface& a, const std::vector<int>& landmarksA,
   const Surface& b, const std::vector<int>& landmarksB,
   const SphereCommonDomainOptions& options = {}, const Progress& progress = {});
 
-/// Returns where directions (n x 3, not 0) hit a closed surface around the origin. Its triangles
-/// all face outwards and cover the sphere once. Throws Aborted.
+/// Returns the point at which each ray from the origin hits a closed surface around it. sphere: its
+/// triangles all face outwards, and each ray hits it once. directions: n x 3, each not 0. Throws
+/// Aborted.
 SurfacePoints LocateDirections(
   const Surface& sphere, const Eigen::MatrixXd& directions, const Progress& progress = {});
 

@@ -34,7 +34,7 @@ void RequirePoints(int asked, int points, const std::string& name)
 {
   if (asked > points)
   {
-    throw InvalidInput("NumberOfEigenpairs is " + std::to_string(asked) + " and " + name +
+    throw InvalidInput("NumberOfEigenpairs is " + std::to_string(asked) + ", but " + name +
       " has only " + std::to_string(points) + " points; lower it, or subdivide the surface");
   }
 }
@@ -164,7 +164,7 @@ MapDifferenceResult MapDifference(const Surface& first, const Surface& second,
             usedThere = UsedPoints(RequireManifold(second, "SurfaceB"));
   const int count = options.NumberOfEigenpairs;
   RequireOption(count > topology.Components, "NumberOfEigenpairs", count,
-    "more than SurfaceA has components, which are " + std::to_string(topology.Components));
+    "more than the number of SurfaceA's components, " + std::to_string(topology.Components));
   RequirePoints(count, used, "SurfaceA");
   RequirePoints(count, usedThere, "SurfaceB");
   // Images of A's eigenfunctions contain higher frequencies of B; with only as many functions the

@@ -12,7 +12,7 @@ namespace shape
 struct MapDifferenceOptions
 {
   /// k: number of eigenfunctions of the first surface that the operators act on. Of the second
-  /// surface, 2 k are used, or as many as it has points.
+  /// surface, 2 k eigenfunctions are used, but no more than either surface has points.
   int NumberOfEigenpairs = 50;
 };
 
@@ -20,44 +20,53 @@ struct MapDifferenceOptions
 struct DifferenceOperator
 {
   Eigen::MatrixXd Matrix; ///< k x k, in the eigenbasis of the first surface
-  /// n: <d, D d> / <d, d> for the function d of this space that is nearest to a delta at the point.
-  /// It measures by how much the map scales the norms of functions around the point.
+  /// n values: <d, D d> / <d, d> at each point. D is the operator; d is the combination of the k
+  /// eigenfunctions that is nearest to a delta at the point. The value measures by how much the map
+  /// scales the norms of functions around the point.
   Eigen::VectorXd Field;
-  Eigen::VectorXd Eigenvalues;    ///< the farthest from 1 first, by their logarithm
-  Eigen::MatrixXd Eigenfunctions; ///< n x their number: large where the surfaces differ accordingly
+  Eigen::VectorXd Eigenvalues; ///< in decreasing order of |log(eigenvalue)|
+  /// n x the number of Eigenvalues: each function is large where the surfaces differ by its
+  /// eigenvalue.
+  Eigen::MatrixXd Eigenfunctions;
 };
 
 struct MapDifferenceResult
 {
-  DifferenceOperator Area; ///< for <f, g> = the integral of f g; Field: the ratio of areas
-  /// For the integral of grad f . grad g. For stretches s and t, Field is (s / t + t / s) / 2 if
-  /// functions vary equally in all directions. On a part so thin that they only vary along it, it
-  /// is t / s.
+  /// The operator for the inner product <f, g> = the integral of f g. Its Field is the ratio of
+  /// areas.
+  DifferenceOperator Area;
+  /// The operator for the inner product <f, g> = the integral of grad f . grad g. Let s and t be
+  /// the stretches of the map in its principal directions. If functions vary equally in all
+  /// directions, Field is (s / t + t / s) / 2. On a part so thin that functions vary only along it,
+  /// Field is t / s, where s is the stretch along the part.
   DifferenceOperator Conformal;
-  int Undetermined = 0; ///< functions of the second surface that the map does not determine
+  /// Number of functions on the second surface that the map does not determine.
+  int Undetermined = 0;
 };
 
-/// The maximum number of eigenfunctions returned for an operator; at most k are.
+/// The maximum number of eigenfunctions that are returned for an operator; never more than k.
 inline constexpr int DifferenceEigenfunctions = 10;
 
 /**
- * Computes where two surfaces differ, as operators on functions of the first one (Rustamov et al.,
- * "Map-based exploration of intrinsic shape differences and variability", 2013).
+ * Computes the differences between two surfaces as operators on the functions of the first one
+ * (Rustamov et al., "Map-based exploration of intrinsic shape differences and variability", 2013).
  *
- * F takes functions of `first` to `second`: F f is the combination of eigenfunctions of `second`
- * whose values at the images are nearest to f, by least squares weighted with the areas of `first`.
- * Then <f, V g> = <F f, F g> (equation 4 of the paper) and, with the products of gradients, <f, R
- * g> = <F f, F g> (equation 6). In the eigenbases, with eigenvalues L1 and L2, V = F' F and R =
- * L1^+ F' L2 F. V is the identity if the map keeps areas, R if it keeps angles. Constants have no
- * gradient: their rows and columns of R are 0.
+ * F takes functions on `first` to functions on `second`. F f is the combination of eigenfunctions
+ * of `second` whose values at the images of points are nearest to f, in least squares weighted by
+ * the areas of `first`. The area operator V satisfies <f, V g> = <F f, F g> (equation 4 of the
+ * paper). The conformal operator R satisfies the same equation for the products of gradients
+ * (equation 6). In the eigenbases, with eigenvalues L1 and L2, V = F' F and R = L1^+ F' L2 F. V is
+ * the identity if the map keeps areas, and R if it keeps angles. Constants have no gradient, so
+ * their rows and columns of R are 0.
  *
- * Some combinations of eigenfunctions are concentrated where the map reaches nothing, such as on a
- * part of `second` without a partner. If the share of a combination on the image is less than a
- * thousandth of the largest such share, it is ignored; Undetermined is their number.
+ * Some combinations of eigenfunctions are concentrated outside the image of the map, such as on a
+ * part of `second` without a partner. A combination is ignored if the share of its squared norm on
+ * the image is less than a thousandth of the largest such share. Undetermined is the number of
+ * ignored combinations.
  *
  * first, second: 2-manifolds, open or closed. map: the images of the points of `first`. Throws
- * InvalidInput if they are not, or have fewer points than NumberOfEigenpairs requires;
- * SolveFailure, Aborted.
+ * InvalidInput if a surface is not a 2-manifold or has fewer than NumberOfEigenpairs points, or if
+ * `first` has NumberOfEigenpairs or more components; SolveFailure; Aborted.
  */
 MapDifferenceResult MapDifference(const Surface& first, const Surface& second,
   const SurfacePoints& map, const MapDifferenceOptions& options = {},

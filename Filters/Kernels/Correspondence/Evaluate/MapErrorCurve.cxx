@@ -136,8 +136,8 @@ MapErrorCurveResult ComputeMapErrorCurve(const Surface& input, const Eigen::Matr
   if (result.Errors.size() == 0)
   {
     throw InvalidInput("none of the " + std::to_string(truth.Positions.rows()) +
-      " positions of the Truth is mapped to the same component as its true image; check "
-      "that they belong to these surfaces");
+      " positions of the Truth is mapped to the component of its true image; check that the "
+      "Truth belongs to these surfaces");
   }
   result.Unreached = static_cast<int>(truth.Positions.rows() - result.Errors.size());
   Summarise(result, static_cast<double>(truth.Positions.rows()), options.LargestError);

@@ -10,15 +10,15 @@ namespace shape
 
 struct MapErrorCurveOptions
 {
-  /// What errors are divided by.
+  /// The length by which errors are divided.
   enum class NormalisationType
   {
-    None,             ///< errors are in the target's units
-    SquareRootOfArea, ///< of the target's area
-    GeodesicDiameter  ///< of the target: see ComputeGeodesicDiameter
+    None,             ///< 1: errors are in the target's units
+    SquareRootOfArea, ///< the square root of the target's area
+    GeodesicDiameter  ///< the target's ComputeGeodesicDiameter
   };
   NormalisationType Normalisation = NormalisationType::SquareRootOfArea;
-  /// Upper limit of the area under the curve, in the units of Normalisation; > 0.
+  /// The error at which AreaUnderCurve ends, divided like all errors; > 0.
   double LargestError = 0.25;
 };
 
@@ -27,20 +27,21 @@ struct GroundTruth
 {
   Eigen::MatrixXd Positions; ///< k x 3, on the first surface
   Eigen::MatrixXd Targets;   ///< k x 3, on the second surface
-  Eigen::MatrixXd Mirrored;  ///< k x 3: equally true images, by a symmetry of the shape; or 0 x 0
+  /// k x 3: the images under a symmetry of the shape, which are equally true; or 0 x 0.
+  Eigen::MatrixXd Mirrored;
 };
 
 struct MapErrorCurveResult
 {
-  Eigen::VectorXd Errors; ///< ascending; of the positions whose image is connected to the true one
-  Eigen::VectorXd Shares; ///< equally many: the share of all k positions with at most this error
+  Eigen::VectorXd Errors; ///< ascending, of positions with an image connected to the true one
+  Eigen::VectorXd Shares; ///< for each error e, the share of all k positions with errors <= e
   double Mean = 0.0, Median = 0.0, Percentile95 = 0.0, Maximum = 0.0; ///< statistics of Errors
   /// The mean share over errors from 0 to LargestError, in [0, 1]: 1 for the true map.
   double AreaUnderCurve = 0.0;
-  double Unit = 1.0;     ///< the length that errors were divided by
-  bool Mirrored = false; ///< whether errors are relative to the mirrored truth
-  int Unreached = 0;     ///< positions mapped to another component than the true one
-  /// Maximum distance of the truth's positions from their surface, in model units.
+  double Unit = 1.0;     ///< the length by which errors were divided
+  bool Mirrored = false; ///< whether Errors are distances from GroundTruth::Mirrored
+  int Unreached = 0;     ///< number of positions mapped to the wrong component
+  /// Maximum distance of a position or true image of GroundTruth from its surface, in model units.
   double LargestGap = 0.0;
 };
 
@@ -48,41 +49,44 @@ struct MapErrorCurveResult
  * Measures how far a map between surfaces is from the true one, as a cumulative curve (Kim, Lipman
  * and Funkhouser, "Blended intrinsic maps", 2011, section 6).
  *
- * An error is the length of the shortest path along `target` from the image of a position to the
- * true one, exact on the polyhedron (ComputeExactGeodesicsBetween). A position is projected to the
- * nearest one on `input`, the map is interpolated there, and the result is projected to the nearest
- * position on `target`. With a mirrored truth, errors are relative to whichever truth has the
- * smaller mean error, for all positions together. So a map that is mirrored only in parts gains
- * nothing.
+ * An error is the length of the shortest path along `target` from the image of a position to its
+ * true image, exact on the polyhedron (ComputeExactGeodesicsBetween). A position is projected to
+ * the nearest position on `input`, the map is interpolated there, and the result is projected to
+ * the nearest position on `target`. If mirrored images are given, the mean error is computed for
+ * the true and for the mirrored images, and the smaller one decides which are used for all
+ * positions. A map that is mirrored only in parts therefore gains nothing.
  *
  * input, target: 2-manifolds, open or closed. map: the images of the points of `input` (n x 3).
- * truth: at least one position. Throws InvalidInput if they are not, a value is not finite, an
- * option is out of range or no image is connected to its truth; Aborted.
+ * truth: at least one position. Throws InvalidInput if a surface is not a 2-manifold, a matrix has
+ * the wrong size, a value is not finite, or an option is out of range. Also throws it if no image
+ * is connected to its true image. Throws Aborted.
  */
 MapErrorCurveResult ComputeMapErrorCurve(const Surface& input, const Eigen::MatrixXd& map,
   const Surface& target, const GroundTruth& truth, const MapErrorCurveOptions& options = {},
   const Progress& progress = {});
 
 /**
- * Computes the distance between each point of `input` that a triangle uses and its image under both
- * maps in turn: `map` (n x 3) to `target`, and `back` (m x 3, of the points of target). Distances
- * are exact along `input`, divided by the root of its area, ascending. Those of points that return
- * to another component are left out. All are 0 if the maps are inverse to each other. Arguments and
- * exceptions as above.
+ * Computes the round-trip error of each point of `input` that a triangle uses: the distance to its
+ * image under both maps in turn. map: n x 3, the images on `target` of the points of `input`. back:
+ * m x 3, the images on `input` of the points of `target`. Distances are exact along `input` and
+ * divided by the root of its area. Returns them in ascending order, without points that return to
+ * another component. All errors are 0 if the maps are inverse to each other. Throws InvalidInput if
+ * a surface is not a 2-manifold, a matrix has the wrong size, or a value is not finite; Aborted.
  */
 Eigen::VectorXd ComputeRoundTripErrors(const Surface& input, const Eigen::MatrixXd& map,
   const Surface& target, const Eigen::MatrixXd& back, const Progress& progress = {});
 
-/// Returns the share of `target`'s area that the image of `input` covers. A triangle is covered if
-/// its centroid is at most a hundredth of the root of the area from the surface of input's
-/// triangles at `map`.
+/// Returns the share of `target`'s area that the image of `input` covers. The image is the surface
+/// of input's triangles with the points `map` (n x 3). A triangle of `target` is covered if its
+/// centroid is at most a hundredth of the root of target's area away from the image. Throws
+/// InvalidInput if `map` has the wrong size or a value that is not finite; Aborted.
 double ComputeCoverage(const Surface& input, const Eigen::MatrixXd& map, const Surface& target,
   const Progress& progress = {});
 
-/// Estimates the geodesic diameter: starting from a point, it moves to the farthest point by exact
-/// distances as long as the distance increases. Returns the longest distance of all components,
-/// which is at most the diameter and usually equal to it. surface: a 2-manifold with a triangle.
-/// Throws Aborted.
+/// Estimates the geodesic diameter by exact distances. In each component it moves from a point to
+/// the farthest one as long as this distance increases, at most ten times. Returns the longest
+/// distance found, which is at most the diameter and usually equal to it. surface: a 2-manifold
+/// with a triangle. Throws Aborted.
 double ComputeGeodesicDiameter(const Surface& surface, const Progress& progress = {});
 
 } // namespace shape

@@ -12,29 +12,29 @@ struct SurfaceMapFacts
 {
   /// The Dirichlet energy of A's map: half the integral of the squared gradient of the positions on
   /// B (Pinkall and Polthier 1993). Negative edge weights are raised to 0. It is 1 for an isometry
-  /// and for any conformal map onto all of B; for a conformal map onto a part of B it is that
-  /// part's share.
+  /// and for any conformal map onto all of B. For a conformal map onto a part of B, it is that
+  /// part's share of B's area.
   double DirichletEnergy = 0.0;
   /// The mean over A's area of the straight distance between a point and its image under both maps
   /// in turn.
   double RoundTrip = 0.0;
-  /// The share of A that the map inverts. Each triangle is weighted by the smaller of its area and
-  /// its image's, times the cosine between the image's normal and that of B, which suppresses
-  /// noise.
+  /// The share of A's triangles that the map inverts, by weight. The weight of a triangle is the
+  /// smaller of its area and its image's area, times |cosine| of the angle between the normals of
+  /// the image and of B. This suppresses noise.
   double ReversedArea = 0.0;
   /// Whether ReversedArea is more than 0.3: left and right are exchanged on all of A or on parts of
   /// it. (On 18 pairs of real shapes, functional and heat kernel maps near the true one have at
   /// most 0.2. Functional maps from landmarks with left and right exchanged have at least 0.37.)
   bool Mirrored = false;
-  /// The shares of A's and of B's area that have a partner: their points return, under both maps in
-  /// turn, to within a 50th of the root of the area, in a straight line. If A is a part of B,
-  /// CoverageOfB is the share of B that A covers.
+  /// The shares of A's and of B's area that have a partner. A point has a partner if both maps in
+  /// turn take it to a position at most a 50th of the root of the area away, in a straight line. If
+  /// A is a part of B, CoverageOfB is the share of B that A covers.
   double CoverageOfA = 0.0, CoverageOfB = 0.0;
 };
 
-/// Evaluates a map between two surfaces that both face outwards. If the corners of a triangle of A
-/// are mapped to distant positions on B, the triangle between these positions determines the
-/// orientation. It is compared with B's orientation at the first position.
+/// Evaluates a map between two surfaces that both face outwards. The image of a triangle of A is
+/// the plane triangle between the images of its corners, even if they are far apart. Its
+/// orientation is compared with that of B at the image of the first corner.
 SurfaceMapFacts EvaluateMaps(const Surface& a, const Surface& b, const SurfaceMaps& maps);
 
 } // namespace shape

@@ -18,7 +18,7 @@ struct FunctionalMapFitOptions
   double DescriptorWeight = 1e-1; ///< w_D: commutativity with multiplication by descriptors; >= 0
   /// w_O: commutativity with the descriptors' rotated gradients; >= 0.
   double OrientationWeight = 1e-2;
-  /// Every n-th descriptor gives operators, since consecutive ones are similar.
+  /// Only every n-th descriptor gives operators, since consecutive descriptors are similar; >= 1.
   int OperatorStride = 5;
 };
 
@@ -31,8 +31,8 @@ struct SurfaceDescriptors
 };
 
 /**
- * Computes the functional map that takes the descriptors of one surface to those of another one, in
- * their first eigenfunctions. It minimises
+ * Computes the functional map that takes the descriptors of one surface to those of another one.
+ * Its matrix C in the first eigenfunctions of both surfaces minimises
  *
  *   |C A - B|^2 + w_L |C L1 - L2 C|^2 + w_D sum |C P1 - P2 C|^2 + w_O sum |C O1 - O2 C|^2
  *
@@ -41,13 +41,14 @@ struct SurfaceDescriptors
  * - A and B are the descriptors' coefficients (Ovsjanikov et al., "Functional maps: a flexible
  *   representation of maps between shapes", 2012);
  * - L1 and L2 are the eigenvalues, divided by the largest one;
- * - P multiplies a function by a descriptor (Nogneng and Ovsjanikov, "Informative descriptor
+ * - P1 and P2 multiply a function by a descriptor (Nogneng and Ovsjanikov, "Informative descriptor
  *   preservation via commutativity for shape matching", 2017);
- * - O takes f to <normal, grad(descriptor) x grad(f)>, which distinguishes a map from its mirror
- *   image (Ren, Poulenard, Wonka and Ovsjanikov, "Continuous and orientation-preserving
+ * - O1 and O2 take f to <normal, grad(descriptor) x grad(f)>, which distinguishes a map from its
+ *   mirror image (Ren, Poulenard, Wonka and Ovsjanikov, "Continuous and orientation-preserving
  *   correspondences via functional maps", 2018, section 4).
  *
- * Each descriptor is divided by its norm, and each sum over operators by their number and size.
+ * Each descriptor is divided by its norm. Each sum over operators is divided by their number and by
+ * the mean of their squared norms.
  *
  * Both surfaces have area 1 and q descriptors. Returns the Size x Size matrix from coefficients on
  * a to coefficients on b. Throws Aborted.
@@ -66,14 +67,14 @@ struct FunctionalMapOptions
 /**
  * Computes corresponding points of two surfaces that differ mostly by bending. A functional map is
  * fitted to the wave and heat kernel signatures and to the wave kernels from landmarks
- * (FitFunctionalMap), and refined by RefineByZoomOut. Then each point is mapped to its nearest
- * position in all eigenfunctions, which may lie inside a triangle (Ezuz and Ben-Chen, "Deblurring
- * and denoising of maps between shapes", 2017).
+ * (FitFunctionalMap). RefineByZoomOut refines it. Then each point is mapped to the position with
+ * the nearest values of all eigenfunctions, which may lie inside a triangle (Ezuz and Ben-Chen,
+ * "Deblurring and denoising of maps between shapes", 2017).
  *
  * Both surfaces may have boundaries and several components. Their sizes may differ, since each is
  * scaled to area 1. Without landmarks, a symmetric surface may be mapped to its mirror image.
- * Throws InvalidInput if an option is out of range or a surface is not a consistently oriented
- * 2-manifold, SolveFailure, Aborted.
+ * Throws InvalidInput if a surface is not a consistently oriented 2-manifold; SolveFailure;
+ * Aborted.
  */
 SurfaceMaps ComputeFunctionalMap(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const FunctionalMapOptions& options = {}, const Progress& progress = {});

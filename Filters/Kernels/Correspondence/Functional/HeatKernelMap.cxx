@@ -32,7 +32,7 @@ void RequireReached(
     {
       throw InvalidInput(name + " has " + std::to_string(topology.Components) +
         " components, and the one with point " + std::to_string(i) +
-        " has no landmark, so no heat reaches it; give each component one");
+        " has no landmark, so no heat reaches it; give each component a landmark");
     }
   }
 }

@@ -9,7 +9,7 @@ namespace shape
 
 struct HeatKernelMapOptions
 {
-  int Eigenpairs = 100; ///< maximum for each surface; >= 2
+  int Eigenpairs = 100; ///< maximum number for each surface; >= 2
   int Times = 25;       ///< number of times at which heat is compared; >= 1
 };
 
@@ -17,18 +17,20 @@ struct HeatKernelMapOptions
  * Computes corresponding points of two surfaces that differ by bending. Points correspond if they
  * receive the same heat from a landmark at each of several times (Ovsjanikov, Merigot, Memoli and
  * Guibas, "One point isometric matching with the heat kernel", 2010, equation 3). One landmark is
- * enough if no intrinsic symmetry of the surface keeps it fixed. More landmarks resolve symmetries
- * and deviations from an isometry.
+ * enough if no intrinsic symmetry of the surface keeps it fixed. More landmarks distinguish
+ * symmetric points and reduce errors on surfaces that are not isometric.
  *
- * Heat at time t is the sum of exp(-lambda t) phi(p) phi(x) over the non-constant eigenfunctions,
- * divided by its L2 norm over the surface. Times form a geometric sequence. It runs from 4 ln 10 /
- * the largest eigenvalue to 4 ln 10 / the smallest non-zero one, for the surfaces scaled to area 1.
- * Each point is mapped to a position with nearly the same heat at all times
+ * The heat at x from a landmark p at time t is the sum of exp(-lambda t) phi(p) phi(x) over the
+ * non-constant eigenfunctions phi with eigenvalues lambda. It is divided by its L2 norm over the
+ * surface. The times form a geometric sequence from 4 ln 10 / L to 4 ln 10 / l, for surfaces scaled
+ * to area 1. L is the smaller of the surfaces' largest eigenvalues, l the larger of their smallest
+ * non-zero ones. Each point is mapped to a position with nearly the same heat at all times
  * (FindNearestSurfacePoints).
  *
  * a, b: consistently oriented 2-manifolds, open or closed, with a triangle at each point and a
- * landmark on each component. If there are no landmarks, each surface must have one component, and
- * those of FindLandmarks are used. Throws InvalidInput if they are not, SolveFailure, Aborted.
+ * landmark on each component. If no landmarks are given, FindLandmarks finds them; each surface
+ * must then have one component. Throws InvalidInput if the input is not as required; SolveFailure;
+ * Aborted.
  */
 SurfaceMaps ComputeHeatKernelMap(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const HeatKernelMapOptions& options = {}, const Progress& progress = {});

@@ -18,23 +18,24 @@ struct PartialFunctionalMapOptions
 /**
  * Computes the map from a bent part of a surface to the full surface, and the map back.
  *
- * Both are brought to one scale. The part then has fewer eigenfunctions below a frequency than the
- * full surface, about in proportion to its area (Weyl's law). Functional maps from the full surface
- * to the part are therefore rectangular: each side has the number of eigenvalues below the same
- * bound (Rodola, Cosmo, Bronstein, Torsello and Cremers, "Partial functional correspondence", 2017,
- * section 3). The start is the map of samples by EmbedByLandmarks. It is refined as in
- * RefineByZoomOut (Melzi and others 2019, section on partial shapes), but only the points of the
- * part are used: points of the full surface need not have a partner.
+ * Both are brought to one scale. By Weyl's law, the number of eigenvalues below a bound is about
+ * proportional to the area, so the part has fewer of them than the full surface. Functional maps
+ * from the full surface to the part are therefore rectangular: their rows and columns belong to the
+ * eigenvalues of the two surfaces below the same bound (Rodola, Cosmo, Bronstein, Torsello and
+ * Cremers, "Partial functional correspondence", 2017, section 3). The first map takes each sample
+ * of the part to the point of the full surface with the nearest row of EmbedByLandmarks. This map
+ * is refined as RefineByZoomOut does (Melzi and others 2019, section on partial shapes). Only
+ * samples of the part are used, since points of the full surface need not have a partner.
  *
- * Each point of the full surface goes to the position on the part whose image is nearest. Distances
- * are those of the full surface's eigenfunctions divided by the roots of their eigenvalues
- * (ComputeSpectralEmbedding). Points inside the part's image return to the points that are mapped
- * there, and others go near the cut.
+ * The map back takes each point of the full surface to the position on the part whose image is
+ * nearest to it. Distances are measured in the full surface's ComputeSpectralEmbedding: its
+ * eigenfunctions divided by the roots of their eigenvalues. Points inside the part's image return
+ * to the points that are mapped there; others go near the cut.
  *
- * part, whole: RequireConnected, the part and the full surface. landmarks: at least three, {point
- * of the part, point of the full surface}. scale: lengths on the full surface divided by those on
- * the part. In the result, AToB is the map of the part and BToA that of the full surface. Throws
- * InvalidInput, SolveFailure, Aborted.
+ * part, whole: the part and the full surface, as RequireConnected requires them. landmarks: at
+ * least three pairs {point of the part, point of the full surface}. scale: lengths on the full
+ * surface divided by those on the part. In the result, AToB maps the part to the full surface, and
+ * BToA maps the full surface to the part. Throws InvalidInput, SolveFailure, Aborted.
  */
 SurfaceMaps ComputePartialFunctionalMap(const Surface& part, const Surface& whole,
   const Landmarks& landmarks, double scale, const PartialFunctionalMapOptions& options = {},

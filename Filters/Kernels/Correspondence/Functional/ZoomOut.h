@@ -13,7 +13,7 @@ namespace shape
 
 struct ZoomOutOptions
 {
-  int Last = 120; ///< eigenfunctions of each surface at the end, limited by the spectra's sizes
+  int Last = 120; ///< eigenfunctions of each surface at the end; at most its eigenpairs
   int Step = 6;   ///< eigenfunctions added in each step; >= 1
 };
 
@@ -26,9 +26,10 @@ struct SampledSpectrum
 };
 
 /**
- * Returns the k x l matrix C that minimises |from - to C'|^2. from (s x k) and to (s x l) hold the
- * values of eigenfunctions at s corresponding samples. A ridge of 1e-9 times the diagonal of the
- * normal equations makes the solution unique when there are fewer samples than eigenfunctions.
+ * Returns the l x k matrix C that minimises |from - to C|^2. from (s x k) and to (s x l) hold the
+ * values of eigenfunctions at s corresponding samples. A ridge of 1e-9 times the largest diagonal
+ * entry of the normal equations makes the solution unique when there are fewer samples than
+ * eigenfunctions.
  */
 Eigen::MatrixXd FitCoefficients(const Eigen::MatrixXd& from, const Eigen::MatrixXd& to);
 
@@ -40,16 +41,17 @@ struct FunctionalMaps
 };
 
 /**
- * Refines a map between two surfaces by alternating between functional maps and point maps, adding
- * eigenfunctions each time. A point map takes each point to its nearest one in the images of the
- * eigenfunctions (Melzi, Ren, Rodola, Sharma, Wonka and Ovsjanikov, "ZoomOut: spectral upsampling
- * for efficient shape correspondence", 2019, equations 1 to 3). Both directions are refined
- * together: each functional map is fitted to both point maps, so the two end nearly inverse to each
- * other (Ren, Melzi, Ovsjanikov and Wonka, "MapTree: recovering multiple solutions in the space of
- * maps", 2020, section 5).
+ * Refines a map between two surfaces by alternating between functional maps and point maps, each
+ * time adding eigenfunctions. A point map takes each point to the position on the other surface
+ * with the nearest eigenfunction values, after the functional map has been applied to them (Melzi,
+ * Ren, Rodola, Sharma, Wonka and Ovsjanikov, "ZoomOut: spectral upsampling for efficient shape
+ * correspondence", 2019, equations 1 to 3). Both directions are refined together: each functional
+ * map is fitted to both point maps, so the two functional maps end up nearly inverse to each other
+ * (Ren, Melzi, Ovsjanikov and Wonka, "MapTree: recovering multiple solutions in the space of maps",
+ * 2020, section 5).
  *
- * map: k x k, from a to b, for surfaces scaled to area 1. landmarks: kept near each other, each
- * with the weight of a thousandth of the samples. Throws Aborted.
+ * map: the initial functional map from a to b (k x k), for surfaces scaled to area 1. landmarks:
+ * pairs that each enter the fits with the weight of a thousandth of the samples. Throws Aborted.
  */
 FunctionalMaps RefineByZoomOut(const SampledSpectrum& a, const SampledSpectrum& b,
   const Eigen::MatrixXd& map, const Landmarks& landmarks, const ZoomOutOptions& options = {},

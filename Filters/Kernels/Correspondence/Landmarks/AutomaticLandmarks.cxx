@@ -251,8 +251,9 @@ AutomaticLandmarksResult FindLandmarks(const Surface& a, const Surface& b,
   result = part.Distortion < better * result.Distortion ? part : result;
   if (result.Pairs.empty())
   {
-    throw InvalidInput("no three features of surface A have the same distances as three of surface "
-                       "B, so no landmarks were found; give some");
+    throw InvalidInput(
+      "no landmarks were found: no three features of surface A are as far apart as "
+      "three features of surface B; give Landmarks");
   }
   progress(1.0);
   return result;

@@ -10,38 +10,41 @@ namespace shape
 
 struct AutomaticLandmarksOptions
 {
-  int Samples = 200;    ///< points by which complete surfaces are compared; >= 20
-  int Features = 12;    ///< maximum for each surface; >= 6
-  int Candidates = 100; ///< assignments of features of each kind to compare; >= 1
+  int Samples = 200; ///< points of each surface by which maps are compared; >= 20
+  int Features = 12; ///< maximum number of features of each surface; >= 6
+  /// Maximum number of assignments for each number of features and each tolerance; >= 1.
+  int Candidates = 100;
   /// The hypotheses to try: both surfaces are complete, A is a part of B, or B is a part of A. A
-  /// surface is only tried as a part if it has a boundary or BothWhole is false.
+  /// surface is tried as a part only if it has a boundary or BothWhole is false.
   bool BothWhole = true, PartA = true, PartB = true;
-  ///@}
 };
 
 struct AutomaticLandmarksResult
 {
-  /// Points of A and of B, at least three pairs: those of the best map that keeps orientation.
+  /// At least three pairs of corresponding points of A and B, from the best map that keeps
+  /// orientation.
   Landmarks Pairs;
-  /// The mean difference between two samples' distance and that of their images, over both
-  /// directions. It is relative to the root of the area, or of the part's area: 0 for the same
-  /// surface, about 0.03 for a bent and remeshed one, 0.06 for a stretched one. Above 0.07 no
-  /// similar shape was found.
+  /// The mean difference between the distance of two samples and the distance of their images, over
+  /// both directions. If one surface is a part, only the part's samples count. The difference is
+  /// relative to the root of the area, or of the part's area. It is 0 for the same surface, about
+  /// 0.03 for a bent and remeshed one, and 0.06 for a stretched one. Above 0.07, the shapes are not
+  /// similar.
   double Distortion = 0.0;
-  /// The same for the best map that reverses the orientation. If it is close to Distortion, the
+  /// The distortion of the best map that reverses orientation. If it is close to Distortion, the
   /// shape is symmetric, and only orientation distinguishes its two sides.
   double MirroredDistortion = 0.0;
   /// Whether MirroredDistortion is less than 0.85 times Distortion, so that B is probably a mirror
-  /// image of A. (None of 18 pairs of real shapes is reported as mirrored. With B mirrored three
-  /// are, two of them shapes without a mirror symmetry.)
+  /// image of A. (None of 18 pairs of real shapes is reported as mirrored. If B is mirrored, three
+  /// are; two of these are shapes without a mirror symmetry.)
   bool MirrorImage = false;
-  /// The same for the best map that keeps orientation but takes at least half of its features in
-  /// Pairs to other points; infinite if there is none.
+  /// The distortion of the rival: the best map that keeps orientation but contradicts Pairs;
+  /// infinite if there is none. A map contradicts Pairs if at least half of the features that both
+  /// assign go to different points.
   double RivalDistortion = 0.0;
-  Landmarks Rival; ///< the pairs of that map
-  /// 1 - Distortion / RivalDistortion, in [0, 1]; 0 if the pairs are a guess.
+  Landmarks Rival; ///< the pairs of the rival map
+  /// 1 - Distortion / RivalDistortion, in [0, 1]; near 0 if the rival map is about as good.
   double Confidence = 0.0;
-  /// The surface that was recognised as a part.
+  /// The surface that was recognised as a part, if any.
   SurfacePart::WhichType Part = SurfacePart::WhichType::None;
   double Share = 1.0; ///< the part's share of the other surface's area
 };
@@ -52,19 +55,22 @@ struct AutomaticLandmarksResult
  *
  * Features are the tips of extremities (FindFeatures). Candidates are assignments of features that
  * agree on the distances between them (AssignFeatures). Each candidate gives a map of samples, by
- * which the candidates are compared. A sample is mapped to one that has the same distances from
- * the features and sees them in the same sense of rotation, or in the opposite one for a mirror
- * image. So the two sides of an animal, which distances cannot distinguish, are not exchanged.
+ * which the candidates are compared. A sample is mapped to the sample with the most similar
+ * distances from the features. Around both samples, the features must also lie in the same sense of
+ * rotation, or in the opposite sense for a mirror image. Therefore the two sides of an animal,
+ * which distances cannot distinguish, are not exchanged.
  *
- * a, b: consistently oriented 2-manifolds of one component with a triangle at each point, open or
- * closed, whose triangles face outwards. Sizes may differ, since each is scaled to area 1.
+ * a, b: consistently oriented 2-manifolds of one component, open or closed. Each point has a
+ * triangle, and the triangles face outwards. Sizes may differ, since each surface is scaled to area
+ * 1.
  *
  * A surface with a boundary is also tried as a part with 85 % down to 20 % of the other one's area.
- * Then only the features away from its boundary are used, and only the map of its own samples. It
- * is accepted as a part if that reduces the distortion to less than 0.7 times. (Of 12 bent parts of
- * eight models, 11 were recognised, at 0.38 to 0.58 times and with lengths within 3 %. The last one
- * had too few tips left. Ten pairs of surfaces that were both cut in the same way were all treated
- * as complete.)
+ * Then only the features away from its boundary are used, and only its own samples are mapped. It
+ * is accepted as a part if this gives less than 0.7 times the distortion of two complete surfaces.
+ * (Of 12 bent parts of eight models, 11 were recognised. Their distortion was 0.38 to 0.58 times
+ * that of complete surfaces, and their scale was correct within 3 %. The last part had too few tips
+ * left. In ten further pairs, both surfaces were cut in the same way; all of these were treated as
+ * complete.)
  *
  * Throws InvalidInput if the surfaces are not as required, or if no three features agree;
  * SolveFailure, Aborted.

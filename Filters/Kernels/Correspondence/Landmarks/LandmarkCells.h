@@ -7,9 +7,10 @@
 namespace shape
 {
 
-/// Maps every point to the partner of the nearest landmark along its surface, in both directions: a
-/// start for methods that refine maps. Points of a component without landmarks go to the first
-/// landmark's partner. Throws InvalidInput if there is no landmark, SolveFailure, Aborted.
+/// Maps every point to the partner of the landmark that is nearest along the surface, in both
+/// directions. The maps are initial maps for methods that refine them. Points of a component
+/// without landmarks go to the first landmark's partner. Throws InvalidInput if there is no
+/// landmark; SolveFailure; Aborted.
 SurfaceMaps MapByLandmarkCells(
   const Surface& a, const Surface& b, const Landmarks& landmarks, const Progress& progress = {});
 

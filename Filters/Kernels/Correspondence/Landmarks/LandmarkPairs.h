@@ -9,11 +9,11 @@
 namespace shape
 {
 
-/// Pairs the points of two surfaces that are nearest to corresponding positions (k x 3 each), in
-/// the order of the positions. The point is the nearest corner of the triangle closest to a
-/// position. A pair is left out if one of its points is in an earlier pair. Throws InvalidInput if
-/// a coordinate is not finite or a position is farther from its surface than half the longest edge
-/// of the surface's bounding box, Aborted.
+/// Pairs points of two surfaces. Each pair consists of the points nearest to two corresponding
+/// positions (k x 3 each), in the order of the positions. The point nearest to a position is the
+/// nearest corner of the closest triangle. A pair is left out if one of its points is in an earlier
+/// pair. Throws InvalidInput if a coordinate is not finite or a position is farther from its
+/// surface than half the longest edge of the surface's bounding box; Aborted.
 Landmarks PairLandmarks(const Surface& a, const Eigen::MatrixXd& positionsA, const Surface& b,
   const Eigen::MatrixXd& positionsB, const Progress& progress = {});
 

@@ -10,13 +10,13 @@
 namespace shape
 {
 
-/// Two surfaces, coarsened if they have more points than methods need to match them. Eigenvalues,
-/// distances and iterations take a fraction of the time on the coarse surfaces. The maps are then
-/// transferred to the fine surfaces.
+/// Two surfaces, each coarsened if it has more points than a method needs. Eigenvalues, distances
+/// and iterations take a fraction of the time on the coarse surfaces. The maps are then transferred
+/// to the fine surfaces.
 class CoarsePair
 {
 public:
-  /// a, b: as CoarsenSurface requires them. landmarks: points of both, which are kept. maximum: the
+  /// a, b: as CoarsenSurface requires them. landmarks: their points are kept. maximum: the
   /// approximate number of points of the coarse surfaces; 0: no coarsening. Throws InvalidInput,
   /// Aborted.
   CoarsePair(const Surface& a, const Surface& b, const Landmarks& landmarks, int maximum,
@@ -31,8 +31,8 @@ public:
   int FinePointOfA(int point) const { return this->One.FinePoint(point); }
   int FinePointOfB(int point) const { return this->Two.FinePoint(point); }
 
-  /// Converts landmarks of the fine surfaces to the coarse ones; each must be one of those given to
-  /// the constructor.
+  /// Converts landmarks of the fine surfaces to the coarse ones. Each point must belong to a
+  /// landmark that was given to the constructor.
   Landmarks OnCoarse(const Landmarks& landmarks) const;
   /// Converts landmarks of the coarse surfaces to the fine ones.
   Landmarks OnFine(const Landmarks& landmarks) const;

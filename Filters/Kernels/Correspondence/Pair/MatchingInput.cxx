@@ -64,7 +64,7 @@ void RequireLandmarks(const Landmarks& landmarks, const Surface& a, const Surfac
       {
         throw InvalidInput("landmark " + std::to_string(k) + " is point " + std::to_string(point) +
           " of surface " + (which == 0 ? "A" : "B") + ", which has " + std::to_string(points) +
-          "; number points from 0");
+          " points; number points from 0");
       }
     }
   }

@@ -9,17 +9,17 @@
 namespace shape
 {
 
-// The requirements of methods that match two surfaces. `name` denotes a surface in messages, such
-// as
+// The requirements of methods that match two surfaces. `name` is the surface's name in messages,
+// such as "surface A".
 
 /// Throws InvalidInput unless the surface has a positive, finite area.
 void RequireArea(const Surface& surface, const std::string& name);
 
 /// Throws InvalidInput unless the surface is a consistently oriented 2-manifold, open or closed,
-/// with a positive area and a triangle at each point.
+/// with a positive area and a triangle at each point. Returns its topology.
 Topology RequireWhole(const Surface& surface, const std::string& name);
 
-/// Throws InvalidInput as RequireWhole does, and if the surface has several components.
+/// Throws InvalidInput when RequireWhole does, or if the surface has several components.
 Topology RequireConnected(const Surface& surface, const std::string& name);
 
 /// Throws InvalidInput unless the landmarks are points of surfaces A and B.

@@ -7,7 +7,7 @@
 namespace shape
 {
 
-/// Which of two surfaces, if any, is a part of the other one, and how large it is there.
+/// Which of two surfaces, if any, is a part of the other one, and what share of its area.
 struct SurfacePart
 {
   enum class WhichType
@@ -23,26 +23,27 @@ struct SurfacePart
 };
 
 /**
- * Decides from landmarks whether one surface is a part of the other one. For every two landmarks,
- * their distance along B divided by that along A is a ratio; the scale is the median ratio. At this
- * scale, a surface is a part if all of these are true:
+ * Decides from landmarks whether one surface is a part of the other one. Every two landmarks give a
+ * ratio: their distance along B divided by their distance along A. The scale is the median of these
+ * ratios. At this scale, a surface is a part if all of these are true:
  *
  * - it has a boundary;
- * - it has at most 85 % of the other one's area;
- * - half of the ratios differ less from their median than the root of that share differs from 1.
+ * - it has less than 85 % of the other one's area;
+ * - half of the ratios, divided by the scale, are nearer to 1 than the root of that share is.
  *
- * With fewer than three landmarks, without boundaries or with several components, neither surface
- * is a part, and the scale is the root of the areas' ratio.
+ * If there are fewer than three landmarks, no boundaries or several components, neither surface is
+ * a part. If neither is a part, the scale is the root of B's area divided by A's.
  *
- * a, b: RequireWhole; landmarks: RequireLandmarks. Throws InvalidInput if all landmarks are one
- * point, SolveFailure, Aborted.
+ * a, b: as RequireWhole requires. landmarks: as RequireLandmarks requires. Throws InvalidInput if
+ * landmarks are needed but no two of them are distinct points on both surfaces; SolveFailure;
+ * Aborted.
  */
 SurfacePart FindPart(
   const Surface& a, const Surface& b, const Landmarks& landmarks, const Progress& progress = {});
 
-/// Computes the scale and the share if it is known which surface is the part; a, b:
-/// RequireConnected. Throws InvalidInput if the part would have more area than the other surface,
-/// or if no two landmarks determine the scale.
+/// Computes the scale and the share if it is known which surface is the part. a, b: as
+/// RequireConnected requires. Throws InvalidInput if the part would have more area than the other
+/// surface, or if no two landmarks are distinct points on both surfaces; SolveFailure; Aborted.
 SurfacePart MeasurePart(const Surface& a, const Surface& b, const Landmarks& landmarks,
   SurfacePart::WhichType which, const Progress& progress = {});
 

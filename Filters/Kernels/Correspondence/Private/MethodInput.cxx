@@ -72,8 +72,8 @@ void RequireComponents(const Topology& topology, const std::string& name, bool h
   }
   if (options.Method == Method::FunctionalMap && topology.Components >= options.NumberOfEigenpairs)
   {
-    throw InvalidInput(fact + "NumberOfEigenpairs, " + std::to_string(options.NumberOfEigenpairs) +
-      ", must exceed their number" + remedy + "or raise it");
+    throw InvalidInput(fact + "NumberOfEigenpairs is only " +
+      std::to_string(options.NumberOfEigenpairs) + remedy + "or raise it above their number");
   }
 }
 

@@ -8,15 +8,16 @@ namespace shape
 {
 
 /**
- * Throws InvalidInput if the method of `options` cannot match the surfaces from the landmarks, or
- * without any. The message names a method that can. Requirements:
+ * Throws InvalidInput if the method of `options` cannot match the surfaces with the given
+ * landmarks, which may be none. The message names a method that can. Requirements:
  *
- * - surfaces have a positive area; two closed ones both face outwards, or both inwards;
- * - several components: only FunctionalMap and HeatKernel, with landmarks;
+ * - each surface has a positive area; two closed surfaces both face outwards or both inwards;
+ * - surfaces with several components: only FunctionalMap and HeatKernel, and only with landmarks;
  * - open surfaces: all methods except CommonSphere and CommonOrbifold;
- * - genus 1 or more: all methods except these two and BlendedIntrinsic;
- * - landmarks are points of the surfaces; CommonSphere takes at least two, BlendedIntrinsic at
- *   least three, CommonOrbifold three or four.
+ * - surfaces of genus 1 or more: all methods except CommonSphere, CommonOrbifold and
+ *   BlendedIntrinsic;
+ * - landmarks are indices of points; if any are given, CommonSphere needs at least two,
+ *   BlendedIntrinsic at least three, CommonOrbifold three or four.
  *
  * a, b: consistently oriented 2-manifolds, open or closed; points that no triangle uses are
  * ignored.

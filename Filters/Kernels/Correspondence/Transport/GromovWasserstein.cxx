@@ -135,8 +135,9 @@ GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surf
   if (isFullA != isFullB)
   {
     throw InvalidInput(std::string("all ") + std::to_string(fixed) + " points of surface " +
-      (isFullA ? "A" : "B") + " are landmarks, which leaves none for the other points of surface " +
-      (isFullA ? "B" : "A") + "; give fewer, or refine the former");
+      (isFullA ? "A" : "B") + " are landmarks, so the other points of surface " +
+      (isFullA ? "B" : "A") + " have no partner; give fewer landmarks, or subdivide surface " +
+      (isFullA ? "A" : "B"));
   }
   // Distance matrices have few^2 entries and products few^3: a quarter costs a 64th.
   const int few = fixed + std::max(options.Samples / 4, 10);

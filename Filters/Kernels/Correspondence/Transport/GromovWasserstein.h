@@ -12,43 +12,45 @@ namespace shape
 
 struct GromovWassersteinOptions
 {
-  int Samples = 500;   ///< samples of each surface, whose distances are compared; >= 10
-  int Eigenpairs = 60; ///< of each surface, to extend the map from samples to all points; >= 2
+  int Samples = 500;   ///< samples of each surface; >= 10
+  int Eigenpairs = 60; ///< eigenpairs of each surface, to extend the map to all points; >= 2
   EntropicCouplingOptions Coupling;
-  /// Without landmarks: sets of pairs, each the start of one coupling. If empty, those of
-  /// FindLandmarks and their rival.
+  /// Used if no landmarks are given: sets of landmarks, each of which starts one coupling. If
+  /// empty, FindLandmarks gives two sets, its Pairs and its Rival.
   std::vector<Landmarks> Starts;
 };
 
 struct GromovWassersteinResult
 {
   SurfaceMaps Maps;
-  /// The root mean square difference between the distance of two samples and that of their images,
-  /// divided by the root of the area.
+  /// The root mean square difference between the distance of two samples and the distance of their
+  /// images, divided by the root of the area.
   double Distortion = 0.0;
   double Error = 0.0; ///< the share of the mass that does not fit the samples' weights
   Landmarks Start;    ///< the given landmarks, or those from which the best coupling started
 };
 
 /**
- * Computes corresponding points of two surfaces by the coupling of samples that keeps distances
- * along the surfaces best (SolveCoupling; Solomon, Peyre, Kim and Sra, "Entropic metric alignment
- * for correspondence problems", 2016). The coupling may be one to many if the shapes differ.
+ * Computes corresponding points of two surfaces by the coupling of samples that best keeps the
+ * distances along the surfaces (SolveCoupling; Solomon, Peyre, Kim and Sra, "Entropic metric
+ * alignment for correspondence problems", 2016). The coupling may be one to many if the shapes
+ * differ.
  *
  * The weight of a sample is the area nearest to it. The entropy is first decreased on a quarter of
- * the samples, and then again, from eight times its last value, on all of them. Landmarks are
- * samples that are coupled to each other. The start is the similarity of the samples' positions
- * relative to the landmarks (EmbedByLandmarks). Without landmarks nothing is fixed. Then each start
- * gives a coupling on a quarter of the samples, and the one with the smallest distortion is used.
+ * the samples, and then again, from eight times its last value, on all of them. The two points of a
+ * landmark are samples that are coupled only to each other. The start is the similarity of the
+ * samples' positions relative to the landmarks (EmbedByLandmarks). Without landmarks, no samples
+ * are fixed. Each start then gives a coupling on a quarter of the samples, and the coupling with
+ * the smallest distortion is used.
  *
  * The map of samples is extended to all points by "soft" functional maps (section 4 of the paper).
- * The image of a sample is the mean of B's eigenfunctions over the samples coupled to it. These
- * images are interpolated by the eigenfunctions of A in least squares. Each point is mapped to a
- * position near its row there (FindNearestSurfacePoints).
+ * The image of a sample is the mean of B's eigenfunctions over the samples coupled to it. The
+ * eigenfunctions of A are fitted to these images by least squares, which gives an image of every
+ * point. The point is mapped to a position on B near this image (FindNearestSurfacePoints).
  *
  * a, b: consistently oriented 2-manifolds of one component, open or closed, of any genus, with a
- * triangle at each point. Sizes may differ. Throws InvalidInput if they are not, SolveFailure,
- * Aborted.
+ * triangle at each point. Sizes may differ. Throws InvalidInput if the input is not as required;
+ * SolveFailure; Aborted.
  */
 GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surface& b,
   const Landmarks& landmarks, const GromovWassersteinOptions& options = {},

@@ -155,9 +155,9 @@ EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd
   constexpr double maximum = 0.05;
   if (coupling.Error > maximum)
   {
-    throw SolveFailure("the masses of " + std::to_string(rows.size()) + " samples are " +
-      std::to_string(coupling.Error) +
-      " of the total away from their weights; give more landmarks or fewer samples");
+    throw SolveFailure("the coupling of " + std::to_string(rows.size()) +
+      " samples did not converge: " + std::to_string(coupling.Error) +
+      " of the mass does not fit their weights; give more landmarks or fewer samples");
   }
   progress(1.0);
   return coupling;

@@ -10,8 +10,9 @@
 namespace shape
 {
 
-/// Two sets of samples, each with the distances between its samples (s x s, symmetric) and their
-/// weights (s, positive, with sum 1). The unit is the longest distance of both sets.
+/// Two sets of samples. Each has the distances between its samples (s x s, symmetric) and their
+/// weights (s values, positive, with sum 1). The unit of length is the longest distance in either
+/// set.
 struct MetricSpaces
 {
   Eigen::MatrixXd DistancesA, DistancesB;
@@ -23,41 +24,42 @@ struct EntropicCouplingOptions
   double FirstEntropy = 0.001;  ///< initial entropy; > 0
   double Entropy = 5e-5;        ///< final entropy; in (0, FirstEntropy]
   double Factor = 0.5;          ///< factor from one entropy to the next; in (0, 1)
-  int Iterations = 10;          ///< maximum for each entropy; >= 1
-  int SinkhornIterations = 100; ///< maximum in each iteration; >= 1
+  int Iterations = 10;          ///< maximum number for each entropy; >= 1
+  int SinkhornIterations = 100; ///< maximum number in each iteration; >= 1
   double Tolerance = 1e-4;      ///< error of the weights at which Sinkhorn's iteration stops; > 0
 };
 
 struct EntropicCoupling
 {
   Eigen::MatrixXd Masses;         ///< sA x sB: the mass that goes from A's sample i to B's sample j
-  std::vector<double> Objectives; ///< after each accepted iteration
-  std::vector<double> Entropies;  ///< of each accepted iteration
-  /// The root mean square difference of distances, weighted with the masses of both ends, in the
-  /// unit of the distances.
+  std::vector<double> Objectives; ///< the objective after each accepted iteration
+  std::vector<double> Entropies;  ///< the entropy e in each accepted iteration
+  /// The root mean square of DistancesA(i, j) - DistancesB(k, l), weighted by P(i, k) P(j, l), in
+  /// the unit of the distances.
   double Distortion = 0.0;
-  /// The sum of the differences between the masses of A's samples and their weights.
+  /// The sum of |mass - weight| over A's samples.
   double Error = 0.0;
 };
 
 /**
- * Computes the coupling of two sets of samples that keeps distances best. Its masses P >= 0 have
- * row sums equal to the weights of A and column sums equal to those of B. They are a local minimum
- * of
+ * Computes the coupling of two sets of samples that best keeps the distances. Its masses P >= 0
+ * have row sums equal to the weights of A and column sums equal to those of B. They are a local
+ * minimum of
  *
  *   sum (DistancesA(i, j) - DistancesB(k, l))^2 P(i, k) P(j, l) / 4 + e sum P log(P / (wA wB'))
  *
- * by Sinkhorn's iteration, in logarithms, on exp(DistancesA P DistancesB / e) for the last P
- * (Solomon, Peyre, Kim and Sra, "Entropic metric alignment for correspondence problems", 2016,
- * algorithm 1). The entropy e decreases from a large to a small value. The problem is not convex:
- * `start` determines which minimum is reached. If distances are of negative type, each iteration
- * lowers the objective. An iteration that raises it is undone and damped: the new masses are then a
- * weighted geometric mean of the last and the new ones (the paper's eta).
+ * which is found by Sinkhorn's iteration in logarithms. Each iteration applies it to exp(DistancesA
+ * P DistancesB / e), where P are the last masses (Solomon, Peyre, Kim and Sra, "Entropic metric
+ * alignment for correspondence problems", 2016, algorithm 1). The entropy e decreases from a large
+ * to a small value. The problem is not convex: `start` determines which minimum is reached. If
+ * distances are of negative type, each iteration lowers the objective. An iteration that raises it
+ * is undone and repeated with damping: a weighted geometric mean of the last and the new masses is
+ * used (the paper's eta).
  *
  * start: sA x sB, the logarithms of the similarity of A's samples to B's; the first masses are
- * proportional to their exponentials. fixed: pairs of samples coupled to each other, of equal
- * weight; no sample occurs twice. Throws InvalidInput, SolveFailure if the masses remain far from
- * the weights, Aborted.
+ * proportional to their exponentials. fixed: pairs of samples that are coupled only to each other.
+ * Both samples of a pair have equal weight, and no sample occurs twice. Throws InvalidInput;
+ * SolveFailure if the masses remain far from the weights; Aborted.
  */
 EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd& start,
   const Landmarks& fixed = {}, const EntropicCouplingOptions& options = {},

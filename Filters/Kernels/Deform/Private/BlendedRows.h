@@ -9,17 +9,17 @@
 namespace shape
 {
 
-/// The size of a rigid motion in numbers: a sample's new position, its rotated rest position, its
-/// rotation.
+/// The number of values in a sample's motion: its new position (3), its rotated rest position (3)
+/// and its rotation (9).
 constexpr int MotionSize = 15;
 
-/// The motions of samples in blocks of eight: number c of sample j is Values[(j / 8) * 120 + c * 8
-/// + j % 8].
+/// The motions of samples in blocks of eight: value c of sample j is Values[(j / 8) * 120 + c * 8 +
+/// j % 8].
 class SampleTransforms
 {
 public:
   explicit SampleTransforms(int samples);
-  /// rest, position: each relative to a centre.
+  /// rest, position: both relative to a common centre.
   void Set(int sample, const Eigen::Vector3d& rest, const Eigen::Vector3d& position,
     const Eigen::Matrix3d& rotation);
   const double* Data() const { return this->Values.data(); }
@@ -34,7 +34,7 @@ struct BlendedTransform
   Eigen::Vector3d Position, Turned;
   Eigen::Matrix3d Rotation; ///< the mean of rotations, which is not a rotation
 
-  /// The new position of `point` (relative to the centre) with scaled offsets.
+  /// Returns the new position of `point`, with scaled offsets. Both are relative to the centre.
   Eigen::Vector3d Apply(const Eigen::Vector3d& point, double scale) const
   {
     return this->Position - scale * this->Turned + scale * (this->Rotation * point);
@@ -52,14 +52,14 @@ public:
   std::size_t Size() const { return this->Total; }
   /// Allocates the weights of all rows.
   void Allocate();
-  /// Sets the weights of a row, >= 0, at least one of them positive. Different rows may be set at
-  /// the same time.
+  /// Sets the weights of a row, >= 0, at least one of them positive. Several threads may set
+  /// different rows.
   void Set(int row, const float* weights);
   /// Removes all rows, but keeps the memory.
   void Clear();
 
-  /// Blends the motions by a row. Samples that do not move blend to exactly no motion. Otherwise
-  /// the last bits depend on the width of the processor's vectors.
+  /// Blends the motions with the weights of a row. If no sample moves, the result is exactly no
+  /// motion. Otherwise, the last bits of the result depend on the width of the processor's vectors.
   BlendedTransform Blend(int row, const SampleTransforms& motions) const;
 
 private:

@@ -33,9 +33,9 @@ BoundaryRelative::BoundaryRelative(NodeProblem problem, const Progress& progress
   {
     if (this->Streamed)
     {
-      throw InvalidInput("geodesic distances between " + std::to_string(sources) +
-        " points of the handle and " + std::to_string(count) +
-        " of the shape are too many; use Euclidean distances, or turn Multiresolution on");
+      throw InvalidInput("there are too many geodesic distances between " +
+        std::to_string(sources) + " points of the handle and " + std::to_string(count) +
+        " points of the shape; use Euclidean distances, or turn Multiresolution on");
     }
     this->Geodesics.resize(sources, sources + count);
     ParallelFor(

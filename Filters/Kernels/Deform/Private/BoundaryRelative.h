@@ -8,11 +8,11 @@ namespace shape
 
 /**
  * Boundary-relative deformation: each node is moved relative to the sources alone (equations 4 and
- * 5). Far from the sources all of them have equal weight, which squashes the shape; upwind-front
- * deformation avoids that.
+ * 5). Far from the sources, all of them have nearly equal weights, which squashes the shape.
+ * Upwind-front deformation avoids this.
  *
- * A source's weight is divided by the power of its distance, which is Euclidean or along the links
- * of the graph. Up to MaximumKeptWeights weights are stored.
+ * The weight of a source is divided by a power of its distance, which is Euclidean or along the
+ * links of the graph. Up to MaximumKeptWeights weights are stored.
  */
 class BoundaryRelative : public NodeDeformation
 {
@@ -27,8 +27,8 @@ public:
 private:
   /// Computes the distances of a rank from all sources.
   void FindDistances(int rank, double* distances) const;
-  /// Computes the weights of a rank. Returns false if all would be 0: then the nearest source has
-  /// weight 1, the others 0.
+  /// Computes the weights of a rank. If all would be 0, gives weight 1 to the nearest source, and
+  /// returns false.
   bool FindRow(int rank, float* weights) const;
 
   NodeProblem Problem;

@@ -7,17 +7,17 @@ namespace shape
 {
 
 /**
- * Upwind-front deformation in full resolution: each node is moved relative to the nodes just before
- * it, on a front that sweeps over the graph from the sources (equations 5 to 9).
+ * Upwind-front deformation in full resolution. A front sweeps over the graph from the sources. Each
+ * node is moved relative to the nodes that the front reached just before it (equations 5 to 9).
  *
  * Bands are ranges of ranks (UpwindFront), so weights are dense rows of floats; up to
  * MaximumKeptWeights of them are stored. Sums over rows are in double precision. Since weights are
- * divided by their sum, rigid motions stay exact whatever the rounding of the weights.
+ * divided by their sum, rigid motions stay exact however the weights are rounded.
  */
 class FrontDeformation : public NodeDeformation
 {
 public:
-  /// Throws InvalidInput if the graph is not connected, Aborted.
+  /// Throws InvalidInput if the graph is not connected; Aborted.
   explicit FrontDeformation(NodeProblem problem, const Progress& progress = {});
 
   NodeTransforms Move(

@@ -34,9 +34,9 @@ void RequireHandle(const BoundaryHandle& handle)
     if (elements->size() > 0 &&
       (elements->minCoeff() < 0 || elements->maxCoeff() >= handle.Positions.rows()))
     {
-      throw InvalidInput("a segment or triangle of the handle has the point " +
+      throw InvalidInput("a segment or triangle of the handle contains point " +
         std::to_string(elements->minCoeff() < 0 ? elements->minCoeff() : elements->maxCoeff()) +
-        ", but there are " + std::to_string(handle.Positions.rows()) +
+        ", but the handle has " + std::to_string(handle.Positions.rows()) +
         " points; correct its connectivity");
     }
   }

@@ -13,14 +13,14 @@ namespace shape
 {
 
 /**
- * Collects the sources of a handle, element by element. Order of calls: AddSamples; then AddSegment
- * for each segment of a curve and each edge of a triangle; then AddTriangle for each triangle; then
- * Finish, once.
+ * Collects the sources of a handle, element by element. The order of calls is AddSamples; then
+ * AddSegment for each segment of a curve and each edge of a triangle; then AddTriangle for each
+ * triangle; then Finish, once.
  */
 class HandleAttachment
 {
 public:
-  /// Both are stored by reference. handle: has samples, and its elements are in range.
+  /// Both are stored by reference. handle: it must have samples, and its elements must be in range.
   HandleAttachment(const PointGraph& shape, const BoundaryHandle& handle);
 
   /// Makes each sample a source; of coincident samples, only the first.

@@ -13,7 +13,7 @@ namespace shape
 
 /**
  * The start of the front: a graph with the nodes of a shape and those of its handle, and the rule
- * by which the latter follow the handle's samples.
+ * by which the handle's nodes follow its samples.
  *
  * A node of the shape is a source if its distance from a sample, a segment or a triangle of the
  * handle is at most 1e-6 of the diagonal. Other samples become new nodes. So do positions on
@@ -22,17 +22,18 @@ namespace shape
  */
 struct HandleSources
 {
-  /// The shape's nodes come first, in their order. The weight of a source is the handle's area
-  /// there. It is three times the area of its triangles, or that of a strip of half a mean edge
-  /// beside its curve. For new positions on edges of triangles it is the square of a mean edge.
+  /// The shape's nodes come first, in their order. The weight of a source on a triangle is three
+  /// times its share of the area. On a curve, it is the area of a strip along its share of the
+  /// curve, 1.3 mean edges wide. Other nodes of the shape keep their weights; other new nodes get
+  /// the square of a mean edge.
   PointGraph Graph;
   std::vector<int> Nodes;  ///< k: the sources
   Eigen::MatrixXi Samples; ///< k x 3: the samples between which a source lies
-  Eigen::MatrixXd Shares;  ///< k x 3: the source's barycentric coordinates there
+  Eigen::MatrixXd Shares;  ///< k x 3: the barycentric coordinates of the source among them
 };
 
 /// Returns the motions of the sources of a posed handle, in their order. scales: for each node, the
-/// factor of its offset from the handle, which is tiny.
+/// factor of its tiny offset from the handle.
 NodeTransforms MoveSources(const HandleSources& sources, const BoundaryHandle& handle,
   const HandlePose& pose, const Eigen::VectorXd& scales);
 

@@ -18,12 +18,12 @@ Eigen::SparseMatrix<double> BuildGraphLaplacian(
 
 /**
  * Spreads the distortion of a deformation evenly (Fig. 16). The result solves equation 3 with fixed
- * sources. The Laplacian vectors are those of the shape at rest, each rotated by the deformation's
- * rotation there. A rigid motion is not changed.
+ * sources. Its Laplacian vectors are those of the shape at rest, each rotated like its node. A
+ * rigid motion is not changed.
  *
  * Links have the weight 1 / length. Each edge vector is rotated by the mean of the rotations at
- * both ends. This differs from the rotated Laplacian vector if the rotations differ, and makes the
- * matrix symmetric.
+ * both ends. This makes the system symmetric. The sum of these edge vectors differs from the
+ * rotated Laplacian vector only if the rotations of a node and its neighbours differ.
  */
 class LaplacianSmoothing
 {

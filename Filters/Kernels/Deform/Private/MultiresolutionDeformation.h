@@ -16,13 +16,13 @@ using NodeSolver =
 
 /**
  * Multiresolution (section 2.3): a coarse, smooth base of the graph (BuildCoarseShape) is deformed
- * first. Then each node of the fine graph is moved relative to nearby base nodes, those nearest to
- * the one into which it was merged, by equation 5.
+ * first. Then each node of the fine graph is moved by equation 5, relative to the base nodes
+ * nearest to the one into which it was merged.
  *
  * The weights decrease to 0 at the first base node that is left out, which makes them continuous.
- * Then they are tilted, tangentially to the base, to make their mean position equal the node's
- * position. So the shape stretches evenly where the base does. Sources are nodes of the base and
- * stay exact.
+ * Then they are tilted tangentially to the base, so that the weighted mean of the base nodes'
+ * positions is as near to the node as positive weights allow. The shape therefore stretches evenly
+ * where the base does. Sources are also nodes of the base, so they follow the handle exactly.
  */
 class MultiresolutionDeformation : public NodeDeformation
 {

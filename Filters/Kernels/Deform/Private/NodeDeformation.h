@@ -19,11 +19,12 @@ struct NodeTransforms
   std::vector<Eigen::Matrix3d> Rotations;
 };
 
-/// The maximum number of stored weights (512 MiB). If there are more, each pass computes them
-/// again.
+/// The maximum number of stored weights (512 MiB). If there are more, each pass computes the
+/// weights again.
 constexpr std::size_t MaximumKeptWeights = std::size_t(1) << 27;
 
-/// A graph, its sources, which are moved, and the parameters by which the other nodes follow them.
+/// A graph, the sources that are moved, and the parameters by which the other nodes follow the
+/// sources.
 struct NodeProblem
 {
   PointGraph Graph;         ///< connected
@@ -40,8 +41,8 @@ class NodeDeformation
 public:
   virtual ~NodeDeformation() = default;
 
-  /// Returns the motions of all nodes for given motions of the sources, in their order. Nodes that
-  /// the front reaches later than `reach` may stay. Throws Aborted.
+  /// Returns the motions of all nodes, given those of the sources in their order. Nodes that the
+  /// front reaches later than `reach` may stay. Throws Aborted.
   virtual NodeTransforms Move(
     const NodeTransforms& sources, double reach, const Progress& progress = {}) const = 0;
 

@@ -13,8 +13,8 @@ namespace shape
 /**
  * Deformation segment by segment (section 2.3, Fig. 9). Each connected part with one label follows
  * the adjacent nodes that are moved by the handle or by earlier parts. Parts are ordered by the
- * time at which the front reaches them. So parts that meet on the front, but are not adjacent on
- * the shape, move independently.
+ * time at which the front reaches them. Parts that meet on the front but are not adjacent on the
+ * shape therefore move independently.
  */
 class SegmentHierarchy : public NodeDeformation
 {

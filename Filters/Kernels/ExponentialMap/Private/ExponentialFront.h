@@ -15,18 +15,20 @@ namespace shape
 {
 
 /**
- * The front of an ExponentialMap (see there). It runs over the nodes of a surface's graph, any
- * number of times. The time of a run is proportional to what it covers. Throws Aborted.
+ * The front of an ExponentialMap (see there), which spreads over the nodes of a surface's graph. An
+ * object serves many runs. The time of a run grows with the part of the surface that it covers.
  */
 class ExponentialFront
 {
 public:
-  /// triangles: m x 3, nodes. normals: n x 3, unit normals of the nodes. upwindAverage: equation
-  /// 11.
+  /// triangles: m x 3 nodes. normals: n x 3, the unit normals of the nodes. upwindAverage: whether
+  /// to use equation 11.
   ExponentialFront(const PointGraph& graph, const Eigen::MatrixXi& triangles,
     const Eigen::MatrixXd& normals, bool upwindAverage);
 
-  /// Runs from a frame in the triangle with these nodes until the next node is beyond the radius.
+  /// Runs from a seed until the next node is beyond the radius. seed: the tangent frame there.
+  /// corners, barycentric: the nodes of the seed's triangle, and the coordinates of the seed in it.
+  /// Throws Aborted.
   void Run(const TangentFrame& seed, const Eigen::RowVector3i& corners,
     const Eigen::RowVector3d& barycentric, double radius, const Progress& progress = {});
 
@@ -38,8 +40,8 @@ public:
   };
 
   ///@{
-  /// Results of the last run: the nodes in the order in which they were reached, the triangles in
-  /// that of their last corners, and the data of a reached node.
+  /// Results of the last run. Nodes are in the order in which they were reached, and triangles in
+  /// the order in which their last corners were reached. The other functions are for reached nodes.
   const std::vector<int>& Nodes() const { return this->Met; }
   const std::vector<Triangle>& Triangles() const { return this->Covered; }
   const Eigen::Vector2d& Image(int node) const { return this->Samples[node].Image; }
@@ -56,11 +58,12 @@ private:
     StateCount
   };
 
-  /// The data of a node; two cache lines.
+  /// The data of a node, which fills whole cache lines.
   struct alignas(64) Sample
   {
     Eigen::Vector3d Position = Eigen::Vector3d::Zero(), Normal = Eigen::Vector3d::Zero();
-    Eigen::Matrix<double, 2, 3> Axes = Eigen::Matrix<double, 2, 3>::Zero(); ///< x and y
+    /// the x and y axes, one per row
+    Eigen::Matrix<double, 2, 3> Axes = Eigen::Matrix<double, 2, 3>::Zero();
     Eigen::Vector2d Image = Eigen::Vector2d::Zero();
     double Distance = 0.0;
     int Source = -1; ///< the neighbour from which the front came; -1: the seed
@@ -71,11 +74,12 @@ private:
   {
     Eigen::Vector2d Image;
     Eigen::Vector3d XAxis;
-    Eigen::Vector2d Step; ///< from the neighbour's image to the predicted image
-    double Length2;       ///< squared length of the edge between them
+    Eigen::Vector2d Step; ///< vector from the neighbour's image to the predicted image
+    double Length2;       ///< squared length of the edge from the neighbour to the node
   };
 
-  /// The weighted sum of several predictions. Image is the mean times Factor; XAxis has any length.
+  /// The weighted sum of several predictions. Image is their mean times Factor; XAxis has any
+  /// length.
   struct Mean
   {
     Eigen::Vector2d Image;
@@ -101,7 +105,8 @@ private:
   bool UpwindAverage;
   VertexFans Fans;
   std::vector<Sample> Samples; ///< not cleared between runs; Marks shows which are valid
-  std::vector<int> Marks; ///< FirstMark + State of each node reached in this run; less for others
+  /// FirstMark + State for each node reached in this run; less for other nodes
+  std::vector<int> Marks;
   int FirstMark = 0;
   Sample Seed;
   std::vector<std::pair<double, int>> Queue;

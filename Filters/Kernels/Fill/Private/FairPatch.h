@@ -14,32 +14,33 @@ struct FairPatchResult
 {
   Mesh Patch;             ///< the loop's points first
   bool Converged = false; ///< see FairSurfaceResult
-  /// Whether it was given up because its area exceeds ten times the membrane's.
+  /// Whether the search was given up because the area exceeds ten times the membrane's.
   bool IsBalloon = false;
 };
 
 /**
- * Builds the fair surface of a loop (SolveFairSurface) with a new triangulation: on a bulge, the
- * triangles of a membrane would be stretched. A large hole is first filled coarsely. The start is a
- * biharmonic surface or, if the normals are tilted far, a spherical cap; it is remeshed until the
- * triangles stay even. Then it is remeshed to the wanted size, which takes few iterations.
+ * Builds the fair surface of a loop (SolveFairSurface) with a new triangulation, since the
+ * triangles of a membrane would be stretched on a bulge. A large hole is first filled coarsely. The
+ * initial surface is biharmonic or, if the normals are tilted far, a spherical cap. Then the
+ * surface is remeshed and made fair until the triangles stay even. Finally it is remeshed to the
+ * wanted size, which takes few iterations.
  *
- * membrane: of the loop (BuildMembranePatch). Throws SolveFailure, Aborted.
+ * membrane: the membrane of the loop (BuildMembranePatch). Throws SolveFailure, Aborted.
  */
 FairPatchResult BuildFairPatch(const HolePatch& membrane, const BoundaryLoop& loop,
   const PatchSizes& sizes, const Progress& progress = {});
 
 /// Returns the mean angle in radians by which a loop's normals are tilted outwards from its area
-/// vector. It is 0 if they are the normal of the loop's plane, and negative if they are tilted
-/// inwards.
+/// vector. It is 0 if the normals agree with that of the loop's plane, and negative if they are
+/// tilted inwards.
 double ComputeMeanTilt(const BoundaryLoop& loop);
 
 /**
  * Builds a bulging initial surface for SolveFairSurface: the spherical cap that leaves a circle at
- * the loop's mean tilt, bent to the loop. The patch's layout, a disk in a circle around the origin,
- * is mapped to the sphere by stereographic projection, which is conformal. The difference between
- * loop and circle is interpolated by SolveHarmonicValues. Returns the positions of all points (n x
- * 3).
+ * the loop's mean tilt, deformed to fit the loop. The patch's layout, a disk in a circle around the
+ * origin, is mapped to the sphere by stereographic projection, which is conformal.
+ * SolveHarmonicValues interpolates the difference between loop and circle. Returns the positions of
+ * all points (n x 3).
  *
  * patch: as BuildMembranePatch builds it. The tilt is limited to 150 degrees.
  */

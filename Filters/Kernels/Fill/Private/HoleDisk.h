@@ -10,15 +10,15 @@ namespace shape
 {
 
 /**
- * Returns the corners (k x 2, counter-clockwise, from angle 0 on) of the polygon inscribed in a
- * circle with the given edge lengths; edge i starts at corner i. "The boundary loop is embedded in
- * a 2D circle, such that the distances between vertices are preserved" (Schmidt and Singh,
- * "Drag-and-drop surface composition", section 4.1). The circle's centre is outside the polygon if
- * one edge is longer than half of the circle.
+ * Returns the corners (k x 2, counter-clockwise, from angle 0 on) of the polygon that has the given
+ * edge lengths and is inscribed in a circle. Edge i starts at corner i. "The boundary loop is
+ * embedded in a 2D circle, such that the distances between vertices are preserved" (Schmidt and
+ * Singh, "Drag-and-drop surface composition", section 4.1). The circle's centre is outside the
+ * polygon if one edge is longer than half of the circle.
  *
- * lengths: k >= 3, >= 0, not all 0. Those below a thousandth of their mean are raised to that
- * value, so that no two corners coincide. A length that is not less than the sum of the others is
- * shortened.
+ * lengths: k values (k >= 3), each >= 0, not all 0. Lengths below a thousandth of their mean are
+ * raised to that value, so that no two corners coincide. A length that is not less than the sum of
+ * the others is shortened.
  */
 Eigen::MatrixXd BuildCircleOutline(const Eigen::VectorXd& lengths);
 
@@ -31,13 +31,14 @@ struct FlatDisk
 
 struct FlatDiskOptions
 {
-  /// The edge length of the points' triangular grid if `Size` is constant and equal to it; > 0.
+  /// If `Size` is equal to Edge everywhere, the points form a triangular grid with this edge
+  /// length; > 0.
   double Edge = 0.0;
   double Growth = 0.5; ///< the maximum slope of `Size`
   /// The wanted edge length at a position, between Edge / 1000 and 1e6 Edge.
   std::function<double(const Eigen::RowVector2d&)> Size;
-  /// Returns whether two corners of the outline must not be joined by an edge inside; may be empty.
-  /// Such an edge is split at its midpoint.
+  /// Returns whether no inner edge may join two corners of the outline; may be empty. Such edges
+  /// are split at their midpoints.
   std::function<bool(int, int)> IsTaken;
   /// Returns whether an inner edge between two corners would be outside the filled region
   /// (FindOuterChords); may be empty. If the corners are two apart, the edge is flipped; otherwise
@@ -51,18 +52,18 @@ struct FlatDiskOptions
  * too close to the outline are omitted. Every side of the outline is an edge; its corners are the
  * only points on it.
  *
- * outline: k x 2, counter-clockwise. There are no triangles if it intersects itself or is
+ * outline: k x 2, counter-clockwise. There are no triangles if the outline intersects itself or is
  * collinear. Throws Aborted.
  */
 FlatDisk TriangulateDisk(
   const Eigen::MatrixXd& outline, const FlatDiskOptions& options, const Progress& progress = {});
 
 /**
- * Flips edges that must not exist between two corners of a disk's outline, if the corners are two
- * apart. The new edge starts at the corner between them.
+ * Flips the edges for which isOutside is true, if exactly one corner of a disk's outline is between
+ * their end points. The new edge starts at that corner.
  *
- * corners: number of corners of the outline, which are the disk's first points. isTaken: returns
- * which edges must not be created; may be empty.
+ * corners: number of corners of the outline, which are the disk's first points. isOutside, isTaken:
+ * as in FlatDiskOptions. Edges for which isTaken is true are not created.
  */
 void FlipTips(FlatDisk& disk, int corners, const std::function<bool(int, int)>& isOutside,
   const std::function<bool(int, int)>& isTaken);

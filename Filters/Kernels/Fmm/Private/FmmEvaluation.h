@@ -10,16 +10,16 @@ namespace shape
 struct FmmEffort
 {
   FmmAccuracy Boxes;
-  RootError BoxError = RootError::Small;  ///< error between charges or points and their box
-  RootError NearError = RootError::Small; ///< error of the near terms
+  RootError BoxError = RootError::Small;  ///< error of 1/r between a box and its charges or points
+  RootError NearError = RootError::Small; ///< error of 1/r between points and near sources
   int Leaf = 64;                          ///< maximum number of sources in a box that is not split
 };
 
 /**
- * The passes of the multipole method over the boxes: from charges to boxes, up, across, down, and
- * to the points. The sources of touching boxes are summed directly.
+ * The passes of the multipole method: from charges to boxes, up to parents, across to the boxes of
+ * the V list, down to children, and to the points. The sources of near boxes are summed directly.
  *
- * Real: number type of the box expansions; sums over charges and at points are in double.
+ * Real: number type of the box expansions. Sums over charges and sums at points are in double.
  */
 template <typename Real>
 class FmmEvaluation
@@ -29,7 +29,7 @@ public:
   FmmEvaluation(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& points,
     const FmmEffort& effort, const Progress& progress);
 
-  /// charges: m x k, k <= 3. Returns the potentials (n x k) or the gradients (n x 3k). Throws
+  /// charges: m x k, with k <= 3. Returns the potentials (n x k) or the gradients (n x 3k). Throws
   /// Aborted.
   Eigen::MatrixXd Sum(
     const Eigen::MatrixXd& charges, bool gradients, const Progress& progress) const;

@@ -142,7 +142,7 @@ Spectrum Decompose(const CubePoints& inner, const CubePoints& outer, double thre
           octant) != 0)
     {
       throw SolveFailure("the operators of the multipole method could not be decomposed; use the "
-                         "direct summation");
+                         "direct method");
     }
   }
   // The singular values of all parities together, descending, down to the threshold.

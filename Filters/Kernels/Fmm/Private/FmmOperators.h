@@ -10,27 +10,30 @@
 namespace shape
 {
 
-/// Accuracy of the expansions. Thresholds are relative to the largest singular value or entry.
+/// Accuracy of the expansions. MinimumSingularValue is relative to the largest singular value,
+/// MinimumEntry to the largest entry of an operator.
 struct FmmAccuracy
 {
-  /// Gauss points along an edge of the inner and outer cube of a box, even
+  /// number of Gauss points along an edge of the inner and of the outer cube of a box; even
   int InnerNodes = 6, OuterNodes = 6;
   double MinimumSingularValue = 1e-5; ///< smaller singular values are dropped
-  double MinimumEntry = 1e-5;         ///< smaller entries of an operator are dropped
+  /// trailing rows and columns of an operator with only smaller entries are skipped
+  double MinimumEntry = 1e-5;
 };
 
 /**
  * The operators that expand the field of the charges in a box, translate it to other boxes and
- * evaluate it there, for 1/r: a kernel-independent multipole method.
+ * evaluate it there, for the kernel 1/r: a kernel-independent multipole method.
  *
- * In units of half the box's edge, charges in the box are replaced by equivalent charges on the
- * inner cube, of half edge 1 (the box itself). Their potentials agree on the outer cube, of half
- * edge 3, and so everywhere outside it (L. Ying, G. Biros, D. Zorin, "A kernel-independent adaptive
- * fast multipole algorithm in two and three dimensions", J. Comput. Phys. 196, 2004, section 3.1).
- * Both cubes carry Gauss points. Let A be the potentials on the outer cube of charges on the inner
- * one. A = U S V^T is the singular value decomposition of the integral operator, and only its
- * largest singular values are kept (W. Fong, E. Darve, "The black-box fast multipole method", 2009,
- * section 3.3). So `Modes` coefficients represent the field of a box:
+ * Lengths are in units of half the box's edge. Charges in the box are replaced by equivalent
+ * charges on the surface of the inner cube, which has half edge 1 and is the box itself. The
+ * charges and the equivalent charges have the same potentials on the surface of the outer cube,
+ * which has half edge 3, and so everywhere outside it (L. Ying, G. Biros, D. Zorin, "A
+ * kernel-independent adaptive fast multipole algorithm in two and three dimensions", J. Comput.
+ * Phys. 196, 2004, section 3.1). Both cubes carry Gauss points. Let A be the integral operator from
+ * charges on the inner cube to potentials on the outer cube, and A = U S V^T its singular value
+ * decomposition. Only the largest singular values are kept (W. Fong, E. Darve, "The black-box fast
+ * multipole method", 2009, section 3.3). So `Modes` coefficients represent the field of a box:
  *
  *   outgoing  c = V^T (equivalent charges) = Expansion^T (potentials on the outer cube)
  *   incoming  v = V^T (potentials on the inner cube); Expansion v = charges on the outer cube that
@@ -44,32 +47,40 @@ template <typename Real>
 struct FmmOperators
 {
   static constexpr double InnerCube = 1.0, OuterCube = 3.0;
-  /// Two boxes of one level whose parents touch differ by less than this many boxes along each
-  /// axis.
+  /// If the parents of two boxes of one level touch, the boxes' cells differ by less than this
+  /// along each axis.
   static constexpr int Reach = 4;
 
   /// Throws Aborted.
   FmmOperators(const FmmAccuracy& accuracy, const Progress& progress);
 
-  int Modes = 0;  ///< number of coefficients of a box for each column of the charges
+  int Modes = 0;  ///< number of coefficients of a box, for each column of the charges
   int Stride = 0; ///< Modes, rounded up to whole vectors
-  Eigen::MatrixXd InnerPoints, OuterPoints; ///< Gauss points on the two cubes, one per row
-  Eigen::MatrixXd Expansion; ///< number of OuterPoints, rounded up to whole vectors, x Stride
+  Eigen::MatrixXd InnerPoints, OuterPoints; ///< the Gauss points of the two cubes, one per row
+  /// a row for each outer point, rounded up to whole vectors; Stride columns
+  Eigen::MatrixXd Expansion;
   Eigen::MatrixXd Collected; ///< transpose of Expansion
-  Eigen::MatrixXd Inner; ///< number of InnerPoints, rounded up, x Stride: equivalent charges from c
-  std::vector<Real> Signs; ///< [mirrored axes as bits][Stride]
+  /// A row for each inner point, rounded up to whole vectors; Stride columns. The equivalent
+  /// charges are Inner times c.
+  Eigen::MatrixXd Inner;
+  /// 8 x Stride: the sign of each coefficient after mirroring along the axes in the bits of the row
+  std::vector<Real> Signs;
 
-  /// A matrix stored by columns of `Stride` rows; entries below the threshold are zero.
+  /// A matrix, stored column by column; each column has Stride entries.
   struct Operator
   {
     std::vector<Real> Entries;
-    int Rows = 0, Columns = 0; ///< all other rows and columns are zero
-    /// number of leading columns that are not zero, for each sixteen rows; descending
+    int Rows = 0, Columns = 0; ///< all later rows and columns are skipped
+    /// for each group of sixteen rows, the number of leading columns that are not skipped;
+    /// descending
     std::vector<int> Extents;
   };
-  Operator FromChild;                               ///< from the child at (-, -, -): c to c
-  Operator ToChild;                                 ///< to the child at (-, -, -): v to v
-  std::array<Operator, Reach * Reach * Reach> Over; ///< c to v, for each |target - source| in boxes
+  /// c of the child at (-, -, -) to c of its parent
+  Operator FromChild;
+  /// v of a parent to v of its child at (-, -, -)
+  Operator ToChild;
+  /// c of a source to v of a target, for each |target - source| in cells
+  std::array<Operator, Reach * Reach * Reach> Over;
 };
 
 extern template struct FmmOperators<float>;

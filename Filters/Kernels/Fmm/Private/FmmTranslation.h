@@ -5,19 +5,20 @@
 namespace shape
 {
 
-/// Box From is translated to box To; both are mirrored along the axes in `Mirror`.
+/// A translation from box From to box To. Both are mirrored along the axes whose bits are set in
+/// Mirror: bits 0, 1 and 2 for x, y and z.
 struct BoxPair
 {
   int To = 0, From = 0, Mirror = 0;
 };
 
 /**
- * Arguments of out[To] += signs x matrix x (signs x in[From]) for many pairs of boxes with one
+ * Arguments of out[To] += signs * (matrix * (signs * in[From])), for many pairs of boxes with one
  * matrix.
  *
- * A box has `Columns` contiguous columns. Twelve columns are multiplied by the matrix together,
- * with vector instructions chosen at run time (Highway). The order of summation in a column does
- * not depend on the other columns. All strides are multiples of 16.
+ * A box has `Columns` columns of coefficients, one after the other. The matrix is multiplied by
+ * twelve columns at a time, with vector instructions chosen at run time (Highway). The order of
+ * summation in a column does not depend on the other columns. All strides are multiples of 16.
  */
 template <typename Real>
 struct FmmTranslation
@@ -25,17 +26,20 @@ struct FmmTranslation
   /// Maximum number of rows, and of columns, of a matrix.
   static constexpr int Most = 1600;
 
-  const Real* Matrix = nullptr; ///< stored by columns, RowStride apart
+  /// column by column; each column starts RowStride numbers after the previous one
+  const Real* Matrix = nullptr;
   int RowStride = 0;
-  int Rows = 0;  ///< rows of the matrix; it is padded with zeros to whole vectors
-  int Inner = 0; ///< columns of the matrix
-  /// Number of leading columns that are not zero, for each sixteen rows, descending; null: Inner.
+  int Rows = 0;  ///< number of rows of the matrix, which is padded with zeros to whole vectors
+  int Inner = 0; ///< number of columns of the matrix
+  /// For each group of sixteen rows, the number of leading columns that are multiplied; descending.
+  /// Null: all Inner columns.
   const int* Extents = nullptr;
-  const Real* Signs = nullptr; ///< [mirror][SignStride]; null: no mirroring
+  /// 8 x SignStride: the signs for each value of Mirror; null: no mirroring
+  const Real* Signs = nullptr;
   int SignStride = 0;
-  int Columns = 3; ///< columns of a box: 1, 2 or 3
+  int Columns = 3; ///< number of columns of a box: 1, 2 or 3
   const Real* In = nullptr;
-  int InStride = 0; ///< distance between columns
+  int InStride = 0; ///< each column starts this many numbers after the previous one
   Real* Out = nullptr;
   int OutStride = 0;
 };

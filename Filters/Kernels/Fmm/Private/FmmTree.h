@@ -18,15 +18,16 @@ namespace shape
  * interactions.
  *
  * The root cube contains the sources. A box of sources is split while it has more than `leaf` of
- * them. Points may lie anywhere: the lattice continues outside the root. A box of points is split
- * as long as a box of sources that touches it is split. So the terms of a point's value depend on
- * the sources and on this point alone, not on other points.
+ * them. Points may lie anywhere: the lattice continues around the root by one cube on each side,
+ * and points beyond are in no box (FarPoints). A box of points is split as long as a box of sources
+ * of its size that touches it is split. So the terms of a point's value depend only on the sources
+ * and on this point, not on other points.
  *
  * The interaction lists are those of H. Cheng, L. Greengard, V. Rokhlin, "A fast adaptive multipole
- * algorithm in three dimensions", J. Comput. Phys. 155, 1999. A box receives the field of the boxes
- * of its size that do not touch it and whose parents touch its parent (V list). Closer sources are
- * summed directly. With this splitting rule the W list is empty. The boxes of the X list, larger
- * boxes with few sources, are treated as near.
+ * algorithm in three dimensions", J. Comput. Phys. 155, 1999. A box receives the field of its V
+ * list: the boxes of its size that do not touch it, but whose parents touch its parent. Closer
+ * sources are summed directly. With this splitting rule the W list is empty. The X list contains
+ * larger boxes with few sources; they are treated as near.
  */
 class FmmTree
 {
@@ -36,27 +37,28 @@ public:
   struct Box
   {
     int Level = 0;
-    /// in the lattice of its level, with the root at the origin
+    /// its cell in the lattice of its level; the root is at (0, 0, 0)
     std::array<int, 3> Cell = { 0, 0, 0 };
-    int Begin = 0, End = 0; ///< range of its sources or points in the tree's order
+    int Begin = 0, End = 0; ///< the range of its sources or points in the tree's order
     int Parent = -1;        ///< -1: none
     int FirstChild = 0, ChildCount = 0;
 
-    /// Returns the axes along which it is the upper half of its parent, as bits.
+    /// Returns the axes along which the box lies in the upper half of its parent, as bits.
     int Octant() const
     {
       return (this->Cell[0] & 1) | (this->Cell[1] & 1) << 1 | (this->Cell[2] & 1) << 2;
     }
   };
 
-  /// Translations [Begin, End) of Pairs, which share one operator.
+  /// The translations [Begin, End) of Pairs, which share one operator.
   struct Run
   {
-    int Offset = 0; ///< |x|, |y|, |z| of target - source in base 4
+    int Offset = 0; ///< |x|, |y|, |z| of target - source, as the digits of a number in base 4
     int Begin = 0, End = 0;
   };
 
-  /// Boxes of points [FirstBox, LastBox) of one level, with the runs [FirstRun, LastRun).
+  /// The boxes of points [FirstBox, LastBox), all of one level, and the runs [FirstRun, LastRun) of
+  /// translations to them.
   struct Chunk
   {
     int FirstBox = 0, LastBox = 0;
@@ -70,12 +72,13 @@ public:
   Eigen::RowVector3d Centre(const Box& box) const;
   double HalfEdgeLength(const Box& box) const;
 
-  /// Returns sources or points in the tree's order, in scaled coordinates.
+  /// Returns the positions of sources or points in scaled coordinates, in the given order:
+  /// SourceOrder or PointOrder.
   Eigen::MatrixXd Ordered(const Eigen::MatrixXd& positions, const std::vector<int>& order) const;
 
   double Scale = 1.0; ///< a power of two; scaled coordinates = coordinates * Scale - Shift
   Eigen::RowVector3d Shift = Eigen::RowVector3d::Zero();
-  Eigen::RowVector3d Origin = Eigen::RowVector3d::Zero(); ///< the lowest corner of the root
+  Eigen::RowVector3d Origin = Eigen::RowVector3d::Zero(); ///< lowest corner of the root
   double Side = 1.0;                                      ///< edge length of the root, 1/2 to 1
   std::vector<int> SourceOrder, PointOrder;
   std::vector<Box> SourceBoxes, PointBoxes;   ///< level by level; siblings are contiguous
@@ -83,14 +86,15 @@ public:
   std::vector<int> PointLeaves;               ///< boxes of points without children
   std::vector<int> NearStart;                 ///< first entry of each leaf in Near, and the end
   std::vector<SourceSpan> Near;
-  int FarPoints = 0;         ///< number of points, first in the order, outside the lattice's cubes
+  /// number of points outside the lattice's cubes; they come first in PointOrder
+  int FarPoints = 0;
   std::vector<Chunk> Chunks; ///< level by level
   std::vector<int> ChunkLevels;
   std::vector<Run> Runs;
   std::vector<BoxPair> Pairs;
 
 private:
-  /// A box of sources whose field another box receives.
+  /// A box of sources whose field a box of points receives.
   struct Seen
   {
     int Offset = 0, Source = 0, Mirror = 0;

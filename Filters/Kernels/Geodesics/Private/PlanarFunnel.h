@@ -13,7 +13,7 @@ namespace shape
 struct FunnelPoint
 {
   Eigen::RowVector2d Position;
-  int Portal; ///< the first portal with this end
+  int Portal; ///< the first portal that has this point as an end
   bool IsLeft;
   int Before;
 };
@@ -26,7 +26,8 @@ public:
   explicit PlanarFunnel(const Eigen::RowVector2d& start);
 
   ///@{
-  /// Adds the left or right end of a portal, unless it is also that of the previous portal.
+  /// Adds the left or right end of a portal. An end that is also an end of the previous portal must
+  /// not be added again.
   void AddLeft(const Eigen::RowVector2d& position, int portal);
   void AddRight(const Eigen::RowVector2d& position, int portal);
   ///@}
@@ -37,9 +38,10 @@ public:
 private:
   const Eigen::RowVector2d& At(int i) const { return this->Points[this->Chains[i]].Position; }
 
-  std::vector<FunnelPoint> Points; ///< the start first
-  std::deque<int> Chains;          ///< indices of Points: left end first, right end last
-  int Lefts = 0;                   ///< number of entries of Chains before the apex
+  std::vector<FunnelPoint> Points; ///< the start is the first
+  /// indices of Points, from the left end of the last portal over the apex to its right end
+  std::deque<int> Chains;
+  int Lefts = 0; ///< number of entries of Chains before the apex
 };
 
 } // namespace shape

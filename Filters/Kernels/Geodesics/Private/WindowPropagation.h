@@ -14,8 +14,8 @@ namespace shape
 {
 
 /// The half-edges of a surface as coordinate frames in the plane. Half-edge 3 t + k runs from
-/// corner k of triangle t, at the origin, to the next corner on the x axis. Its triangle lies
-/// above.
+/// corner k of triangle t, at the origin, to the next corner, on the x axis. Its triangle lies
+/// above the x axis.
 class HalfEdgeFrames
 {
 public:
@@ -24,10 +24,10 @@ public:
 
   int Begin(int side) const { return this->Begins[side]; } ///< start point
   int End(int side) const { return this->Begins[NextHalfEdge(side)]; }
-  /// in the adjacent triangle; -1 on the boundary
+  /// the opposite half-edge, in the adjacent triangle; -1 on the boundary
   int Twin(int side) const { return this->Twins[side]; }
   double Length(int side) const { return this->Lengths[side]; }
-  /// The opposite corner, in the frame.
+  /// the opposite corner, in the frame of the half-edge
   const Eigen::Vector2d& Opposite(int side) const { return this->Opposites[side]; }
 
   double Angle(int point) const { return this->Angles[point]; } ///< total angle around a point
@@ -44,8 +44,8 @@ private:
 };
 
 /**
- * Propagates windows across a surface, ordered by the length of the shortest path that may pass
- * through them: see ExactGeodesics.h. An object serves many computations; call Clear between them.
+ * Propagates windows across a surface (ExactGeodesics.h). They are ordered by the minimum length of
+ * a path through them. An object serves many computations; call Clear between them.
  */
 class WindowPropagation
 {
@@ -56,21 +56,22 @@ public:
   /// Adds a seed, given by its barycentric coordinates in a triangle.
   void AddSeed(int triangle, const Eigen::RowVector3d& weights);
 
-  /// Restricts the search to the path to this position. Windows are ordered by a lower bound of the
-  /// length to the goal, which includes the remaining straight distance (Hart, Nilsson and Raphael
-  /// 1968). Call it before AddSeed.
+  /// Restricts the search to the shortest path to this position, the goal. Windows are then ordered
+  /// by a lower bound of the length of a path through them to the goal. The bound includes the
+  /// remaining straight distance (Hart, Nilsson and Raphael 1968). Call it before AddSeed.
   void SetGoal(int triangle, const Eigen::RowVector3d& weights);
 
   /// Processes at most `steps` windows and points. Returns whether the computation is complete.
   bool Run(int steps);
 
-  /// Returns the share of the points that has been reached.
+  /// Returns the share of the surface's points that have been reached.
   double Done() const;
 
-  /// n distances; with a goal, only the points that were visited have one
+  /// Returns the n distances of the points, infinite at points that were not reached. With a goal,
+  /// not all points are reached.
   const Eigen::VectorXd& Distances() const { return this->Lengths; }
 
-  /// The distance of the goal; infinite if there is no path.
+  /// Returns the distance of the goal, infinite if there is no path.
   double GoalDistance() const { return this->Goal.Nearest; }
 
   /// Removes the seeds and the goal, in less time than the last computation took.
@@ -79,11 +80,11 @@ public:
 private:
   static constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-  /// An interval of a half-edge that is visible from a position (the eye). Coordinates are in the
-  /// half-edge's frame, where the eye lies below the x axis.
+  /// An interval of a half-edge, visible from a position (the eye). Coordinates are in the frame of
+  /// the half-edge, where the eye lies below the x axis.
   struct Window
   {
-    int Side = -1; ///< half-edge of the triangle that it is propagated into
+    int Side = -1; ///< the half-edge, in the triangle that the window enters
     double Begin = 0.0, End = 0.0;
     Eigen::Vector2d Eye = Eigen::Vector2d::Zero();
     double Behind = 0.0; ///< distance from the seeds to the eye
@@ -92,10 +93,11 @@ private:
     double Minimum() const;
   };
 
-  /// The next item to process: propagate a window, or emit windows from a point.
+  /// An item of the queue: a window to propagate, or a point from which windows are emitted.
   struct Event
   {
-    double Key; ///< lower bound of the length of a path through it, to the goal if there is one
+    /// lower bound of the length of a path through the item, up to the goal if there is one
+    double Key;
     double Distance;
     int Point; ///< the point, or -1 for a window
     Window Seen;
@@ -123,7 +125,8 @@ private:
   const Mesh& Triangulation;
   const HalfEdgeFrames& Frames;
   Eigen::VectorXd Lengths;
-  /// of the nearest window that sees each corner
+  /// for each corner, the distance through the nearest window from which it is visible, and where
+  /// the straight line enters the triangle
   std::vector<double> CornerDistances, CornerEntries;
   std::vector<int> ReachedPoints, ReachedCorners; ///< points and corners that have a distance
   std::priority_queue<Event> Queue;

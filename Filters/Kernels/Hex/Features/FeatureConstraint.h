@@ -14,12 +14,12 @@
 namespace shape
 {
 
-/// Keeps each point of a boundary on the corner, curve or patch of the surface that it lies on; all
-/// other points are free.
+/// Keeps each boundary point of hexahedra on the corner, curve or patch of the surface that the
+/// point lies on. All other points are free.
 class FeatureConstraint : public PointConstraint
 {
 public:
-  /// points: the number of points of the hexahedra.
+  /// points: the number of points of the hexahedra, including inner ones.
   FeatureConstraint(const Surface& surface, const SurfaceFeatures& features,
     const PatchedBoundary& boundary, Eigen::Index points);
 
@@ -28,19 +28,20 @@ public:
   Eigen::RowVector3d Nearest(int point, const Eigen::RowVector3d& position) const override;
 
 private:
-  /// Finds the closest point on the patch, starting from the triangle found last for this point.
+  /// Finds the closest position on the point's patch. The search starts from the triangle found
+  /// last for this point.
   ClosestPoint FindOnPatch(int point, const Eigen::RowVector3d& position) const;
 
   static constexpr int Free = -1;
   std::vector<int> PositionOf; ///< for each point, an index into Positions or Spans, or Free
   std::vector<int> FreedomOf;  ///< 0 at a corner, 1 on a curve, 2 on a patch, 3 otherwise
-  std::vector<SurfaceLocator> Positions; ///< one for each patch
-  std::vector<Eigen::MatrixXd> Spans;    ///< polylines that points on curves and corners keep to
+  std::vector<SurfaceLocator> Positions; ///< a locator for each patch
+  std::vector<Eigen::MatrixXd> Spans;    ///< for each point on a curve or corner: its polyline
   std::vector<Eigen::MatrixXd> Normals;  ///< the triangle normals of each patch
-  mutable std::vector<int> Guesses;      ///< the triangle found last for each point, or -1
+  mutable std::vector<int> Guesses;      ///< for each point: the triangle found last, or -1
 };
 
-/// Another constraint, except that some points can be held or released.
+/// A copy of another constraint in which single points can be held or released.
 class OverridableConstraint : public PointConstraint
 {
 public:
@@ -54,7 +55,7 @@ public:
     }
   }
 
-  /// The same, but shares ownership of `others`.
+  /// Like the constructor above, but shares ownership of `others`.
   OverridableConstraint(std::shared_ptr<const PointConstraint> others, Eigen::Index points)
     : OverridableConstraint(*others, points)
   {
@@ -71,7 +72,8 @@ public:
     return this->Others.Nearest(point, position);
   }
 
-  /// The freedom of each point: initially that of `others`; set to 0 to hold, to 3 to release.
+  /// The freedom of each point, initially the freedom that `others` gives it. Set it to 0 to hold
+  /// the point, or to 3 to release it.
   std::vector<char> Freedoms;
 
 private:

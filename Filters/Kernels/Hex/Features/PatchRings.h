@@ -12,26 +12,27 @@
 namespace shape
 {
 
-/// The patches around a point in counter-clockwise order. Consecutive repeats of a patch are
-/// merged.
+/// The patches around a point, in counter-clockwise order. Consecutive quads or triangles of the
+/// same patch count once.
 using PatchRing = std::vector<int>;
 
-/// Returns the ring of a sequence of patches, rotated to a canonical start, so that equal rings are
-/// equal vectors.
+/// Returns the ring of a cyclic sequence of patches. The ring is rotated to a canonical start, so
+/// that equal rings are equal vectors.
 PatchRing BuildPatchRing(const std::vector<int>& patches);
 
-/// Returns the ring of each corner of a surface.
+/// Returns the ring of each of the surface's corners. The ring of a corner on a boundary loop is
+/// empty.
 std::vector<PatchRing> FindCornerRings(const Mesh& surface, const SurfaceFeatures& features);
 
-/// Returns the distance of a quad to a patch.
+/// Returns the distance of a quad's centroid to a patch.
 using DistanceToPatch = std::function<double(int quad, int patch)>;
 
 /**
- * Removes pinches: points at which a patch of quads touches itself. The patches that it separates
- * there do not meet on the surface, so the quads have a corner too many. The quads of one arc
- * around the point are moved to an adjacent patch: the arc with the smallest sum of distances to
- * it. Points with the ring of a corner are left unchanged, and so are points that no single arc
- * repairs.
+ * Removes pinches: points at which a patch of quads touches itself, so that the quads have a corner
+ * that the surface lacks. One arc of quads around the point is moved to the patch before or after
+ * it. Among the arcs that remove the pinch, the one with the smallest sum of distances to its new
+ * patch is moved. A point is left unchanged if its ring equals the ring of a corner, or if no
+ * single arc removes the pinch.
  *
  * corners: from FindCornerRings. patchOf: the patch of each quad.
  */

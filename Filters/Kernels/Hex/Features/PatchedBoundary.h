@@ -14,34 +14,37 @@
 namespace shape
 {
 
-/// The boundary of hexahedra, divided into parts that belong to the features of a surface.
+/// The boundary of hexahedra. Its quads, edges and points are assigned to the patches, curves and
+/// corners of a surface.
 struct PatchedBoundary
 {
   Eigen::MatrixXi Quads;     ///< q x 4, counter-clockwise seen from outside
   Eigen::VectorXi PatchOf;   ///< q: the patch that each quad lies on
-  std::vector<int> CurveOf;  ///< the curve that each point of the hexahedra lies on, or -1
-  std::vector<int> CornerOf; ///< the corner of each point (an index into Corners), or -1
-  /// The layers: pairs of a boundary point and its copy below it, in the order of creation.
+  std::vector<int> CurveOf;  ///< for each point of the hexahedra: its curve, or -1
+  std::vector<int> CornerOf; ///< for each point: its corner (an index into Corners), or -1
+  /// The points of layers, in the order of creation: pairs of a boundary point and a copy of it in
+  /// a layer below.
   std::vector<std::pair<int, int>> Copies;
-  /// Initial positions of points on curves and corners, distributed along the curves.
+  /// Initial positions of the points on curves and corners: pairs of a point and its position.
   std::vector<std::pair<int, Eigen::RowVector3d>> Starts;
-  std::map<int, Eigen::MatrixXd> Spans; ///< where points on curves may move (CurvePositions)
+  std::map<int, Eigen::MatrixXd> Spans; ///< where each point on a curve may move (CurvePositions)
   std::vector<Surface> Patches;         ///< the patches of the surface (SplitIntoPatches)
 };
 
 /**
- * Divides the boundary of hexahedra near a surface among the surface's patches. The quads of each
- * patch form one connected piece of the same Euler number. Curves and corners become chains of
- * edges and points between the same patches. Returns nothing if this fails, which happens if the
- * hexahedra are coarse compared with the features.
+ * Assigns the boundary of hexahedra near a surface to the surface's features. Each quad is assigned
+ * to a patch, and the quads of a patch form one connected piece with the patch's Euler number. Each
+ * curve becomes a chain of edges between quads of the curve's two patches. Each corner becomes a
+ * point around which the corner's patches meet. Returns nothing if this fails, as it does if the
+ * hexahedra are too coarse for the features.
  *
- * mesh: its boundary is a manifold near the surface.
+ * mesh: hexahedra whose boundary is a manifold close to the surface.
  */
 std::optional<PatchedBoundary> MatchFeatures(
   const HexMesh& mesh, const Surface& surface, const SurfaceFeatures& features);
 
-/// Finds the curves and corners at which the patches of the boundary meet. Returns false if they do
-/// not match those of the surface.
+/// Assigns points of the boundary to curves and corners, given the patch of each quad. Returns
+/// false if the curves and corners between these patches do not match the surface's.
 bool MatchCurves(const HexMesh& mesh, const Surface& surface, const SurfaceFeatures& features,
   PatchedBoundary& boundary);
 

@@ -263,7 +263,7 @@ std::optional<HexFit> FitWith(const HexMesh& core, const Surface& surface,
 void RequireInRange(const HexMeshOptions& options)
 {
   RequireOption(std::isfinite(options.CellSize) && options.CellSize >= 0.0, "CellSize",
-    options.CellSize, "positive, or 0 for an automatic one");
+    options.CellSize, "positive, or 0 for an automatic size");
   RequireOption(
     options.MaximumHexahedra >= 1, "MaximumHexahedra", options.MaximumHexahedra, "at least 1");
   RequireOption(options.PaddingLayers >= 1, "PaddingLayers", options.PaddingLayers, "at least 1");

@@ -15,31 +15,32 @@
 namespace shape
 {
 
-/// The interfaces between a solid's regions, and the inner surfaces that they approximate. There
-/// are none if Cells is null.
+/// The interfaces between a solid's regions, and the inner surfaces that they approximate. If Cells
+/// is null, there is no interface.
 struct InnerInterfaces
 {
   const RegionCells* Cells = nullptr;
-  const std::vector<Surface>* Surfaces = nullptr; ///< the inner surface of each interface
+  const std::vector<Surface>* Surfaces = nullptr; ///< for each interface: its inner surface
 
   std::size_t Count() const { return this->Cells ? this->Cells->Interfaces.size() : 0; }
 };
 
 /**
- * Layers of hexahedra on both sides of the interfaces, whose quads and points stay unchanged. Each
- * hexahedron then has at most one face on an interface.
+ * Layers of hexahedra on both sides of each interface. The quads and points of the interfaces stay
+ * unchanged. With the layers, each hexahedron has at most one face on an interface.
  */
 class InterfaceLayers
 {
 public:
-  /// Adds `layers` layers on each side of the interfaces to the mesh. Both arguments must outlive
-  /// this object.
+  /// Adds `layers` layers of hexahedra to the mesh on each side of each interface.
   InterfaceLayers(HexMesh& mesh, const InnerInterfaces& interfaces, int layers);
 
-  /// Returns the region of each of `hexahedra` hexahedra; those added later belong to region 0.
+  /// Returns the region of each hexahedron. hexahedra: the number of hexahedra that the mesh has
+  /// now. Those that were added after construction get region 0.
   Eigen::VectorXi Regions(Eigen::Index hexahedra) const;
 
-  /// Distributes the points of the layers evenly between the interface and the next points beyond.
+  /// Distributes the points of the layers evenly between the interface and the deepest points of
+  /// the layers.
   void Spread(Eigen::MatrixXd& points) const;
 
 private:
@@ -50,7 +51,8 @@ private:
   std::vector<PatchedBoundary> Sides; ///< the copied points on each side of each interface
 };
 
-/// Keeps points of the outer boundary on its features, and points of interfaces on inner surfaces.
+/// Keeps points of the outer boundary on the features of the outer surface, and points of each
+/// interface on its inner surface.
 class MultiSurfaceConstraint : public PointConstraint
 {
 public:
@@ -70,8 +72,8 @@ private:
   std::vector<int> SurfaceOf; ///< the index of each point's inner surface, or -1
 };
 
-/// Returns the largest Hausdorff distance between an interface (the quads of each) and its inner
-/// surface; 0 if there are none.
+/// Returns the largest Hausdorff distance between an interface and its inner surface, or 0 if there
+/// is no interface. interfaces: the quads of each.
 double ComputeInterfaceDistance(const Eigen::MatrixXd& points,
   const std::vector<Eigen::MatrixXi>& interfaces, const std::vector<Surface>& surfaces,
   const Progress& progress = {});

@@ -12,24 +12,27 @@ namespace shape
 
 struct SnappingOptions
 {
-  /// Parts of the surface farther than this from the boundary are snapped to, in its units; >= 0.
+  /// Points are moved to parts of the surface that are farther than this from the boundary; in the
+  /// surface's units, >= 0.
   double WantedDistance = 0.0;
-  /// Lower bounds of the minimum scaled Jacobian in a round. The first that was reached before the
-  /// round applies; if neither was, the minimum must not fall.
+  /// Lower bounds on the minimum scaled Jacobian after a round, the stricter first. The bound for a
+  /// round is the first that the minimum before the round reaches. If the minimum reaches neither,
+  /// it must not fall.
   std::array<double, 2> ScaledJacobians = { 0.62, 0.55 };
   int Rounds = 6; ///< the maximum number of rounds
 };
 
 /**
- * Restores ridges and tips that are sharper than the cells: they lie between the points of the
- * boundary, which cuts them off. The boundary points nearest to the farthest positions are moved
- * there and held. The points around them are moved to maximise the worst scaled Jacobian
- * (OptimizeHexahedra). This is repeated for a few rounds while the distance falls. A round that
- * increases the distance or makes hexahedra too bad is undone. Points on creases stay.
+ * Restores ridges and tips that the boundary cuts off because they are finer than the cells. In
+ * each round, the positions are found where surface and boundary are farthest apart. The boundary
+ * points nearest to these positions are moved to the surface there and held. The points around them
+ * are then moved to maximise the minimum scaled Jacobian (OptimizeHexahedra). A round is undone if
+ * it does not lower the distance or makes hexahedra too bad. Points on creases are not moved to far
+ * positions.
  *
- * mesh: its points are moved within the constraint. quads: of its boundary, as in HexFit.
- * constraint: for all points. Returns the larger one-sided Hausdorff distance between the surface
- * and the quads. Throws Aborted.
+ * mesh: the hexahedra whose points are moved, within the constraint. quads: the quads of the mesh's
+ * boundary, as in HexFit. constraint: a constraint on all points. Returns the larger one-sided
+ * Hausdorff distance between the surface and the quads. Throws Aborted.
  */
 double SnapToFarPositions(HexMesh& mesh, const Eigen::MatrixXi& quads, const Surface& surface,
   const PointConstraint& constraint, const SnappingOptions& options, const Progress& progress = {});

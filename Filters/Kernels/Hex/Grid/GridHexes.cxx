@@ -376,11 +376,13 @@ private:
   {
     const Topology& topology = this->Regions.Outer().SurfaceTopology();
     throw SolveFailure("no grid of at most " + std::to_string(this->Options.MaximumHexahedra) +
-      " hexahedra has the topology of the surface: Euler number " +
+      " hexahedra has the topology of the surface (Euler number " +
       std::to_string(topology.EulerNumber) + ", " + std::to_string(topology.Components) +
-      (topology.Components == 1 ? " component" : " components") +
-      (this->Boundary.Inner.empty() ? "" : ", and the inner surfaces separate from each other") +
-      "; a part or gap is thinner than its cells: set a smaller CellSize, or thicken it");
+      (topology.Components == 1 ? " component)" : " components)") +
+      (this->Boundary.Inner.empty() ? "" : " and keeps the inner surfaces apart") +
+      "; a part or gap is thinner than the cells: set a smaller CellSize, thicken the part or "
+      "widen "
+      "the gap");
   }
 
   /// Whether snapping is likely to reach the wanted quality, or the accepted quality if no result

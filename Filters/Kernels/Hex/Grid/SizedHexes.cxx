@@ -183,7 +183,7 @@ void RequireSizes(const Surface& surface, const Eigen::VectorXd& sizes)
   {
     throw InvalidInput("the SizeArray has " + std::to_string(sizes.size()) +
       " values for the surface's " + std::to_string(surface.Points().rows()) +
-      " points; give one for each");
+      " points; give one value for each point");
   }
   const auto good = [](double size) { return std::isfinite(size) && size > 0.0; };
   const auto bad =
@@ -193,7 +193,8 @@ void RequireSizes(const Surface& surface, const Eigen::VectorXd& sizes)
     const auto first = std::find_if_not(sizes.begin(), sizes.end(), good) - sizes.begin();
     throw InvalidInput("the SizeArray has " + std::to_string(bad) +
       " values that are not positive and finite (first at point " + std::to_string(first) + ": " +
-      std::to_string(sizes(first)) + "); sizes are lengths in the surface's units");
+      std::to_string(sizes(first)) +
+      "); give a positive length in the surface's units at each point");
   }
 }
 

@@ -15,24 +15,26 @@ namespace shape
 /// A grid whose cells have prescribed sizes along a surface.
 struct SizedGrid
 {
-  std::vector<RefinementSeed> Seeds; ///< seeds of the magnified space that the grid is laid in
-  double CellSize = 0.0;             ///< the size of a cell in that space
-  /// Fractions of the surface's area on which cells are at most 1.2 times as large as wanted, and
-  /// at least 1 / 1.2 times as large.
+  std::vector<RefinementSeed> Seeds; ///< magnify the space that the grid is laid in
+  double CellSize = 0.0;             ///< the size of a cell in the magnified space
+  /// NotTooLarge: the fraction of the surface's area where cells are at most 1.2 times as large as
+  /// wanted. NotTooSmall: the fraction where they are at least 1 / 1.2 times as large.
   double NotTooLarge = 0.0, NotTooSmall = 0.0;
 };
 
 /**
- * Magnifies the space around a surface. The cells of a uniform grid in the magnified space have the
- * wanted sizes along the surface before the points are optimised.
+ * Magnifies the space around a surface. The cells of a uniform grid in the magnified space, mapped
+ * back, then have the wanted sizes along the surface. This holds for the cells before their points
+ * are optimised.
  *
- * The cell size at x is the grid's size / det(DF(x))^(1/3), with the flow F of the seeds. Its
- * logarithm depends almost linearly on the strengths of the seeds, so a Gauss-Newton method finds
- * the strengths and the size of the grid. The first seeds are as wide as the surface. Seeds of half
- * the width are added where an error of more than a tenth remains, down to a width of a few cells.
+ * The cell size at x is CellSize / det(DF(x))^(1/3), where F is the flow of the seeds
+ * (GridDensity). Its logarithm depends almost linearly on the strengths of the seeds, so a
+ * Gauss-Newton method finds the strengths and CellSize. The first seeds are as wide as the surface.
+ * Where an error of more than a tenth remains, seeds of half the width are added, down to a width
+ * of a few cells.
  *
- * surface: uses all of its points. sizes (n): > 0, in the surface's units, interpolated linearly
- * between the points. Throws Aborted.
+ * surface: a surface without unused points. sizes: the wanted cell size at each point, > 0, in the
+ * surface's units; interpolated linearly between the points. Throws Aborted.
  */
 SizedGrid BuildSizedGrid(
   const Surface& surface, const Eigen::VectorXd& sizes, const Progress& progress = {});
@@ -40,8 +42,9 @@ SizedGrid BuildSizedGrid(
 /// Throws InvalidInput unless each point of the surface has a positive, finite size.
 void RequireSizes(const Surface& surface, const Eigen::VectorXd& sizes);
 
-/// Returns the size of each quad (q) divided by the wanted size. The size is the square root of the
-/// quad's area; the wanted size is taken at the point of the surface closest to its centroid.
+/// Returns, for each quad (q), its size divided by the wanted size. The size of a quad is the
+/// square root of its area. The wanted size is taken at the position on the surface closest to the
+/// quad's centroid.
 Eigen::VectorXd ComputeSizeRatios(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
   const Surface& surface, const Eigen::VectorXd& sizes);
 
@@ -52,16 +55,15 @@ struct SizedHexesResult
 };
 
 /**
- * Builds the hexahedra of a grid (BuildGridHexahedra) with prescribed sizes along the surface. The
- * grid is laid in a space that is magnified where they should be small (BuildSizedGrid). A second
- * grid corrects the local mean error of the sizes in the first mesh.
+ * Builds hexahedra from a grid (BuildGridHexahedra) with prescribed sizes along the surface. The
+ * grid is laid in a space that is magnified where hexahedra should be small (BuildSizedGrid). A
+ * second grid corrects the local mean error of the sizes that the first one gives.
  *
  * Smaller hexahedra are used where the solid's topology or a good fit needs them.
  *
- * surface: closed and consistently oriented. sizes: one for each of its points, > 0, in its units.
- * options: CellSize and Seeds are ignored. Throws InvalidInput under the conditions of
- * RequireSizes, and whatever BuildGridHexahedra throws.
- * BuildGridHexahedra throws.
+ * surface: closed and consistently oriented. sizes: the wanted size at each point of the surface, >
+ * 0, in the surface's units. options: CellSize, Seeds and Snap are ignored. Throws InvalidInput
+ * under the conditions of RequireSizes, and whatever BuildGridHexahedra throws.
  */
 SizedHexesResult BuildSizedHexahedra(const Surface& surface, const Eigen::VectorXd& sizes,
   GridHexesOptions options = {}, const Progress& progress = {},

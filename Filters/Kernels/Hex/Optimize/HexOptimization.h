@@ -11,16 +11,19 @@ namespace shape
 
 struct HexOptimizationOptions
 {
-  int Sweeps = 6;       ///< sweeps over all points, at each sharpness; >= 0
-  int WorstSweeps = 60; ///< sweeps over points of bad hexahedra, at each greater sharpness; >= 0
-  double Bad = 0.7;     ///< hexahedra with a lower scaled Jacobian are bad
-  /// The worst hexahedra are improved further only if the minimum scaled Jacobian is greater.
+  int Sweeps = 6;       ///< number of sweeps over all points at each sharpness; >= 0
+  int WorstSweeps = 60; ///< number of sweeps over bad hexahedra at each higher sharpness; >= 0
+  double Bad = 0.7;     ///< hexahedra with a scaled Jacobian below this value are bad
+  /// Sweeps over bad hexahedra follow only if the minimum scaled Jacobian is greater than this
+  /// value.
   double RaiseFrom = 0.0;
-  /// Further sweeps are spent while the minimum is below this value, as long as they help and at
-  /// most a tenth of the points are near hexahedra below it.
+  /// While the minimum scaled Jacobian is below this value, further sweeps follow. They stop if
+  /// they help too little, or if more than a tenth of the points are near hexahedra below this
+  /// value.
   double RaiseTo = 0.0;
-  double RaiseAgainFrom = 0.0; ///< no further sweeps are spent if the minimum is lower than this
-  /// n: which points may move; ignored while hexahedra are untangled. Empty: all points.
+  double RaiseAgainFrom = 0.0; ///< further sweeps follow only if the minimum is at least this value
+  /// For each point, whether it may move. If empty, all points may. Ignored while hexahedra are
+  /// untangled.
   std::vector<char> Marked = {};
 };
 
@@ -34,30 +37,32 @@ struct HexOptimizationResult
  * Moves the points of hexahedra to maximise the minimum scaled Jacobian.
  *
  * For each point in turn, a Newton step with a line search lowers the sum of exp(k (1 - s)) over
- * the corners around it (StarEnergy), for k from 2 to 20. Then k = 25 to 90 for the points of bad
- * hexahedra only, which raises the worst corners at little cost to the others. This is the l_p to
- * l_infinity continuation of Livesu, Sheffer, Vining and Tarini, "Practical hex-mesh optimization
- * via edge-cone rectification", 2015, applied to the determinants themselves.
+ * the corners around it (StarEnergy). s is the scaled determinant of a corner, and k is the
+ * sharpness. k grows from 2 to 20, and then from 25 to 90 for the points of bad hexahedra only. The
+ * last sweeps raise the worst corners at little cost to the others. The method is the continuation
+ * from l_p to l_infinity of Livesu, Sheffer, Vining and Tarini ("Practical hex-mesh optimization
+ * via edge-cone rectification", 2015), applied to the determinants themselves.
  *
- * The energy is finite for inverted hexahedra, too, and the first sweeps, of low sharpness, repair
- * most of them. The rest are untangled (UntangleHexahedra) before the sweeps of higher sharpness.
- * If some stay inverted, all of this is repeated once.
+ * Because the energy is finite for inverted hexahedra, too, the first sweeps repair most of them.
+ * The rest are untangled (UntangleHexahedra) before the sharpness rises. If some stay inverted, all
+ * sweeps up to k = 20 are repeated once.
  *
- * mesh: its points are moved; the constraint holds throughout, so the reported values hold for the
- * returned points. Points are moved in sets that share no hexahedron, so any number of threads
- * gives the same bits. Throws InvalidInput if an index is out of range or an option is negative;
- * Aborted.
+ * mesh: the hexahedra whose points are moved. The constraint holds throughout, so the result
+ * describes the returned points. Points are moved in sets that share no hexahedron, so any number
+ * of threads gives the same bits. Throws InvalidInput if an index is out of range or an option is
+ * negative; Aborted.
  */
 HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& constraint,
   const HexOptimizationOptions& options = {}, const Progress& progress = {});
 
-/// Moves every point half way to the mean of its neighbours that have the same or less freedom, and
-/// does this `sweeps` times; then projects the points to where the constraint allows them. Throws
-/// InvalidInput if an index is out of range; Aborted.
+/// Smooths the positions of the points in the given number of sweeps. A sweep moves each point half
+/// way to the mean of its neighbours of the same or less freedom. Every point is kept within the
+/// constraint. Throws InvalidInput if an index is out of range; Aborted.
 void SmoothHexahedra(
   HexMesh& mesh, const PointConstraint& constraint, int sweeps, const Progress& progress = {});
 
-/// Does the same around inverted hexahedra, in a neighbourhood that grows for up to ten rounds.
+/// Smooths the positions of points around inverted hexahedra, by one sweep in each of up to ten
+/// rounds. The neighbourhood grows from round to round. Throws like SmoothHexahedra.
 void SmoothInverted(
   HexMesh& mesh, const PointConstraint& constraint, const Progress& progress = {});
 

@@ -71,7 +71,8 @@ void RequireAcrossAxes(const Mesh& polycube, double size)
   {
     throw InvalidInput("the Polycube has " + std::to_string(count) +
       " triangles that are not perpendicular to an axis (first triangle " + std::to_string(first) +
-      "); give the second output of Shape Polycube, or a surface of such faces");
+      "); give the second output of Shape Polycube, or a surface whose faces are perpendicular to "
+      "the axes");
   }
 }
 
@@ -98,8 +99,9 @@ double UnitOf(const Mesh& polycube, double size)
   }
   if (unit < minimum * size)
   {
-    throw InvalidInput("the coordinates of the Polycube's faces are not integer multiples of one "
-                       "length of at least a thousandth of its size; move the faces there");
+    throw InvalidInput(
+      "the distances between the Polycube's faces are not integer multiples of one length of at "
+      "least a thousandth of its size; move the faces to such multiples");
   }
   return unit;
 }
@@ -146,7 +148,7 @@ void RequireTopology(const HexMesh& cells, const Surface& surface)
     throw InvalidInput("the Polycube has the Euler number " + std::to_string(found.EulerNumber) +
       " and " + std::to_string(found.Components) + " components, but the Surface has " +
       std::to_string(wanted.EulerNumber) + " and " + std::to_string(wanted.Components) +
-      "; give the polycube of this surface");
+      "; give a polycube of this Surface");
   }
 }
 
@@ -159,7 +161,7 @@ void RequireSourcesOn(const Eigen::MatrixXd& sources, const Surface& surface)
   {
     throw InvalidInput("the Polycube's SourcePosition lies up to " + std::to_string(distance) +
       " away from the Surface (at point " + std::to_string(farthest) +
-      "); give the polycube of this surface");
+      "); give a polycube of this Surface");
   }
 }
 
@@ -177,7 +179,8 @@ GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Surfa
   if (polycube.Sources.rows() != polycube.Surface.Points.rows() || polycube.Sources.cols() != 3)
   {
     throw InvalidInput(
-      "the Polycube's SourcePosition must have 3 components at each of its points");
+      "the Polycube's SourcePosition must have 3 components at each point; give the second output "
+      "of Shape Polycube");
   }
   RequireFinite(polycube.Sources, "the Polycube's SourcePosition");
   RequireSourcesOn(polycube.Sources, surface);
@@ -192,8 +195,10 @@ GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Surfa
   const double cell = unit / std::max(1.0, std::round(unit / wanted));
   if (volume / (cell * cell * cell) > maximum)
   {
-    throw InvalidInput("the Polycube's unit " + std::to_string(unit) + " gives more than " +
-      std::to_string(maximum) + " cells; give one with a greater unit (TargetEdgeLength)");
+    throw InvalidInput("the Polycube, whose unit is " + std::to_string(unit) +
+      ", would be divided into more than " + std::to_string(maximum) + " cells; " +
+      (cell < unit ? "set a larger CellSize"
+                   : "give a Polycube with a larger unit (TargetEdgeLength)"));
   }
   const SampledGrid grid = GridIn(outer, cell);
   GivenPolycubeCells cells{ BuildVoxelHexahedra(grid, CellsInside(outer, grid)), cell / scale };

@@ -10,32 +10,36 @@
 namespace shape
 {
 
-/// A polycube that the user gives: the output of Shape Polycube, or made by hand.
+/// A polycube given by the user: the second output of Shape Polycube, or one made by hand.
 struct GivenPolycube
 {
-  /// A closed surface. Its faces are perpendicular to the axes, and their coordinates are integer
-  /// multiples of one length along each axis.
+  /// A closed surface whose faces are perpendicular to the axes. Along each axis, the distances
+  /// between faces are integer multiples of one length, the same for all axes.
   Mesh Surface{};
   Eigen::MatrixXd Sources{}; ///< n x 3: the position on the surface that each point maps to
 };
 
 struct GivenPolycubeCells
 {
-  HexMesh Solid;         ///< the cells, close to the surface
-  double CellSize = 0.0; ///< in the surface's units: the cell size of a polycube of equal volume
+  HexMesh Solid; ///< the cells, close to the surface
+  /// The size of a cell of the polycube, if the polycube is scaled to the solid's volume; in the
+  /// surface's units.
+  double CellSize = 0.0;
 };
 
 /**
- * Carries the cells of a regular grid in a polycube into the solid inside a surface. They are
- * carried by the harmonic map that extends the polycube's boundary map (ComputeHarmonicVolumeMap).
- * The polycube's unit is the greatest length that the coordinates of all faces are multiples of. It
- * is divided into the number of cells that comes closest to cellSize.
+ * Maps the cells of a regular grid in a polycube into the solid inside a surface. The map is
+ * harmonic and extends the polycube's boundary map (ComputeHarmonicVolumeMap). The polycube's unit
+ * is the greatest length of which all distances between parallel faces are multiples. The unit is
+ * divided into the number of cells that brings the cell size closest to cellSize.
  *
- * surface: closed. cellSize: in the surface's units; 0: about 12,000 cells, or more if the unit
- * requires it. Throws InvalidInput if the polycube is not closed, overlaps itself, needs more than
- * `maximum` cells, or has another topology than the surface. Its faces must be perpendicular to an
- * axis at multiples of one length, and its sources finite and close to the surface. Throws what
- * ComputeHarmonicVolumeMap throws.
+ * surface: closed. cellSize: in the surface's units; 0: a size that gives about 12,000 cells, or
+ * more if the unit requires it. maximum: upper bound on the number of cells.
+ *
+ * Throws InvalidInput if the polycube is not closed, overlaps or touches itself, needs more than
+ * `maximum` cells, or has another topology than the surface. Throws it also if the faces are not as
+ * described at GivenPolycube, or if a source is not finite or is far from the surface. Throws
+ * whatever ComputeHarmonicVolumeMap throws.
  */
 GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Surface& surface,
   double cellSize, int maximum, const Progress& progress = {});

@@ -105,7 +105,7 @@ std::optional<Cubes> CubesOfCharts(const Surface& surface, const PolycubeHexesOp
     {
       return cubes;
     }
-    why = "the polycube's cells are too many, or have not the topology of the surface";
+    why = "the polycube has too many cells, or they do not have the topology of the surface";
   }
   catch (const SolveFailure& failure)
   {

@@ -12,7 +12,7 @@
 namespace shape
 {
 
-/// CellSize 0: a size that gives about 16,000 hexahedra.
+/// If CellSize is 0, cells are sized to give about 16,000 hexahedra.
 struct PolycubeHexesOptions : HexMeshOptions
 {
   double Compactness = PolycubeOptions().Compactness;
@@ -21,33 +21,35 @@ struct PolycubeHexesOptions : HexMeshOptions
 struct PolycubeHexesResult
 {
   HexFit Fit;
-  SurfaceFeatures Features; ///< creases around patches of the area of at least 4 cell faces
+  SurfaceFeatures Features; ///< creases around patches at least as large as 4 cell faces
   /// The polycube's surface, in units of cells, with each unit square split into two triangles.
-  /// Targets (n x 3): the positions of its points on the boundary of the hexahedra.
+  /// Targets (n x 3): for each point of this surface, the position of the same point on the
+  /// boundary of the hexahedra.
   Mesh Polycube;
   Eigen::MatrixXd Targets;
   enum class MapType
   {
     Harmonic = 0,   ///< the harmonic map that extends the polycube's boundary map
     Tetrahedra = 1, ///< the inverse of the deformation of the tetrahedra
-    Voxels = 2      ///< a grid (FindVoxelPolycube): it was better, or no polycube was found
+    Voxels = 2      ///< the map of FindVoxelPolycube: better, or the only one found
   };
   MapType Map = MapType::Tetrahedra; ///< the map that carried the cells
-  int Charts = 0;                    ///< number of flat parts of the polycube
-  int Corners = 0;                   ///< number of points where three or more of them meet
+  int Charts = 0;                    ///< number of charts: flat parts of the polycube
+  int Corners = 0;                   ///< number of points where three or more charts meet
   bool Overlaps = false;             ///< whether the polycube overlaps itself
   double CellSize = 0.0;             ///< the size that was used, in the surface's units
 };
 
 /**
- * Fills a closed surface with hexahedra: the unit cells of a polycube of the solid
- * (FindPolycubeMap), surrounded by layers whose boundary lies on the surface and follows its
- * creases (FitHexahedra).
+ * Fills a closed surface with hexahedra. The core consists of the unit cells of a polycube of the
+ * solid (FindPolycubeMap). Layers of hexahedra around the core connect it to the surface and follow
+ * the creases (FitHexahedra).
  *
- * The cells are carried into the solid by one of two maps. The first is the harmonic map that
- * extends the map of the polycube's boundary onto the surface (ComputeHarmonicVolumeMap). The
- * second is the inverse of the deformation of the tetrahedra, which also works if the polycube
- * overlaps itself. The second is used if the first inverts more hexahedra.
+ * One of two maps carries the cells into the solid. The first is the harmonic map that extends the
+ * map of the polycube's boundary onto the surface (ComputeHarmonicVolumeMap). The second is the
+ * inverse of the deformation of the tetrahedra, which also works if the polycube overlaps itself.
+ * The second map is used if the first inverts more hexahedra. If there is no such polycube, or the
+ * hexahedra are bad, the cells of a grid in the deformed solid are tried (FindVoxelPolycube).
  *
  * The boundary has the Euler number and the number of components of the surface. Throws
  * InvalidInput under the conditions of Tetrahedralize, or if an option is out of range. Throws

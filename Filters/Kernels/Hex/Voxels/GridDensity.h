@@ -11,7 +11,8 @@
 namespace shape
 {
 
-/// Magnifies space by a factor exp(Strength) at Centre, which fades within a few Radius.
+/// Magnifies space at Centre by the factor exp(Strength). The magnification fades within a few
+/// times Radius.
 struct RefinementSeed
 {
   Eigen::RowVector3d Centre;
@@ -20,12 +21,13 @@ struct RefinementSeed
 };
 
 /**
- * A smooth one-to-one map that magnifies space around some positions. A uniform grid in its image
- * is therefore finer there. The map is the flow, for a time of 1, of the velocity
+ * A smooth one-to-one map that magnifies space around some positions. A uniform grid in the map's
+ * image, mapped back, is therefore finer around these positions. The map is the flow over unit time
+ * of the velocity
  *
  *   v(x) = sum over seeds of Strength (x - Centre) exp(-|x - Centre|^2 / (2 Radius^2)).
  *
- * A flow cannot fold, whatever the seeds are.
+ * A flow never folds, whatever the seeds are.
  */
 class GridDensity
 {
@@ -37,8 +39,9 @@ public:
 
   bool IsIdentity() const { return this->Seeds.empty(); }
 
-  /// points: n x 3.
+  /// Maps positions by the flow. points: n x 3.
   Eigen::MatrixXd Forward(const Eigen::MatrixXd& points) const { return this->Flow(points, 1.0); }
+  /// The inverse of Forward.
   Eigen::MatrixXd Backward(const Eigen::MatrixXd& points) const { return this->Flow(points, -1.0); }
 
 private:
@@ -48,7 +51,7 @@ private:
   std::vector<RefinementSeed> Seeds;
 };
 
-/// Collects seeds at positions that need smaller cells. A position close to an earlier seed is
+/// Collects seeds at positions that need smaller cells. A position close to an existing seed is
 /// ignored.
 class RefinementSeeds
 {
@@ -59,19 +62,22 @@ public:
   {
   }
 
-  /// times: the strength of the seed, relative to the usual one.
+  /// Adds a seed at a position. times: the strength of the seed, as a multiple of the usual
+  /// strength.
   void Add(const Eigen::RowVector3d& centre, double times = 1.0);
 
-  /// Adds the positions whose distance is at least 0.9 of `wanted`, the farthest first. The farther
-  /// a position, the stronger its seed.
+  /// Adds the positions whose distance is at least 0.9 times `wanted`, the farthest first. For
+  /// distances above 4 times `wanted`, the strength of the seed grows with the distance. It is
+  /// twice the usual strength from 8 times on.
   void AddDistant(const SampledDistances& far, double wanted);
 
-  /// Adds the centroids of hexahedra whose scaled Jacobian is below `accepted`.
+  /// Adds the centroids of the hexahedra whose scaled Jacobian is below `accepted`.
   void AddBad(const HexMesh& mesh, double accepted);
 
   const std::vector<RefinementSeed>& Seeds() const { return this->Gathered; }
 
-  /// Whether the seeds magnify a large part, about 0.3, of a solid with this number of cells.
+  /// Whether the seeds magnify more than about 0.3 of a solid's volume. cells: the number of cells
+  /// of the solid.
   bool AreMostOf(Eigen::Index cells) const;
 
 private:

@@ -18,32 +18,36 @@ namespace shape
 struct RegionCells
 {
   HexMesh Solid;
-  /// m: the region of each cell: i + 1 if i is the innermost inner surface around it, 0 if none is.
+  /// m: the region of each cell. It is i + 1 if inner surface i is the innermost around the cell,
+  /// and 0 if no inner surface is around it.
   Eigen::VectorXi RegionOf;
-  std::vector<std::vector<char>> Inside;   ///< for each inner surface, whether each cell is inside
-  std::vector<Eigen::MatrixXi> Interfaces; ///< its boundary quads, counter-clockwise from outside
+  std::vector<std::vector<char>> Inside; ///< for each inner surface: whether each cell is inside
+  /// For each inner surface: the boundary quads of the cells inside, counter-clockwise seen from
+  /// outside.
+  std::vector<Eigen::MatrixXi> Interfaces;
 };
 
 /**
- * Fills a solid with cells of a grid (TopologyPreservingVoxels) and divides them into regions by
- * inner surfaces, the borders between materials. The cells inside each inner surface have its
- * topology. No two surfaces share a point of the grid, so the boundary of each region is a
- * manifold.
+ * Fills a solid with cells of a grid (TopologyPreservingVoxels). Inner surfaces, which are the
+ * borders between materials, divide the cells into regions. The cells inside each inner surface
+ * have the surface's topology. The boundaries of these cells share no point with each other or with
+ * the boundary of the solid, so the boundary of each region is a manifold.
  */
 class MultiMaterialVoxels
 {
 public:
-  /// innerSurfaces: closed, inside the solid; they may be nested. Throws InvalidInput if one is not
-  /// closed, is not inside, crosses or touches another, or has degenerate triangles; Aborted.
+  /// innerSurfaces: closed surfaces inside the solid; they may be nested. Throws InvalidInput if a
+  /// surface is not closed, is not inside, crosses or touches another, or has degenerate triangles;
+  /// Aborted.
   MultiMaterialVoxels(const Surface& surface, const std::vector<Surface>& innerSurfaces,
     const Progress& progress = {});
 
   TopologyPreservingVoxels& Outer() { return this->Whole; }
   const TopologyPreservingVoxels& Outer() const { return this->Whole; }
-  std::vector<Surface> InnerSurfaces() const; ///< facing outwards
+  std::vector<Surface> InnerSurfaces() const; ///< the inner surfaces, facing outwards
 
-  /// Returns the cells of a uniform grid in the warped space, mapped back; nothing if they are too
-  /// coarse for the surfaces. Throws what TopologyPreservingVoxels::Fill throws.
+  /// Returns the cells of a uniform grid in the warped space, mapped back. Returns nothing if the
+  /// cells are too coarse for the surfaces. Throws whatever TopologyPreservingVoxels::Fill throws.
   std::optional<RegionCells> Fill(
     double size, const GridDensity& warp, const Progress& progress = {});
 

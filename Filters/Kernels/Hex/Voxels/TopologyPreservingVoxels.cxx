@@ -57,7 +57,7 @@ SampledGrid BuildGridAround(const Eigen::MatrixXd& points, double size)
     throw InvalidInput("cells of size " + std::to_string(size) + " give a grid of " +
       std::to_string(counts.prod()) + " cells around the surface; at most " +
       std::to_string(maximum) +
-      " are possible; raise CellSize, or rotate the surface along the axes");
+      " are possible; set a larger CellSize, or align the surface with the axes");
   }
   SampledGrid grid;
   grid.Spacing = size;

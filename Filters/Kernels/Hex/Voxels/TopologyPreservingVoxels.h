@@ -17,7 +17,7 @@
 namespace shape
 {
 
-/// The distance from the surface, in cells, up to which levels are distances.
+/// The distance from the surface, in cells, up to which a level equals the distance.
 inline constexpr double LevelBand = 2.0;
 
 /// Returns a grid of cubic cells around points (n x 3), without values. Its outermost cells lie
@@ -26,27 +26,28 @@ inline constexpr double LevelBand = 2.0;
 SampledGrid BuildGridAround(const Eigen::MatrixXd& points, double size);
 
 /**
- * Computes the levels of a solid at the centres of a grid's cells: the signed distance to the
- * solid's boundary, negative inside, within LevelBand cells of it. Farther away the level is
- * LevelBand cells. The solid is the region where `surface` has a winding number of at least 1.
+ * Computes the level of a solid at the centre of each cell of a grid. The level is the signed
+ * distance to the solid's boundary, negative inside, limited to LevelBand cells on either side. The
+ * solid is the region where `surface` has a winding number of at least 1.
  *
- * surface: closed, consistently oriented, facing outwards, inside the grid; it may cross itself.
- * boundary: the part of it that bounds the solid (ExtractSolidBoundary). Throws Aborted.
+ * surface: closed, consistently oriented, facing outwards, inside the grid; may cross itself.
+ * boundary: the part of the surface that bounds the solid (ExtractSolidBoundary). Throws Aborted.
  */
 void SampleDistances(const Mesh& surface, const SurfaceLocator& boundary, SampledGrid& grid,
   const Progress& progress = {});
 
-/// Returns the levels in a grid around the surface: BuildGridAround, then SampleDistances. Throws
-/// what these throw.
+/// Returns the levels of a solid in a grid around its surface (BuildGridAround, then
+/// SampleDistances). Throws whatever these functions throw.
 SampledGrid SampleSolidDistances(
   const Mesh& surface, const SurfaceLocator& boundary, double size, const Progress& progress = {});
 
 /**
- * Fills a solid with cells of a grid that have its topology. The solid is the region where a closed
- * surface has a winding number of at least 1.
+ * Fills a solid with cells of a grid, so that the cells have the solid's topology. The solid is the
+ * region where a closed surface has a winding number of at least 1.
  *
- * The topology of a surface that crosses itself is not known in advance. It is then the Euler
- * number and number of components that two successive grids agree on, or any after TakeAnyTopology.
+ * If the surface crosses itself, the topology of the solid is not known in advance. A grid is then
+ * accepted if its Euler number and its number of components equal those of the previous grid, or if
+ * TakeAnyTopology was called.
  */
 class TopologyPreservingVoxels
 {
@@ -57,28 +58,30 @@ public:
 
   /// The surface, facing outwards.
   const Surface& GetSurface() const { return this->Whole; }
-  /// The part of the surface that bounds the solid, and the number of its self-crossings.
+  /// The part of the surface that bounds the solid, and the number of the surface's self-crossings.
   const SolidBoundaryResult& Boundary() const { return this->Bounding; }
-  /// The surface's topology, which the solid must have unless the surface crosses itself.
+  /// The topology of the surface. Unless the surface crosses itself, the cells must have it, too.
   const Topology& SurfaceTopology() const { return this->Wanted; }
 
-  /// From now on accepts any manifold if the surface crosses itself.
+  /// From now on, if the surface crosses itself, cells of any topology with a manifold boundary are
+  /// accepted.
   void TakeAnyTopology() { this->TakesAny = true; }
 
-  /// Returns the cell size in the warped space that gives about this number of hexahedra, including
-  /// one layer around the cells.
+  /// Returns the cell size in the warped space at which the cells and one layer of hexahedra around
+  /// them are about `hexahedra` in number.
   double CellSizeFor(double hexahedra, const GridDensity& warp) const;
 
   /// Returns the cells of a uniform grid in the warped space, mapped back. Returns nothing if no
-  /// choice of the cells at the boundary gives the solid's topology. Throws what
+  /// tried choice of the cells at the boundary gives the solid's topology. Throws whatever
   /// SampleSolidDistances throws.
   std::optional<HexMesh> Fill(double size, const GridDensity& warp, const Progress& progress = {});
 
   /// Returns the grid that Fill uses, in the warped space, without values.
   SampledGrid Grid(double size, const GridDensity& warp) const;
 
-  /// Marks the cells of a grid in the warped space that are inside the solid. Returns nothing if no
-  /// choice of the cells at the boundary has the solid's topology and is accepted.
+  /// Marks the cells of a grid in the warped space that are inside the solid. Several choices of
+  /// the cells at the boundary are tried. Returns nothing if none both has the solid's topology and
+  /// is accepted by `accepts`.
   std::optional<std::vector<char>> CellsInside(const SampledGrid& grid, const GridDensity& warp,
     const std::function<bool(const std::vector<char>& inside)>& accepts,
     const Progress& progress = {});
@@ -88,7 +91,7 @@ private:
 
   Surface Whole;
   Topology Wanted;
-  int Solids; ///< number of components that bound solids from outside
+  int Solids; ///< number of components of the surface that bound a solid from outside
   SolidBoundaryResult Bounding;
   bool TakesAny = false;
   std::optional<std::pair<int, int>> Before; ///< Euler number and components of the previous grid

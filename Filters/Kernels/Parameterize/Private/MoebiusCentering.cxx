@@ -38,19 +38,19 @@ void Check(const Eigen::MatrixXd& points, const Eigen::VectorXd& weights)
   Eigen::Index position = 0;
   if (weights.size() == 0 || !(weights.sum() > 0.0) || weights.minCoeff(&position) < 0.0)
   {
-    throw InvalidInput("the weights have no positive sum or a negative value (at point " +
-      std::to_string(position) + "); give weights that are not negative");
+    throw InvalidInput("the weights have no positive sum, or one is negative (at point " +
+      std::to_string(position) + "); give weights >= 0 that are not all zero");
   }
   if (points.rowwise().squaredNorm().minCoeff(&position) == 0.0)
   {
-    throw InvalidInput(
-      "point " + std::to_string(position) + " of the sphere is at the origin; it has no direction");
+    throw InvalidInput("point " + std::to_string(position) +
+      " of the sphere is at the origin; move it away from there");
   }
   if (weights.maxCoeff(&position) >= 0.5 * weights.sum())
   {
     throw InvalidInput("point " + std::to_string(position) +
-      " has half of the weight or more, so no Moebius transform can centre the points; give it a "
-      "smaller weight");
+      " has at least half of the total weight, so no Moebius transform can centre the points; give "
+      "it a smaller weight");
   }
 }
 

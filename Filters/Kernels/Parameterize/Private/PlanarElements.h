@@ -22,18 +22,18 @@ struct PlanarDecomposition
 PlanarDecomposition DecomposePlanar(const Eigen::Matrix2d& matrix);
 
 /**
- * The triangles of a surface, each flattened separately, and what is needed to measure maps of them
- * to the plane. A triangle without area is replaced by the thin one that ComputeTriangleAngles
- * defines. If all corners coincide, its size is 1e-6 of the mean.
+ * The triangles of a surface, each laid out in a plane of its own, with the data needed to measure
+ * maps from them to the plane. A degenerate triangle gets the angles that ComputeTriangleAngles
+ * assigns to it, and at least 1e-12 of the mean area.
  */
 class PlanarElements
 {
 public:
-  /// scale: factor for the lengths of the surface.
+  /// scale: factor by which the surface's lengths are multiplied.
   PlanarElements(const Mesh& surface, double scale);
 
   const Eigen::MatrixXi& Triangles() const { return this->Corners; }
-  const Eigen::VectorXd& Areas() const { return this->OwnAreas; } ///< m, > 0
+  const Eigen::VectorXd& Areas() const { return this->OwnAreas; } ///< m values > 0
 
   /// Returns the gradients of the three corners' hat functions in the triangle's plane, one per
   /// row.
@@ -42,20 +42,20 @@ public:
   /// Returns the Jacobian of the map from a triangle to its image; points: n x 2.
   Eigen::Matrix2d Jacobian(Eigen::Index triangle, const Eigen::MatrixXd& points) const;
 
-  /// Returns the mean of a distortion over the surface's area; infinite if the image of a triangle
-  /// has no positive area. Throws Aborted.
+  /// Returns the area-weighted mean of a distortion. It is infinite if the image of a triangle is
+  /// clockwise or has no area. Throws Aborted.
   double Energy(const Eigen::MatrixXd& points, Distortion distortion, double exponent,
     const Progress& progress = {}) const;
 
-  /// Returns the largest t such that points + s steps flips no triangle for 0 <= s < t; infinite if
-  /// there is no limit (Smith and Schaefer, "Bijective parameterization with free boundaries",
-  /// 2015, section 3.2).
+  /// Returns the largest t such that points + s steps has no flipped triangle for 0 <= s < t, or
+  /// infinity if there is no limit (Smith and Schaefer, "Bijective parameterization with free
+  /// boundaries", 2015, section 3.2).
   double LargestStep(const Eigen::MatrixXd& points, const Eigen::MatrixXd& steps) const;
 
 private:
   Eigen::MatrixXi Corners;  ///< m x 3
   Eigen::VectorXd OwnAreas; ///< m
-  /// inverses of the matrices with the edges from corner 0 as columns
+  /// for each triangle, the inverse of the matrix whose columns are the edges from corner 0
   std::vector<Eigen::Matrix2d> InverseEdges;
 };
 

@@ -19,30 +19,32 @@ struct SphericalReinsertionResult
 /**
  * Repairs the flipped triangles of a map from a triangulated sphere to the unit sphere, locally.
  *
- * Points of flipped triangles are merged into a neighbour that sees their whole ring (half-edge
- * collapses). If there is none, points around them are merged first, until no flipped triangle is
- * left. Then the points are reinserted in the reverse order, each into the kernel of its ring,
- * which is not empty. This is the progressive parameterisation of Praun & Hoppe 2003, applied only
- * where it is needed. After each insertion the point and the reinserted points next to it are
- * relaxed towards equal angles.
+ * Each point of a flipped triangle is merged into a neighbour from which its whole ring is visible
+ * (a half-edge collapse). If there is no such neighbour, points around it are merged first. This
+ * continues until no flipped triangle is left. Then the points are reinserted in the reverse order,
+ * each into the kernel of its ring: the positions from which the whole ring is visible. The kernel
+ * is not empty. This is the progressive parameterisation of Praun & Hoppe 2003, applied only where
+ * it is needed. After each insertion the point and the reinserted points next to it are relaxed
+ * towards equal angles.
  *
  * triangles: m x 3, closed, oriented, Euler number 2, one component, every point used. points:
- * n x 3, of unit length. If the map does not cover the sphere once, or more than `maximum` points
- * would have to be merged, Reached is false and Points are the given points.
+ * n x 3, of unit length. If the repair fails, Reached is false and Points are the given points. It
+ * fails if the map does not cover the sphere exactly once, if more than `maximum` points would have
+ * to be merged, or if rounding leaves no room for a point.
  */
 SphericalReinsertionResult ReinsertFlipped(const Eigen::MatrixXi& triangles,
   const Eigen::MatrixXd& points, int maximum, const Progress& progress = {});
 
 /**
- * Computes a map of the whole sphere by the same method, without an initial map. Points are merged
- * down to a regular tetrahedron, whatever their positions, and reinserted level by level. It
- * succeeds for every triangulated sphere with n >= 4 points unless rounding leaves no room for a
- * point; then it throws SolveFailure.
+ * Maps a triangulated sphere with n >= 4 points to the unit sphere by the same method, without an
+ * initial map. Points are merged until four are left, which form a regular tetrahedron. Then they
+ * are reinserted level by level. Throws SolveFailure if rounding leaves no room for a point;
+ * Aborted.
  *
- * areaWeight (>= 0) is the weight of equal areas relative to equal angles. Neighbouring triangles
- * get areas in proportion to the number of points still to be inserted there, level by level. With
- * 0 long extremities shrink exponentially. With 3 the smallest triangle of a figure with arms and
- * legs has about 1e-4 of the mean area.
+ * areaWeight (>= 0) is the weight of equal areas relative to equal angles. At each level,
+ * neighbouring triangles get areas in proportion to the number of points that are still to be
+ * inserted there. With 0, long extremities shrink exponentially. With 3, the smallest triangle of a
+ * figure with arms and legs has about 1e-4 of the mean area.
  */
 SphericalReinsertionResult ReinsertAll(
   const Eigen::MatrixXi& triangles, int n, double areaWeight, const Progress& progress = {});

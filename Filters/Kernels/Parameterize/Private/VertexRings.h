@@ -30,7 +30,7 @@ public:
   /// two points opposite their edge (the link condition), and more than a tetrahedron is left.
   bool CanMerge(int point, int into) const;
 
-  /// Merges `point` into `into`. Returns its ring, starting with `into`, for Restore.
+  /// Merges `point` into `into`. Returns the ring of `point`, starting with `into`, for Restore.
   std::vector<int> Merge(int point, int into);
 
   /// Undoes Merge(point, ring[0]). Merges must be undone in the reverse order.
@@ -41,17 +41,18 @@ private:
   int Count;
 };
 
-/// Whether every triangle from `position` to an edge of the ring certainly faces outwards. The ring
-/// is a closed counter-clockwise polygon of `points` on the unit sphere.
+/// Whether the whole ring is visible from `position`: each triangle of `position` and an edge of
+/// the ring faces outwards (IsFacingOutwards). The ring is a closed counter-clockwise polygon of
+/// `points` on the unit sphere.
 bool IsInStarKernel(
   const Eigen::MatrixXd& points, const Eigen::RowVector3d& position, const std::vector<int>& ring);
 
 /**
- * Moves points.row(point) to a position on the unit sphere that sees the whole ring. It is the
- * centre of the ring's kernel, found by clipping the lune at ring[0] with the planes of the other
- * edges. The point ring[0] must see all edges except its own two, as after a half-edge collapse.
- * Then the kernel is not empty. If rounding leaves no such position, returns false and moves
- * nothing.
+ * Moves points.row(point) to a position on the unit sphere from which the whole ring is visible.
+ * This is the centre of the ring's kernel, found by clipping the lune at ring[0] with the planes of
+ * the other edges. From ring[0], all edges except its own two must be visible, as they are after a
+ * half-edge collapse; then the kernel is not empty. If rounding leaves no such position, nothing
+ * moves and the function returns false.
  */
 bool MovePointIntoKernel(Eigen::MatrixXd& points, int point, const std::vector<int>& ring);
 

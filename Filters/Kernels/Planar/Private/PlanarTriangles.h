@@ -10,10 +10,10 @@ namespace shape
 {
 
 /**
- * A triangulation of positions in the plane that grows point by point. It contains the triangles of
- * their convex hull and, outside each hull edge, one whose third corner, Far, is at infinity. So
- * every half-edge has a twin. Half-edge 3 t + k runs from corner k of triangle t to the next one,
- * with the triangle on its left.
+ * A triangulation of points in the plane that grows point by point. Its triangles fill the convex
+ * hull of the points. Outside each hull edge there is one more triangle, whose third corner, Far,
+ * is at infinity. So every half-edge has a twin. Half-edge 3 t + k runs from corner k of triangle t
+ * to the next one, with the triangle on its left.
  *
  * Marked edges are fixed. The others are kept locally Delaunay by flips (Lawson 1977), with exact
  * predicates.
@@ -23,22 +23,22 @@ class PlanarTriangles
 public:
   static constexpr int Far = -1;
 
-  /// Group: the group of segments that an edge belongs to, or -1. Winding: the number of segments
-  /// that run in the half-edge's direction minus those that run against it.
+  /// Group: the group of segments that contain an edge, or -1. Winding: the number of outline
+  /// segments in the half-edge's direction, minus the number of those in the opposite direction.
   struct SegmentMark
   {
     int Group = -1;
     int Winding = 0;
   };
 
-  /// points: n x 2. metric: circles are tested after this map. There is no triangle yet.
+  /// points: n x 2. metric: PlanarDelaunayOptions::Metric. There is no triangle before Start.
   PlanarTriangles(const Eigen::MatrixXd& points, const Eigen::Matrix2d& metric);
 
   /// Creates the first triangle from three points that are not collinear.
   void Start(int a, int b, int c);
-  /// Inserts a point as a corner. Returns it, or the corner that is already at its position.
+  /// Inserts a point as a corner. Returns the point, or the corner that is already at its position.
   int Insert(int point);
-  /// Appends a position and returns its number, for Insert; or removes the last one.
+  /// Appends a position and returns its number, for Insert.
   int AddPosition(const Eigen::RowVector2d& position);
   void RemoveLastPosition();
 
@@ -47,10 +47,10 @@ public:
   const Eigen::RowVector2d& Position(int point) const { return this->Positions[point]; }
   int Begin(int side) const { return this->Begins[side]; }
   int End(int side) const { return this->Begins[NextHalfEdge(side)]; }
-  /// The corner opposite the half-edge.
+  /// Returns the corner opposite the half-edge.
   int Apex(int side) const { return this->Begins[PreviousHalfEdge(side)]; }
   int Twin(int side) const { return this->Twins[side]; }
-  /// A half-edge that begins at a corner.
+  /// Returns a half-edge that begins at a point.
   int From(int point) const { return this->FirstEdges[point]; }
   bool IsFar(int triangle) const;
   /// Returns 1 if three points are counter-clockwise, 0 if they are collinear, else -1.
@@ -60,11 +60,13 @@ public:
   /// Marks both half-edges of an edge.
   void SetMark(int side, const SegmentMark& mark);
 
-  /// Replaces an edge x -> y by the other diagonal c -> d of its two triangles, which must form a
-  /// convex quadrilateral; c is the apex before. Afterwards `side` runs from d to c, its next
-  /// half-edge from c to x, and its twin's next one from d to y. The triangles keep their numbers.
+  /// Replaces an edge by the other diagonal of its two triangles, which must form a convex
+  /// quadrilateral. Let `side` run from x to y, with the apex c, and let d be the apex of its twin.
+  /// Afterwards `side` runs from d to c, its next half-edge from c to x, and the next one of its
+  /// twin from d to y. The triangles keep their numbers.
   void Flip(int side);
-  /// Flips until each of these half-edges, and each one affected by a flip, is locally Delaunay.
+  /// Flips edges until each of these half-edges, and each half-edge affected by a flip, is locally
+  /// Delaunay.
   void MakeDelaunay(std::vector<int> sides);
 
 private:

@@ -9,18 +9,20 @@
 namespace shape
 {
 
-/// Makes segments between the corners of a planar triangulation its edges, by flips.
+/// Flips edges of a planar triangulation until given segments between its corners are edges.
 class SegmentRecovery
 {
 public:
-  /// plane: changed by Recover; its other edges stay locally Delaunay. addCrossings: whether a
-  /// point is added where segments cross. segments: the number of segments to recover.
+  /// plane: the triangulation, which Recover changes; edges that are not marked stay locally
+  /// Delaunay. addCrossings: whether a point is added where segments cross. segments: the number of
+  /// segments that will be recovered.
   SegmentRecovery(PlanarTriangles& plane, bool addCrossings, Eigen::Index segments);
 
-  /// Makes a segment between two points a sequence of edges; points on it split it. The edges are
-  /// marked with the number of the group of segments that contain them. winding: 1 for an outline,
-  /// else 0. Throws InvalidInput if it crosses a marked edge and addCrossings is false. Throws
-  /// SolveFailure if rounded crossings cause new crossings without end.
+  /// Flips edges until a segment between two points is a sequence of edges; points on the segment
+  /// split it. Each of these edges is marked with the number of the group of segments that contain
+  /// it. winding: 1 for an outline, else 0. Throws InvalidInput if the segment crosses a marked
+  /// edge and addCrossings is false. Throws SolveFailure if rounded crossings cause new crossings
+  /// without end.
   void Recover(int begin, int end, int segment, int winding);
 
   /// Returns the segments of a group, ascending.

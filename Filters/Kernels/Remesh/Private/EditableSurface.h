@@ -17,18 +17,18 @@ namespace shape
 class EditableSurface
 {
 public:
-  using Triangle = std::array<int, 3>; ///< points; the first is -1 if the triangle is removed
+  using Triangle = std::array<int, 3>; ///< its points; the first is -1 if it is removed
 
   explicit EditableSurface(const Mesh& mesh);
 
   ///@{
-  /// The number of points and of triangles, including removed ones.
+  /// The number of points or triangles, including removed ones.
   int PointCount() const { return static_cast<int>(this->Points.size()); }
   int TriangleCount() const { return static_cast<int>(this->Triangles.size()); }
   ///@}
   const Triangle& Corners(int triangle) const { return this->Triangles[triangle]; }
 
-  /// The triangles around a point; none if it is removed.
+  /// The triangles around a point; empty if the point is removed.
   const std::vector<int>& Around(int point) const { return this->Fans[point]; }
   bool Contains(int point) const { return !this->Fans[point].empty(); }
 
@@ -42,7 +42,7 @@ public:
   }
   double Length(int a, int b) const { return (this->Points[a] - this->Points[b]).norm(); }
 
-  /// Returns a normal vector of three points whose length is twice the area of their triangle.
+  /// Returns the normal vector of a triangle, with twice the triangle's area as its length.
   Eigen::Vector3d AreaVector(const Triangle& corners) const
   {
     const Eigen::Vector3d& p = this->Points[corners[0]];
@@ -67,17 +67,19 @@ public:
     return corners[0] + corners[1] + corners[2] - a - b;
   }
 
-  /// Finds the neighbours of a point, ascending; a boundary point has one more than triangles.
+  /// Finds the neighbours of a point, in ascending order. A boundary point has one more neighbour
+  /// than triangles.
   void FindNeighbours(int point, std::vector<int>& found) const;
 
   /// Returns the triangles that share an edge.
   std::vector<int> TrianglesOf(int a, int b) const;
 
-  /// Merges a point into a neighbour (half-edge collapse). Returns the triangles of `point` that
-  /// remain; they are then around `into`. The caller must have checked the link condition.
+  /// Merges `point` into its neighbour `into` (half-edge collapse). Returns the triangles of
+  /// `point` that remain, which then belong to `into`. The caller must have checked the link
+  /// condition.
   std::vector<int> Collapse(int point, int into);
 
-  /// Splits an edge and its triangles at the edge's midpoint. Returns the new point.
+  /// Splits an edge at its midpoint, and with it the triangles of the edge. Returns the new point.
   int Split(int a, int b);
 
   /// Replaces edge a-b of the triangles t = (a, b, c) and s = (b, a, d) by edge c-d.
@@ -86,10 +88,10 @@ public:
   struct Compacted
   {
     Mesh Surface;
-    std::vector<int> Points; ///< for each point of Surface, its index here, ascending
-    std::vector<int> Rows;   ///< for each triangle here, its index in Surface; -1 if removed
+    std::vector<int> Points; ///< for each point of Surface: its index before Compact, ascending
+    std::vector<int> Rows;   ///< for each triangle before Compact: its index in Surface, or -1
   };
-  /// Returns the remaining points and triangles in the same order.
+  /// Returns the remaining points and triangles, in the same order as before.
   Compacted Compact() const;
 
 private:

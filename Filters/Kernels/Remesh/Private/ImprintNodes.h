@@ -11,15 +11,16 @@
 namespace shape
 {
 
-/// The points of an edge, the lower one first; -1 and -1 for no edge.
+/// The two points of an edge, in ascending order; (-1, -1) for no edge.
 using PointPair = std::pair<int, int>;
 
-/// A point of a loop: a point of the surface, or a new one on an edge or inside a triangle.
+/// A point of a loop: either a point of the surface, or a new point on an edge or inside a
+/// triangle.
 struct ImprintNode
 {
   int Id = -1;
-  int Low = -1, High = -1; ///< the ends of its edge; equal at a surface point; -1 in a triangle
-  std::int64_t Along = 0;  ///< the distance from Low to High, in units of 1 / ImprintNodes::Parts
+  int Low = -1, High = -1; ///< the ends of its edge; equal for a surface point; -1 in a triangle
+  std::int64_t Along = 0;  ///< position from Low (0) to High (ImprintNodes::Parts)
 
   bool IsOn(const PointPair& edge) const
   {
@@ -28,14 +29,14 @@ struct ImprintNode
   }
 };
 
-/// Returns the edge that two nodes lie on.
+/// Returns the edge that two nodes lie on, or (-1, -1) if there is none.
 PointPair FindCommonEdge(const ImprintNode& a, const ImprintNode& b);
 
 /// Assigns a unique index to each position that loops on a surface pass through.
 class ImprintNodes
 {
 public:
-  /// Positions on edges and barycentric coordinates are integers in units of 1 / Parts, so that
+  /// Positions on edges and barycentric coordinates are rounded to multiples of 1 / Parts, so that
   /// their sums and differences are exact.
   static constexpr double Parts = 1099511627776.0; // 2^40
 
@@ -46,20 +47,21 @@ public:
   {
   }
 
-  /// Returns the node at a position, which is snapped to an edge or a point close to it.
+  /// Returns the node at a position. The position is first snapped to a surface point or an edge
+  /// close to it.
   ImprintNode At(const SurfacePoint& position);
 
-  /// Adds another new point and returns its index.
+  /// Adds a new point without looking for an existing one. Returns its index.
   int Add(const SurfacePoint& position);
 
-  /// Returns the new points on an edge, keyed by their position along it; may be empty.
+  /// Returns the new points on an edge, keyed by their position along the edge; may be empty.
   const std::map<std::int64_t, int>& OnEdge(int a, int b) const;
   const std::map<PointPair, std::map<std::int64_t, int>>& OnEdges() const
   {
     return this->EdgeNodes;
   }
 
-  /// The new points; their indices follow those of the surface's points.
+  /// The new points, which are numbered after the points of the surface.
   const std::vector<SurfacePoint>& NewPoints() const { return this->Positions; }
 
 private:
@@ -68,7 +70,7 @@ private:
   const Mesh& Surface;
   double SnapShare;
   std::vector<SurfacePoint> Positions;
-  std::map<std::array<std::int64_t, 4>, int> Numbers; ///< indices of new points, by position
+  std::map<std::array<std::int64_t, 4>, int> Numbers; ///< indices of new points, keyed by position
   std::map<PointPair, std::map<std::int64_t, int>> EdgeNodes;
 };
 

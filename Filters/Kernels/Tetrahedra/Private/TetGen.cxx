@@ -157,14 +157,15 @@ void RunInChild(const TetGenInput& input, int pipe)
       throw SolveFailure("TetGen treats parts of the surface as crossing, although they are only "
                          "close; move them apart, or remesh where triangles are thin");
     case 4:
-      throw SolveFailure("TetGen found a feature too small for it; merge close points with Clean "
-                         "(a tolerance above 0), or switch PreserveBoundary on");
+      throw SolveFailure(
+        "TetGen found a feature that is too small; use Clean with a tolerance above 0 to merge "
+        "close points, or switch PreserveBoundary on");
     case 5:
       throw SolveFailure("TetGen found two facets too close to each other to put points on them; "
                          "switch PreserveBoundary on");
     case 10:
-      throw InvalidInput("TetGen rejects the surface as an input error; look for thin triangles "
-                         "and points that nearly coincide");
+      throw InvalidInput("TetGen rejects the surface as invalid input; remove thin triangles and "
+                         "merge points that nearly coincide");
     default:
       throw SolveFailure("TetGen met an internal error (code " + std::to_string(code) +
         "); remesh where triangles are thin, or change PreserveBoundary");

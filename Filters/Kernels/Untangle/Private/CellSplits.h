@@ -8,31 +8,34 @@
 namespace shape
 {
 
-/// Splits tetrahedra of a solid that cannot become positive otherwise.
+/// Splits tetrahedra of a solid that cannot become positive by moving their points.
 class CellSplits
 {
 public:
   /// movable: whether a point may move.
   CellSplits(SolidCells& solid, std::function<bool(int point)> movable);
 
-  /// Splits inverted tetrahedra without a movable point: a new point is inserted in an edge between
-  /// fixed points, or in a face. Neighbours that share the edge or face are split, too.
+  /// Splits inverted tetrahedra without a movable point. A new point is inserted into an edge or,
+  /// if no edge can be split, into a face. Adjacent tetrahedra that share this edge or face are
+  /// split, too. bad: inverted cells.
   void Impossible(const std::vector<int>& bad);
 
-  /// Splits around tetrahedra that stay inverted. Every inner edge from their fixed points is
-  /// split, so that the cells around one fixed point can move independently of those around the
-  /// others. This is done at most `allowed` times for each point. Otherwise the longest edge is
-  /// split.
+  /// Splits edges at tetrahedra that stay inverted. All inner edges from a fixed point of such a
+  /// tetrahedron are split, at most `allowed` times for each point. The cells around one fixed
+  /// point can then move independently of the cells around another. A tetrahedron without such a
+  /// point is split at its longest edge or, failing that, at a face. bad: inverted cells.
   void Stubborn(const std::vector<int>& bad, int allowed);
 
 private:
-  /// Splits the longest edge: edges between two fixed points are preferred, then those with one.
+  /// Splits the longest edge of a tetrahedron. Edges with two fixed ends are preferred, then edges
+  /// with one. Returns false if no edge can be split.
   bool SplitLongest(const std::vector<int>& points);
+  /// Splits a face of a tetrahedron. Returns false if no face can be split.
   bool SplitFace(const std::vector<int>& points);
 
   SolidCells& Solid;
   std::function<bool(int)> Movable;
-  std::vector<int> Collared; ///< number of times that the edges of each fixed point were split
+  std::vector<int> Collared; ///< for each point: how often all its inner edges were split
 };
 
 } // namespace shape

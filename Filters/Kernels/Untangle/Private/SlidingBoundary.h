@@ -13,14 +13,14 @@ namespace shape
 {
 
 /**
- * Lets points slide along a surface: points in its smooth parts in two directions, points on its
- * creases (edges whose triangles' normals differ by more than DefaultFeatureAngle) along the
- * crease, and corners not at all.
+ * Lets the points of a surface slide along it. Points in smooth parts slide in two directions,
+ * points on creases slide along the crease, and corners are fixed. An edge is a crease if the
+ * normals of its triangles differ by more than DefaultFeatureAngle.
  */
 class SlidingBoundary : public PointConstraint
 {
 public:
-  /// triangles: the surface; its points are the ones that slide.
+  /// triangles: the surface, whose points slide. Other points are free.
   SlidingBoundary(const Eigen::MatrixXd& points, const std::vector<std::array<int, 3>>& triangles);
 
   int Freedom(int point) const override;
@@ -34,9 +34,9 @@ private:
     int point, const Eigen::RowVector3d& position) const;
 
   SurfaceLocator Locator;
-  Eigen::MatrixXd Normals;                              ///< n x 3: normals at the surface's points
-  std::vector<int> Freedoms;                            ///< for each point; 3 off the surface
-  std::vector<int> CreaseOf;                            ///< the crease of each point, or -1
+  Eigen::MatrixXd Normals;   ///< n x 3: the normals at the points of the surface
+  std::vector<int> Freedoms; ///< the freedom of each point; 3 off the surface
+  std::vector<int> CreaseOf; ///< the crease of each point, or -1
   std::vector<std::vector<std::array<int, 2>>> Creases; ///< the edges of each crease
 };
 

@@ -13,21 +13,21 @@ namespace shape
 {
 
 /**
- * A solid of tetrahedra, pyramids, wedges and hexahedra in two states: the current one, and at
- * rest. A cell is represented by its corner tetrahedra (CellSimplices), all of which are positive
- * if the cell is not inverted. Boundary points are the points of faces that belong to a single
- * cell.
+ * A solid of tetrahedra, pyramids, wedges and hexahedra. Its points have current positions and,
+ * optionally, positions at rest. A cell is represented by its corner tetrahedra (CellSimplices),
+ * and it is inverted if one of them is not positive. Boundary points are the points of faces that
+ * belong to a single cell.
  */
 class SolidCells
 {
 public:
-  /// rest: n x 3, or empty, in which case each cell should become similar to the regular one of its
-  /// kind. `name` is used for the cells in messages. Throws InvalidInput if there is no cell, or if
-  /// a cell is of another kind, repeats a point or has an index out of range.
+  /// rest (n x 3, or empty): the positions at rest. If it is empty, regular cells are the rest
+  /// shapes. name: the name of the cells in messages. Throws InvalidInput if there is no cell, or
+  /// if a cell is of another kind, repeats a point or has an index out of range.
   SolidCells(const Cells& cells, const Eigen::MatrixXd& rest, const std::string& name);
 
-  Eigen::MatrixXd Points; ///< n x 3
-  Eigen::MatrixXd Rest;   ///< n x 3, or empty
+  Eigen::MatrixXd Points; ///< n x 3: current positions
+  Eigen::MatrixXd Rest;   ///< n x 3, or empty: positions at rest
 
   int PointCount() const { return static_cast<int>(this->PointCells.size()); }
   int CellCount() const { return static_cast<int>(this->Kinds.size()); }
@@ -42,24 +42,27 @@ public:
   /// Whether a corner tetrahedron of a cell is not positive, by exact predicates.
   bool Inverted(int cell);
 
-  /// Returns the reference shape of simplex k of a cell, with lengths `size` times those at rest. A
-  /// rest shape that is inverted, or flatter than 1/20 of a regular one, is repaired.
+  /// Returns the edges (columns) of the reference shape of simplex k of a cell: its rest shape,
+  /// scaled by `size`. A rest shape that is inverted is reflected. A rest shape with a stretch
+  /// below 1/20 of its largest stretch, relative to the regular shape, is thickened.
   Eigen::Matrix3d Reference(int cell, int k, double size);
 
-  /// Whether an edge or face (two or three points) can be split: it exists, is surrounded by
-  /// tetrahedra only, and does not lie on the boundary.
+  /// Whether an edge or a face (two or three points) can be split. It can if it exists, has only
+  /// tetrahedra around it and does not lie on the boundary.
   bool CanSplit(const std::vector<int>& simplex) const;
 
-  /// Inserts the centroid of an edge, a face or a tetrahedron, at rest as well. Every tetrahedron
-  /// that contains the simplex is split into as many parts as the simplex has points. Returns the
-  /// new point.
+  /// Inserts a point at the centroid of an edge, a face or a tetrahedron, both in Points and in
+  /// Rest. Every tetrahedron that contains the simplex is split into as many parts as the simplex
+  /// has points. Returns the new point.
   int Split(const std::vector<int>& simplex);
 
-  /// Returns the current cells. One part of a split cell has its index, the others are appended.
+  /// Returns the current cells. The first part of a split cell keeps the cell's index, and the
+  /// other parts are appended.
   Cells Result() const;
 
-  std::vector<int> OriginalCells;          ///< for each cell, the original one that contains it
-  std::vector<std::array<int, 4>> Parents; ///< of each new point, padded with -1
+  std::vector<int> OriginalCells; ///< for each cell: the original cell that contains it
+  /// For each new point: the points at whose centroid it was inserted, padded with -1 to four.
+  std::vector<std::array<int, 4>> Parents;
   int OriginalPointCount = 0;
 
 private:

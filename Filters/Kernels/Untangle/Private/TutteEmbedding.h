@@ -7,17 +7,19 @@
 namespace shape
 {
 
-/// Returns positions (n x 3) of a solid's points at which each inner point is the mean of the
-/// points it shares a cell with (W. T. Tutte, "How to draw a graph", 1963). Boundary points and
-/// points without a cell keep their positions.
+/// Returns positions of a solid's points (n x 3) such that each inner point is the mean of its
+/// neighbours (W. T. Tutte, "How to draw a graph", 1963). Two points are neighbours if they share a
+/// cell. Boundary points and points without a cell keep their positions.
 Eigen::MatrixXd SolveTutteEmbedding(const SolidCells& solid);
 
 /**
- * Returns the wanted size of cells around each point: the logarithm of a length over the same
- * length at rest (over 1 without a rest shape). At the boundary it is the mean over the point's
- * edges. Inside it is harmonic (the mean of the neighbours), so inverted cells do not affect it.
+ * Returns the logarithm of the target size of the cells around each point. The size is a length
+ * divided by the same length at rest, or by 1 if there is no rest shape. At a boundary point, the
+ * logarithm is the mean over the point's boundary edges. At an inner point, it is the mean of the
+ * values at the neighbours, so inverted cells do not affect it.
  *
- * Returns one value for each point of `solid`; points not connected to a boundary get the mean.
+ * Returns one value for each point. Points that are not connected to a boundary get the mean of the
+ * values at the boundary.
  */
 Eigen::VectorXd ComputeLogarithmicSizes(const SolidCells& solid);
 

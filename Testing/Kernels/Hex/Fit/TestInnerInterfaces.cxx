@@ -122,7 +122,7 @@ TEST(InnerInterfaces, TheirDistanceIsThatAfterTheOuterSurfaceIsSnappedTo)
   }
   const std::vector<shape::Surface> inner = { Ball(0.15, { 0.8, 0.0, 0.0 }, 3) };
   shape::GridHexesOptions options;
-  options.CellSize = 0.16;
+  options.CellSize = 0.12;
   options.Rounds = 1;
   const shape::HexFit snapped = shape::BuildGridHexahedra(drop, options, {}, inner).Fit;
   options.Snap = false;

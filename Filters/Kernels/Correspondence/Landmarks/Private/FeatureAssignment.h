@@ -14,18 +14,19 @@ namespace shape
 struct FeatureAssignment
 {
   Landmarks Pairs;    ///< in the order of A's features; no feature occurs twice
-  double Score = 0.0; ///< the sum over every two pairs of their agreement minus a half
+  double Score = 0.0; ///< the sum of (agreement - 1/2) over every two pairs
 };
 
 /**
  * Finds the assignments between two sets of features that agree best on the distances between them,
- * the best first. Any three pairs of which every two agree are a seed. To a seed, the pair that
- * raises the score the most is added, until none raises it.
+ * the best first. Three pairs are a seed if every two of them agree by more than 1/2. The pair that
+ * raises the score the most is added to the seed, until no pair raises it.
  *
- * Two pairs agree by exp(-(difference / tolerance)^2 / 2), where difference is that of the two
- * distances relative to the longer one. distancesA, distancesB: symmetric, k x k each. levelsA,
- * levelsB (k): positive. Two features are paired only if the ratio of their levels is between 1 /
- * 1.65 and 1.65. At most `count` assignments are returned. Throws Aborted.
+ * The agreement of two pairs is exp(-(difference / tolerance)^2 / 2). Here, difference is that
+ * between the distance of the two features of A and the distance of the two features of B, divided
+ * by the longer distance. distancesA, distancesB: square, symmetric matrices. levelsA, levelsB: one
+ * positive value for each feature. Two features are paired only if the ratio of their levels is
+ * between 1 / 1.65 and 1.65. At most `count` assignments are returned. Throws Aborted.
  */
 std::vector<FeatureAssignment> AssignFeatures(const Eigen::MatrixXd& distancesA,
   const Eigen::MatrixXd& distancesB, const Eigen::VectorXd& levelsA, const Eigen::VectorXd& levelsB,

@@ -7,10 +7,10 @@ namespace shape
 
 /**
  * Computes masses proportional to exp(likeness + f + g'), with f and g chosen to give the rows and
- * columns their prescribed sums. It uses Sinkhorn's iteration, with factors in most steps and in
- * logarithms in some. Over-relaxation near the end saves most of the steps (Thibault, Chizat,
- * Dossal and Papadakis, "Overrelaxed Sinkhorn-Knopp algorithm for regularized optimal transport",
- * 2017). For the next likeness it starts with the last f and g.
+ * columns their prescribed sums. It uses Sinkhorn's iteration. Most steps multiply factors; some
+ * work in logarithms, which stay in range. Over-relaxation near the end saves most of the steps
+ * (Thibault, Chizat, Dossal and Papadakis, "Overrelaxed Sinkhorn-Knopp algorithm for regularized
+ * optimal transport", 2017). Each call of Masses starts with the last f and g.
  */
 class Sinkhorn
 {
@@ -18,20 +18,20 @@ public:
   /// rows, columns: positive weights with the same sum.
   Sinkhorn(const Eigen::VectorXd& rows, const Eigen::VectorXd& columns);
 
-  /// Returns the masses. The columns' sums are exact. The rows' sums are exact up to `tolerance`
-  /// times the total, or what `iterations` steps achieve. likeness: finite, or -infinity for masses
-  /// that must be 0.
+  /// Returns the masses. The column sums are exact. The row sums differ from the prescribed ones by
+  /// less than `tolerance` in total, unless `iterations` steps do not suffice. likeness: each entry
+  /// is finite, or -infinity if the mass must be 0.
   Eigen::MatrixXd Masses(const Eigen::MatrixXd& likeness, int iterations, double tolerance);
 
-  /// The sum of the differences between the last masses' row sums and the weights.
+  /// The sum of |row sum - weight| for the last masses.
   double Error() const { return this->RowError; }
 
-  /// Call this before a likeness that is `factor` times the last one.
+  /// Call this before Masses if the likeness is `factor` times the last one.
   void Scale(double factor);
 
 private:
-  /// Returns masses whose row sums are exact. If a column sum is lost in rounding, the column sums
-  /// are then made exact as well.
+  /// Returns masses with exact row sums. If a column sum is lost by underflow, returns masses with
+  /// exact column sums instead.
   Eigen::MatrixXd Begin(const Eigen::MatrixXd& likeness);
 
   Eigen::VectorXd Rows, Columns;

@@ -10,17 +10,18 @@ namespace shape
 {
 
 /**
- * Gives each corner of a surface one point of a nearby closed quad mesh, around which the corner's
- * patches meet in the same order. Labels by distance rarely do so at a corner of four or more
- * patches. They usually give two points of three patches each, joined by a short chain of edges
- * between two patches that have no curve in common.
+ * Gives each corner of a surface one point of a nearby closed quad mesh, so that the corner's
+ * patches meet around the point in the same order. Assigning each quad to its closest patch rarely
+ * achieves this at a corner of four or more patches. It usually gives two points of three patches
+ * each, joined by a short chain of edges. The two patches on either side of this chain have no
+ * curve in common.
  *
- * First a point near the corner is chosen that has as many edges as the corner has patches. A disk
- * of quads around it is grown until its boundary loop has the corner's patches in their order. From
- * each change of patch on the loop a chain of edges leads to the point. The chains share no other
- * point and are as short and as close to the curves as possible (a minimum-cost flow). The quads
- * between two chains get the patch of the loop there. A corner without such a disk is left
- * unchanged.
+ * First a point with as many edges as the corner has patches is chosen near the corner. A disk of
+ * quads around it is grown until its boundary loop has the corner's patches in their order.
+ * Wherever the patch changes along the loop, a chain of edges leads to the point. The chains share
+ * no other point. A minimum-cost flow makes them as short and as close to the curves as possible.
+ * The quads between two consecutive chains get the patch that the loop has there. A
+ * corner without such a disk is left unchanged.
  *
  * points: n x 3. patchOf: the patch of each quad.
  */

@@ -12,11 +12,14 @@ namespace shape
 {
 
 /**
- * Assigns one of a surface's patches to each quad (q) of a nearby closed quad mesh. Each quad first
- * gets the patch closest to its centroid, and the largest connected piece of each patch keeps it.
- * The other quads are reached from these pieces, closest first. Then quads of which three edges
- * border another patch join it, corners are matched (MatchCornerValences) and pinches removed
- * (SplitPinches). Empty if a patch gets no quad, or if a component of the quads gets no patch.
+ * Assigns each quad of a nearby closed quad mesh to one of the surface's patches. Each quad first
+ * gets the patch closest to its centroid. Only the largest connected piece of each patch is kept.
+ * The pieces then grow over the other quads, each time to the adjacent quad closest to the piece's
+ * patch. A quad joins another patch if three of its edges border this patch. Finally corners are
+ * matched (MatchCornerValences) and pinches are removed (SplitPinches).
+ *
+ * Returns the patch of each quad. The result is empty if a patch gets no quad, or if a component of
+ * the quads gets no patch.
  */
 Eigen::VectorXi AssignQuadsToPatches(const Eigen::MatrixXd& points, const QuadSurface& quads,
   const Surface& surface, const SurfaceFeatures& features, const std::vector<Surface>& patches);

@@ -12,31 +12,33 @@ namespace shape
 
 /**
  * Inserts a layer of hexahedra under some quads of the boundary. The quads keep their points and
- * remain on the boundary. The hexahedra below them use copies of these points at the same
- * positions, and each quad gets a hexahedron between it and its copy. At the border of the quads
- * the sides of the layer become boundary quads: (a, b, copy of b, copy of a) for each edge a b that
- * belongs to only one of the quads.
+ * remain on the boundary. All other hexahedra get copies of these points at the same positions. A
+ * hexahedron is inserted between each quad and its copy. Along the border of the quads, the sides
+ * of the layer become boundary quads: (b, a, copy of a, copy of b) for each edge (a, b) that only
+ * one of the quads has.
  *
- * mesh: its boundary is a manifold. quads: k x 4, counter-clockwise seen from outside. Returns, for
- * each original point, the index of its copy, or -1.
+ * mesh: hexahedra whose boundary is a manifold. quads: k x 4, counter-clockwise seen from outside.
+ * Returns the copy of each original point, or -1 if it has none.
  */
 std::vector<int> PadQuads(HexMesh& mesh, const Eigen::MatrixXi& quads);
 
 /**
- * Inserts a layer of hexahedra under some patches. At their border it ends in a row of quads that
- * belong to the adjacent patches; no quad there then has two consecutive edges on a curve. Each
- * surface and each curve thus has sheets of its own, as in Ledoux and Shepherd, "Topological and
- * geometrical properties of hexahedral meshes", 2010. New points lie at the points they copy.
+ * Inserts a layer of hexahedra under some patches. At the border of the patches, the layer ends in
+ * a row of quads, which belong to the adjacent patches. No quad there then has two consecutive
+ * edges on a curve. Each surface and each curve thus has sheets of its own, as Ledoux and Shepherd
+ * require ("Topological and geometrical properties of hexahedral meshes", 2010). Each new point has
+ * the position of the point that it copies.
  *
- * Changes PatchOf and Quads; curves and corners have to be found again.
+ * Updates PatchOf, Quads and Copies of `boundary`. Its curves and corners have to be found again
+ * (MatchCurves).
  */
 void PillowPatches(HexMesh& mesh, const std::vector<int>& patches, PatchedBoundary& boundary);
 
-/// Inserts a layer of hexahedra under the whole boundary, whose quads and points stay unchanged.
+/// Inserts a layer of hexahedra under the whole boundary. The quads and points of the boundary stay
+/// unchanged.
 void PillowBoundary(HexMesh& mesh, PatchedBoundary& boundary);
 
-/// Distributes the copies under each point of the boundary evenly between the point and the deepest
-/// copy.
+/// Distributes the copies of each boundary point evenly between the point and its deepest copy.
 void SmoothPillows(const PatchedBoundary& boundary, Eigen::MatrixXd& points);
 
 } // namespace shape

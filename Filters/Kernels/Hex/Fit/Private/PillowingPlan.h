@@ -10,19 +10,21 @@ namespace shape
 {
 
 /**
- * Plans the sets of patches that get a layer of hexahedra together (PillowPatches), in order, such
- * that no quad has two consecutive edges on a curve.
+ * Plans the layers of hexahedra that are inserted one after another (PillowPatches), so that no
+ * quad has two consecutive edges on a curve. Returns the set of patches that each layer lies under.
  *
- * A layer that ends at a corner moves all patches outside the set, except the two next to it, to a
- * copy of the corner's point. Therefore the patches of a set are consecutive around a corner and
- * leave out at most two, or the set does not contain the corner. At a corner of three patches any
- * set is valid. If more meet there, a single patch is not, and neighbours are added to it.
+ * If a layer ends at a corner, the patches outside the set move to a copy of the corner's point,
+ * except the two patches next to the set. A set is therefore valid at a corner in two cases: none
+ * of its patches is there, or they are consecutive around the corner and leave out at most two. At
+ * a corner of three patches every set is valid. At a corner of four or more a single patch is not
+ * valid, so neighbours are added to it.
  *
- * The last sets are groups that partition the patches. A group unites the patches on both sides of
- * a crease that is not convex; the crease then has two hexahedra. If one patch needs two quads at a
- * corner because of its wide angle, the other patches there are united. Where a group is not valid
- * at a corner, it is united with a neighbour across the flattest crease. A crease between groups
- * has one hexahedron. The earlier sets handle creases inside groups.
+ * The last sets are groups that partition the patches. The patches on both sides of a crease that
+ * is not convex belong to one group, and the crease then has two hexahedra. A crease between two
+ * groups has one hexahedron. If a patch needs two quads at a corner because of its wide angle
+ * there, the other patches at the corner are united. A group that is not valid at a corner is
+ * united with a neighbour across the flattest crease. The earlier sets handle creases inside
+ * groups.
  */
 std::vector<std::vector<int>> PlanLayers(
   const Mesh& surface, const SurfaceFeatures& features, const PatchedBoundary& boundary);

@@ -11,24 +11,26 @@ namespace shape
 {
 
 /**
- * Splits the interior of a closed surface into disjoint solids and returns the surface of each,
- * together with its voids. Returns nothing if there is only one solid, if the surface crosses
- * itself, or if a component is not oriented as OrientByNesting would orient it.
+ * Splits the interior of a closed surface into disjoint solids. Returns the surface of each solid,
+ * including the surfaces of its voids. Returns no solid if there is only one, if the surface
+ * crosses itself, or if OrientByNesting would reverse a component.
  *
- * surface: as for RequireClosedSurface. Throws InvalidInput if it is not closed; Aborted.
+ * surface: closed and consistently oriented. Throws InvalidInput under the conditions of
+ * RequireClosedSurface; Aborted.
  */
 std::vector<Surface> SplitSolids(const Surface& surface, const Progress& progress = {});
 
-/// Concatenates the hexahedra of several solids. PatchOf is offset accordingly; there are no
-/// interfaces.
+/// Concatenates the hexahedra of several solids without interfaces. The patches of each solid are
+/// numbered after those of the previous solids.
 HexFit JoinFits(const std::vector<HexFit>& fits);
 
-/// Concatenates the features of several surfaces; indices refer to their concatenated points and
-/// triangles. solids: the surface that belongs to each of the features.
+/// Concatenates the features of several surfaces. The result indexes the concatenated points and
+/// triangles of these surfaces. solids: for each element of features, its surface.
 SurfaceFeatures JoinFeatures(
   const std::vector<SurfaceFeatures>& features, const std::vector<Surface>& solids);
 
-/// Returns the fraction of the hexahedra that each solid may have: by its volume, with a minimum.
+/// Returns the fraction of the hexahedra that each solid may have: in proportion to its volume, but
+/// not below a minimum. The fractions add up to 1.
 std::vector<double> ComputeVolumeShares(const std::vector<Surface>& solids);
 
 } // namespace shape

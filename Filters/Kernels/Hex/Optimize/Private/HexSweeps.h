@@ -14,17 +14,18 @@ namespace shape
 {
 
 /**
- * The energy of the hexahedra around a point, as a function of its position:
+ * The energy of the hexahedra around a point, as a function of the point's position x:
  *
  *   E(x) = sum over the corners that x belongs to of exp(sharpness (1 - s)).
  *
- * s is the determinant of a corner's three edges divided by the product of their lengths. If the
- * determinant is positive, each length is replaced by sqrt(length^2 + minimum^2), because the
- * scaled Jacobian alone would let edges shrink to nothing. If it is negative, shrinking must not
- * help.
+ * s is the determinant of a corner's three edges, divided by the product of their lengths. If the
+ * determinant is not negative, each length is replaced by sqrt(length^2 + minimum^2): otherwise
+ * edges could shrink to nothing at no cost. If the determinant is negative, lengths are not
+ * changed, so that shrinking does not lower the energy.
  *
- * minimum is 0.05 of an edge of the hexahedron and is fixed while points move. Otherwise the stars
- * would not be parts of one energy, and lowering them in turn would not converge.
+ * minimum is 0.05 times the mean edge length of the hexahedron. It is fixed while points move.
+ * Otherwise the energies around the points would not be parts of one energy, and lowering them in
+ * turn would not converge.
  *
  * The energy is defined for any position, even if hexahedra are inverted. The greater the
  * sharpness, the more the worst corner dominates: log(E) / sharpness tends to 1 - min s.
@@ -35,7 +36,7 @@ public:
   /// Hexahedra whose corners are contiguous in memory.
   using Corners = Eigen::Matrix<int, Eigen::Dynamic, 8, Eigen::RowMajor>;
 
-  /// around: the hexahedra of a point, each with the index of the point among its corners;
+  /// around: the hexahedra around the point, each with the index of the point among its corners.
   /// leastSquares: minimum^2 of each hexahedron.
   StarEnergy(const Eigen::Matrix3Xd& points, const Corners& hexahedra,
     const Eigen::VectorXd& leastSquares, const std::vector<std::array<int, 2>>& around);
@@ -49,7 +50,8 @@ public:
   {
     double Value = 0.0;
     Eigen::Vector3d Gradient = Eigen::Vector3d::Zero();
-    /// A positive definite approximation of the Hessian, exact in the first derivatives of s.
+    /// A positive definite approximation of the Hessian. The terms with first derivatives of s are
+    /// exact, and those with second derivatives are approximated.
     Eigen::Matrix3d Curvature = Eigen::Matrix3d::Zero();
   };
   Expansion Expand(const Eigen::Vector3d& x, double sharpness) const;
@@ -58,8 +60,9 @@ public:
   double Reach(const Eigen::Vector3d& x) const;
 
 private:
-  /// A hexahedron seen from one of its corners: the ends of the three edges from the corner, and
-  /// the opposite corner of each face at it, in cyclic order from the face of edges 2 and 3.
+  /// A hexahedron seen from one of its corners. Ends: the ends of the three edges from the corner.
+  /// Across: for each face at the corner, the corner of the face diagonally opposite; first the
+  /// face of edges 2 and 3, then in cyclic order.
   struct View
   {
     std::array<Eigen::Vector3d, 3> Ends, Across;
@@ -69,24 +72,26 @@ private:
 };
 
 /**
- * Moves the points of hexahedra one by one to lower the energy around each. Points are moved in
- * sets that share no hexahedron, so any number of threads gives the same bits.
+ * Moves the points of hexahedra one after another to lower the energy around each point. Points
+ * that share no hexahedron are moved in parallel, so any number of threads gives the same bits.
  */
 class HexSweeps
 {
 public:
-  /// All indices must be in range. The constraint must outlive this object; the mesh is copied.
+  /// Copies the mesh, whose indices must be in range. The constraint must outlive this object.
   HexSweeps(const HexMesh& mesh, const PointConstraint& constraint);
 
-  /// Lowers the energy (StarEnergy) around all points, or around the marked ones. Points whose
-  /// neighbourhood has not moved since their last update are skipped.
+  /// Lowers the energy (StarEnergy) around each point, or around each marked point if `marked` is
+  /// not empty. A point is skipped if its neighbourhood has not moved since the point's last
+  /// update.
   void Lower(double sharpness, const std::vector<char>& marked = {}, const Progress& progress = {});
 
-  /// Moves all points, or the marked ones, half way to the mean of their neighbours of the same or
-  /// less freedom: a point on the surface thus follows its neighbours on the surface only.
+  /// Moves each point, or each marked point, half way to the mean of its neighbours of the same or
+  /// less freedom, within the constraint. A point on the surface thus follows its neighbours on the
+  /// surface only.
   void Smooth(const std::vector<char>& marked = {}, const Progress& progress = {});
 
-  /// Projects every point to where the constraint allows it.
+  /// Projects every point to the nearest position that the constraint allows.
   void Project();
 
   Eigen::MatrixXd Positions() const { return this->Points.transpose(); }
@@ -98,7 +103,8 @@ private:
   void MoveTowardsMean(int point);
   void Move(int point, double sharpness);
 
-  /// Whether nothing in the star of a point has moved since its last update at this sharpness.
+  /// Whether no point of the hexahedra around a point has moved since the point's last update at
+  /// this sharpness.
   bool IsAtRest(int point) const;
 
   const StarEnergy::Corners Hexahedra;
@@ -108,8 +114,8 @@ private:
   std::vector<std::vector<std::array<int, 2>>> Around;
   std::vector<std::vector<int>> IndependentSets;
   double Sharpness = 0.0;             ///< the sharpness of the last sweep
-  int Now = 0;                        ///< the number of independent sets processed so far
-  std::vector<int> MovedAt, LookedAt; ///< when each point last moved, and was last updated
+  int Now = 0;                        ///< number of independent sets processed so far
+  std::vector<int> MovedAt, LookedAt; ///< Now at each point's last move, and at its last update
 };
 
 } // namespace shape

@@ -8,14 +8,14 @@ namespace shape
 {
 
 /**
- * Repairs inverted hexahedra, those with a scaled Jacobian <= 0, by moving all points around them
- * simultaneously. Newton's method lowers the regularised elliptic energy of their corners
- * (MinimizeEnergy), in patches that grow while some stay inverted. Each connected patch is solved
- * separately; a patch of more than 20,000 points is left unchanged. This escapes from positions
- * that no motion of a single point improves.
+ * Repairs inverted hexahedra (scaled Jacobian <= 0) by moving all points around them
+ * simultaneously. This also succeeds where moving single points gives no improvement. Newton's
+ * method lowers the regularised elliptic energy of the hexahedra's corners (MinimizeEnergy), in
+ * patches that grow while hexahedra stay inverted. Each connected patch is solved separately. A
+ * patch of more than 20,000 movable points is left unchanged.
  *
- * mesh: its points are moved within the constraint; the number of inverted hexahedra never grows.
- * Returns that number. Throws Aborted.
+ * mesh: the hexahedra whose points are moved, within the constraint. Returns the number of
+ * hexahedra that stay inverted, which is never greater than before. Throws Aborted.
  */
 int UntangleHexahedra(
   HexMesh& mesh, const PointConstraint& constraint, const Progress& progress = {});

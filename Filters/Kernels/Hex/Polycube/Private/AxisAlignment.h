@@ -8,28 +8,31 @@
 namespace shape
 {
 
-/// Returns the unit vector of a label: +x, -x, +y, -y, +z, -z.
+/// Returns the unit vector of a label: 0..5 = +x, -x, +y, -y, +z, -z.
 Eigen::RowVector3d GetLabelAxis(int label);
 
-/// Returns a rotation that brings the normals of a surface closest to the axes: it minimises the
-/// integral of |nx| + |ny| + |nz| over the area. The identity if no rotation is better by 1 %.
+/// Returns the rotation that brings the normals of a surface closest to the axes. It minimises the
+/// integral of |nx| + |ny| + |nz| over the surface's area. Returns the identity if no rotation
+/// lowers the integral by more than 1 %.
 Eigen::Matrix3d FindAxisRotation(const Mesh& surface);
 
 /**
- * Deforms a solid, with little distortion, until the normals of its surface are close to the axes.
- * It alternates between two steps: rotations that align the normals, smooth inside the solid, and
- * the shape whose tetrahedra are rotated by them (Gregson, Sheffer and Zhang, "All-hex mesh
- * generation via volumetric polycube deformation", 2011, section 4).
+ * Deforms a solid with little distortion until the normals of its surface are close to the axes.
+ * Two steps alternate (Gregson, Sheffer and Zhang, "All-hex mesh generation via volumetric polycube
+ * deformation", 2011, section 4). The first finds rotations that align the normals and vary
+ * smoothly inside the solid. The second finds the shape whose tetrahedra are rotated accordingly.
  *
- * Returns the positions of the points (n x 3); tetrahedra may be inverted. Throws Aborted.
+ * Returns the new positions of the points (n x 3). Tetrahedra may be inverted. Throws Aborted.
  */
 Eigen::MatrixXd AlignWithAxes(const WorkingSolid& solid, const Progress& progress = {});
 
 /**
- * Does the same with a given axis for each triangle: the tetrahedra stay as rigid as possible while
- * the triangles become perpendicular to their axes, with a weight that grows.
+ * Deforms a solid until each triangle of its surface is nearly perpendicular to a given axis. The
+ * tetrahedra stay as rigid as possible, while the weight of the flatness of the triangles grows
+ * from round to round. Returns the new positions of the points (n x 3). Throws Aborted.
  *
- * labels: of the triangles. start: the initial positions.
+ * labels: for each triangle, the label of its axis (GetLabelAxis). start: the initial positions of
+ * the points (n x 3).
  */
 Eigen::MatrixXd FlattenAlongAxes(const WorkingSolid& solid, const Eigen::VectorXi& labels,
   const Eigen::MatrixXd& start, const Progress& progress = {});

@@ -12,17 +12,18 @@
 namespace shape
 {
 
-/// The charts of a labelled surface: the maximal sets of triangles of one label connected by edges.
+/// The charts of a labelled surface: the maximal sets of triangles that have the same label and are
+/// connected by edges.
 struct Charts
 {
   Eigen::VectorXi Of;                       ///< m: the chart of each triangle
   std::vector<int> Labels;                  ///< the label of each chart
   Eigen::VectorXd Areas;                    ///< the area of each chart
-  std::vector<std::vector<int>> Neighbours; ///< charts adjacent to each, ascending, without repeats
-  std::vector<std::vector<int>> AtPoint;    ///< n: the charts around each point, ascending
+  std::vector<std::vector<int>> Neighbours; ///< for each chart: the adjacent charts, ascending
+  std::vector<std::vector<int>> AtPoint;    ///< for each point: the charts around it, ascending
 
-  /// Consecutive edges between two charts, from corner to corner or as a closed loop; `First` is on
-  /// the left. A corner is a point of three or more charts.
+  /// Consecutive edges between two charts, either from corner to corner or in a closed loop.
+  /// `First` is the chart on the left. A corner is a point of three or more charts.
   struct Border
   {
     int First, Second;
@@ -33,7 +34,7 @@ struct Charts
   int Count() const { return static_cast<int>(this->Labels.size()); }
 };
 
-/// Finds the charts. labels: 0..5 = +x, -x, +y, -y, +z, -z of the triangles of a closed surface.
+/// Finds the charts of a closed surface. labels: for each triangle, 0..5 = +x, -x, +y, -y, +z, -z.
 Charts FindCharts(const Mesh& surface, const Eigen::VectorXi& labels);
 
 /// A reason why charts cannot be the faces of a polycube.
@@ -43,8 +44,8 @@ struct ChartFault
   {
     FewNeighbours, ///< a chart has fewer than four neighbours
     Opposite,      ///< two charts of opposite labels share an edge
-    Corner,        ///< a point has more than three charts, or three that do not have three axes
-    Turn           ///< the border of two charts reverses its direction along the third axis
+    Corner,        ///< a point has more than three charts, or three with fewer than three axes
+    Turn           ///< a border of two charts reverses its direction along the third axis
   };
   Kind What;
   int Chart;      ///< the chart concerned
@@ -54,27 +55,29 @@ struct ChartFault
 
 /**
  * Tests the conditions of Eppstein and Mumford ("Steinitz theorems for orthogonal polyhedra", 2010)
- * as Livesu, Vining, Sheffer, Gregson and Scateni ("PolyCut", 2013) use them. If no fault is
- * returned, the charts are likely to be those of a polycube.
+ * in the form used by Livesu, Vining, Sheffer, Gregson and Scateni ("PolyCut", 2013). If no fault
+ * is returned, the charts are likely to be the faces of a polycube.
  *
- * positions (n x 3): the positions along which turns are measured; a reversal of up to `slack` is
- * not a fault.
+ * positions (n x 3): the positions of the points, by which reversals of borders are measured. A
+ * reversal of at most `slack` is not a fault.
  */
 std::vector<ChartFault> FindChartFaults(
   const Charts& charts, const Eigen::MatrixXd& positions, double slack);
 
-/// Describes the first few faults: "chart 3 (+x, 0.2 % of the area) has 2 neighbours, ...".
+/// Describes the first few faults, for example "chart 3 (+x, 0.2 % of the area) has 2 neighbours; 4
+/// are needed".
 std::string DescribeFaults(const std::vector<ChartFault>& faults, const Charts& charts);
 
-/// Describes a chart: "chart 3 (+x, 5.8 % of the area)".
+/// Describes a chart, for example "chart 3 (+x, 5.8 % of the area)".
 std::string DescribeChart(const Charts& charts, int chart);
 
-/// Returns the unknowns of the points: one for each chart, along its axis, and one for every other
-/// coordinate. Charts of the same axis that share a point share their unknown.
+/// Returns the unknown of each coordinate of the points. All points of a chart share one unknown
+/// along the chart's axis. Every other coordinate has its own unknown. Charts of the same axis that
+/// share a point share their unknown.
 ConstrainedCoordinates ConstrainCharts(const Charts& charts, Eigen::Index points);
 
-/// Finds edges inside a chart whose ends share an unknown of another axis. A triangle of three such
-/// points would be degenerate.
+/// Finds edges inside a chart whose ends share an unknown along an axis other than the chart's. A
+/// triangle whose three points share such an unknown would be degenerate.
 std::vector<std::pair<int, int>> FindConstrainedEdges(
   const Eigen::MatrixXi& triangles, const Charts& charts, const ConstrainedCoordinates& tied);
 

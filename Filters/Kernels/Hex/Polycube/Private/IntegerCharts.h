@@ -9,12 +9,12 @@ namespace shape
 {
 
 /**
- * Rounds the coordinates of a polycube's charts to integers close to them. Charts at the two ends
- * of a polycube edge, and charts that face each other across the solid, keep their order and a
- * distance of at least 1.
+ * Rounds the coordinates of a polycube's charts to nearby integers. Two kinds of pairs keep their
+ * order and a distance of at least 1: charts at the two ends of an edge of the polycube, and charts
+ * that face each other across the solid.
  *
- * positions (n x 3): the points of the solid on the polycube, in units of cells; every tetrahedron
- * is positive. Returns one integer for each chart: its coordinate along its axis.
+ * positions (n x 3): the positions of the solid's points on the polycube, in units of cells; every
+ * tetrahedron is positive there. Returns one integer for each chart: its coordinate along its axis.
  */
 Eigen::VectorXi RoundCharts(const WorkingSolid& solid, const Charts& charts,
   const ConstrainedCoordinates& tied, const Eigen::MatrixXd& positions);

@@ -190,8 +190,8 @@ int CellBeside(
     return static_cast<int>(found - visits.begin());
   }
   throw SolveFailure(
-    "a walk through the polycube ends in no cell, because its map is not good enough; try "
-    "another Compactness");
+    "the cells of the polycube do not fit together, because its map is not accurate enough; give a "
+    "Polycube made by Shape Polycube with another Compactness, or choose Method Grid");
 }
 
 } // namespace
@@ -208,7 +208,7 @@ IntegerMapHexesResult ExtractIntegerMapHexahedra(
   const std::vector<Visit> visits = FindCells(images, tetrahedra, walk);
   if (visits.empty())
   {
-    throw SolveFailure("the polycube has no cell; use a smaller TargetEdgeLength");
+    throw SolveFailure("the polycube has no cell; use a smaller CellSize");
   }
   const int cells = static_cast<int>(visits.size());
   DisjointSets joined(8 * cells);

@@ -11,9 +11,9 @@ namespace shape
 {
 
 /**
- * Walks along straight lines through tetrahedra, from one to the next across their faces. All
- * tetrahedra are positive, but some that are not adjacent may overlap; the walk only crosses to
- * adjacent ones.
+ * Walks along straight lines through tetrahedra, from each to the next across their common face.
+ * All tetrahedra must be positive. Tetrahedra that are not adjacent may overlap, because the walk
+ * only enters adjacent ones.
  */
 class TetrahedralWalk
 {
@@ -25,11 +25,11 @@ public:
   {
     int Tetrahedron;
     Eigen::Vector4d Weights; ///< barycentric coordinates: >= 0, their sum is 1
-    bool Arrived;            ///< false if the walk met the boundary and ended there
-    int Face = -1;           ///< the corner opposite the boundary face that it met, or -1
+    bool Arrived;            ///< false if the walk ended at the boundary
+    int Face = -1;           ///< the corner opposite the boundary face where it ended, or -1
   };
 
-  /// Walks from a position in a tetrahedron to another position.
+  /// Walks from a position in a tetrahedron to another position. Returns where the walk ends.
   Position Go(int tetrahedron, const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
 
   /// Returns the barycentric coordinates of a position in a tetrahedron.
@@ -41,24 +41,24 @@ private:
   std::vector<std::array<int, 4>> Neighbours; ///< across the face opposite each corner, or -1
 };
 
-/// Hexahedra, and the positions of their points on the polycube.
+/// Hexahedra, and where their points lie on the polycube and in the tetrahedra.
 struct IntegerMapHexesResult
 {
   HexMesh Solid;
-  Eigen::MatrixXd Positions;  ///< n x 3: integers
+  Eigen::MatrixXd Positions;  ///< n x 3: integer positions on the polycube
   Eigen::VectorXi Tetrahedra; ///< n: the tetrahedron that contains each point
   Eigen::MatrixXd Weights;    ///< n x 4: the point's barycentric coordinates in it
-  bool Overlaps = false;      ///< whether some cells of the grid occur several times
+  bool Overlaps = false;      ///< whether a cell of the grid occurs several times
 };
 
 /**
  * Extracts the hexahedra that a map of tetrahedra takes to the unit cells of the integer grid. The
- * map is positive on every tetrahedron and takes each boundary triangle into a plane of integer
- * coordinate. The images may overlap, so neighbours are found by walks through the tetrahedra, not
- * by coordinates.
+ * map must be positive on every tetrahedron, and must take each boundary triangle into a plane at
+ * an integer coordinate. The images of tetrahedra may overlap, so adjacent cells are found by walks
+ * through the tetrahedra, not by coordinates.
  *
- * points, images: n x 3. tetrahedra: m x 4. Throws SolveFailure if there is no cell or if walks
- * contradict each other.
+ * points, images (n x 3): the points of the tetrahedra and their images. tetrahedra: m x 4. Throws
+ * SolveFailure if there is no cell, or if walks contradict each other.
  */
 IntegerMapHexesResult ExtractIntegerMapHexahedra(
   const Eigen::MatrixXd& points, const Eigen::MatrixXd& images, const Eigen::MatrixXi& tetrahedra);

@@ -350,13 +350,13 @@ PolycubeMap FindPolycubeMap(const Surface& surface, double compactness,
   }
   if (best.Result.Negative > 0)
   {
-    throw SolveFailure("no valid polycube was found: of " + std::to_string(best.Charts.Count()) +
-      " charts, " +
-      (best.Faults.empty() ? "none of which is at fault alone"
-                           : DescribeFaults(best.Faults, best.Charts)) +
-      "; " + std::to_string(best.Result.Negative) + " of " +
+    throw SolveFailure("no valid polycube was found: with " + std::to_string(best.Charts.Count()) +
+      " charts, " + std::to_string(best.Result.Negative) + " of " +
       std::to_string(best.Solid.Tetrahedra.rows()) + " tetrahedra stay inverted" +
-      (options.Facing ? " or are under folded charts" : "") + "; try another Compactness");
+      (options.Facing ? " or lie under folded charts" : "") + "; " +
+      (best.Faults.empty() ? "no single chart is at fault"
+                           : DescribeFaults(best.Faults, best.Charts)) +
+      "; try Shape Polycube with another Compactness");
   }
   double size = options.CellSize > 0.0
     ? options.CellSize
@@ -383,7 +383,8 @@ PolycubeMap FindPolycubeMap(const Surface& surface, double compactness,
     }
   }
   throw SolveFailure("the charts of the polycube cannot be rounded to cells of size " +
-    std::to_string(size / QuantisationShrinkage) + "; use a smaller TargetEdgeLength");
+    std::to_string(size / QuantisationShrinkage) +
+    "; use a smaller TargetEdgeLength in Shape Polycube, or CellSize in Shape Hex Remesh");
 }
 
 } // namespace shape

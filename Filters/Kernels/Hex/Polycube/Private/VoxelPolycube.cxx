@@ -165,7 +165,7 @@ Eigen::MatrixXd Bent(
   if (folded > MaximumFolded)
   {
     throw SolveFailure("the solid cannot be deformed towards the axes: " +
-      std::to_string(100.0 * folded) + " % of its volume would be inverted");
+      std::to_string(100.0 * folded) + " % of its volume would be inverted; choose Method Grid");
   }
   labels = FindAxisLabels(solid, aligned, compactness);
   return aligned;
@@ -213,8 +213,9 @@ VoxelPolycube FindVoxelPolycube(
     if (size < minimum)
     {
       throw SolveFailure("no grid of at most " + std::to_string(maximum) +
-        " cells in the solid deformed towards the axes has the surface's topology (Euler number " +
-        std::to_string(topology.EulerNumber) + ")");
+        " cells has the topology of the surface (Euler number " +
+        std::to_string(topology.EulerNumber) +
+        ") when the solid is deformed towards the axes; choose Method Grid");
     }
     grid = SampleDistance(distance, BestOffset(bent, labels, size), size, progress.Part(0.7, 0.9));
     cubes = CubesOf(grid, topology);

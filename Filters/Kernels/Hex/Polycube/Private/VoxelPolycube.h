@@ -10,23 +10,26 @@
 namespace shape
 {
 
-/// Hexahedra inside a surface, and the positions of their points in the grid that they come from.
+/// Hexahedra inside a surface, and the positions of their points in the grid whose cells they are.
 struct VoxelPolycube
 {
   HexMesh Solid;
-  Eigen::MatrixXd Positions; ///< n x 3: integers
+  Eigen::MatrixXd Positions; ///< n x 3: integers, in units of cells
   double CellSize = 0.0;
 };
 
 /**
- * Takes the cells of a grid inside a solid that was deformed towards the axes (AlignWithAxes,
- * FlattenAlongAxes) and maps them back. Their union is a polycube by construction and has the
- * surface's topology. It has a step wherever the deformed solid is not quite flat (Yu, Zhang, Wan
- * and Li, "Optimizing polycube domain construction for hexahedral remeshing", 2014).
+ * Builds a polycube of the solid inside a surface from the cells of a grid (Yu, Zhang, Wan and Li,
+ * "Optimizing polycube domain construction for hexahedral remeshing", 2014). The solid is deformed
+ * towards the axes (AlignWithAxes, FlattenAlongAxes). The cells inside the deformed solid form the
+ * polycube, and they are mapped back into the solid. The polycube has the surface's topology. It
+ * has a step wherever the deformed surface is not quite flat.
  *
- * surface: closed, facing outwards. compactness: see FindAxisLabels. cells: their approximate
- * number; more are tried, up to `maximum`, until the topology agrees. Throws what Tetrahedralize
- * throws; SolveFailure if no such grid has the topology; Aborted.
+ * surface: closed, facing outwards. compactness: see FindAxisLabels. cells: the approximate number
+ * of cells. More cells are tried, up to `maximum`, until they have the surface's topology.
+ *
+ * Throws whatever Tetrahedralize throws. Throws SolveFailure if no tried grid has the surface's
+ * topology, or if the deformation inverts more than 2 % of the volume; Aborted.
  */
 VoxelPolycube FindVoxelPolycube(const Surface& surface, double compactness, int cells, int maximum,
   const Progress& progress = {});

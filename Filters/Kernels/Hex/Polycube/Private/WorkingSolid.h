@@ -15,27 +15,29 @@ namespace shape
 /// The tetrahedra of a solid, and its surface over the same points.
 struct WorkingSolid
 {
-  Eigen::MatrixXd Points;     ///< n x 3; those of the surface come first
+  Eigen::MatrixXd Points;     ///< n x 3: first the points of the surface, then the others
   Eigen::MatrixXi Tetrahedra; ///< m x 4, positive
   Eigen::MatrixXi Triangles;  ///< k x 3: the surface, facing outwards
   int SurfacePointCount = 0;
 
   Mesh Surface() const;
-  Mesh Surface(const Eigen::MatrixXd& points) const; ///< the surface with other positions
+  Mesh Surface(const Eigen::MatrixXd& points) const; ///< with its points at other positions
 };
 
 /**
- * Builds a coarse tetrahedralisation of the solid inside a closed surface. Its surface has about
- * the given number of triangles, of even size, close to the original, and keeps its creases. Every
- * tetrahedron has an inner point, and every inner edge has one, so the boundary can be flattened.
+ * Builds a coarse tetrahedralisation of the solid inside a closed surface. The surface of the
+ * result is close to the given one and keeps its creases. It has about the given number of
+ * triangles, of nearly uniform size. Every tetrahedron and every inner edge has at least one point
+ * off the boundary, so the boundary can be flattened.
  *
- * If the coarse surface would cross itself, it is made finer. Throws what Tetrahedralize throws.
+ * If the coarse surface crosses itself, a finer one is used. Throws whatever Tetrahedralize throws.
  */
 WorkingSolid BuildWorkingSolid(
   const Surface& surface, int triangles, const Progress& progress = {});
 
-/// Inserts a point into each of the given surface edges (no repeats), in `positions` as well; the
-/// parts of a triangle inherit its label.
+/// Splits edges of the surface at their midpoints. edges: pairs of points, each edge once.
+/// positions (n x 3): other positions of the points, to which the new points are added, too.
+/// labels: the labels of the triangles, which the parts of a split triangle inherit.
 void SplitSurfaceEdges(WorkingSolid& solid, const std::vector<std::pair<int, int>>& edges,
   Eigen::MatrixXd& positions, Eigen::VectorXi& labels);
 
