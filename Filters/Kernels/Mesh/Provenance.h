@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Mesh/SurfacePoint.h"
+#include "Mesh/SurfacePoints.h"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
