@@ -1,6 +1,7 @@
 """The pages say what is there: no dead link, a page and a row for every filter and writer, every
 benchmark on its page, the rooms of the code in their order, an entry for every paper that a comment
-cites, generated parts that are up to date, and none of the words that the glossary forbids. Run with python3 TestDocumentation.py ROOT."""
+cites, generated parts that are up to date, and none of the words that the glossary forbids. Run with
+python3 TestDocumentation.py ROOT."""
 import glob
 import os
 import re
