@@ -2,6 +2,7 @@
 #include "Deform/BoundaryHandle.h"
 #include "Deform/HandleFrames.h"
 #include "Support/DeformShapes.h"
+#include "Support/Refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -216,12 +217,15 @@ TEST(BoundaryHandle, NamesWhatIsWrong)
 {
   shape::BoundaryHandle handle = shape::BuildCurveHandle(Wave(8), true);
   Eigen::MatrixXd positions = Wave(8);
-  EXPECT_THROW(shape::PoseHandle(handle, Wave(7)), shape::InvalidInput);
-  EXPECT_THROW(shape::PoseHandle(handle, positions, positions), shape::InvalidInput);
+  EXPECT_REFUSED(shape::PoseHandle(handle, Wave(7)),
+    "the handle has 8 points, but its target positions are 7 x 3");
+  EXPECT_REFUSED(shape::PoseHandle(handle, positions, positions),
+    "normals at its target, but not at its source");
   handle.Normals = positions;
-  EXPECT_THROW(shape::PoseHandle(handle, positions), shape::InvalidInput);
+  EXPECT_REFUSED(
+    shape::PoseHandle(handle, positions), "normals at its source, but not at its target");
   positions(3, 2) = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(shape::PoseHandle(handle, positions, Wave(8)), shape::InvalidInput);
+  EXPECT_REFUSED(shape::PoseHandle(handle, positions, Wave(8)), "the handle's target positions");
   shape::HandlePose pose = shape::GetRestPose(handle);
   EXPECT_THROW(shape::AddPrescribedRotations(handle, { Wave(7), Eigen::VectorXi::Zero(7) }, pose),
     shape::InvalidInput);

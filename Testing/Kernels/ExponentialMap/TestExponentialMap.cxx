@@ -1,5 +1,6 @@
 #include "Base/Errors.h"
 #include "ExponentialMap/ExponentialMap.h"
+#include "Support/Refusals.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Geometry>
@@ -406,13 +407,13 @@ TEST(ExponentialMap, RefusesWhatItCannotUse)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double radius : { 0.0, -1.0, nan, std::numeric_limits<double>::infinity() })
   {
-    EXPECT_THROW(map.Around(seed, radius), shape::InvalidInput);
+    EXPECT_REFUSED(map.Around(seed, radius), "Radius is");
   }
-  EXPECT_THROW(map.Around(RowVector3d(nan, 0, 0), 1.0), shape::InvalidInput);
-  EXPECT_THROW(map.Around(seed, 1.0, { 0, nan, 0 }), shape::InvalidInput);
-  EXPECT_THROW(map.Around(shape::ClosestPoint{}, 1.0), shape::InvalidInput);
-  EXPECT_THROW(shape::ExponentialMap(mesh, { true, -1 }), shape::InvalidInput);
-  EXPECT_THROW(shape::ExponentialMap({ mesh.Points, Eigen::MatrixXi(0, 3) }), shape::InvalidInput);
+  EXPECT_REFUSED(map.Around(RowVector3d(nan, 0, 0), 1.0), "the seed");
+  EXPECT_REFUSED(map.Around(seed, 1.0, { 0, nan, 0 }), "x direction is not finite");
+  EXPECT_REFUSED(map.Around(shape::ClosestPoint{}, 1.0), "the seed is not on the surface");
+  EXPECT_REFUSED(shape::ExponentialMap(mesh, { true, -1 }), "NormalSmoothing is -1");
+  EXPECT_REFUSED(shape::ExponentialMap({ mesh.Points, Eigen::MatrixXi(0, 3) }), "has no triangles");
   shape::Mesh bad = mesh;
   bad.Triangles(3, 1) = 1000;
   EXPECT_THROW(shape::ExponentialMap{ bad }, shape::InvalidInput);

@@ -2,6 +2,7 @@
 #include "Fill/FillHoles.h"
 #include "Mesh/Surface.h"
 #include "Support/HoleShapes.h"
+#include "Support/Refusals.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -281,21 +282,21 @@ TEST(FillHoles, DataGoOnFromTheRim)
 TEST(FillHoles, NamesWhatIsWrong)
 {
   const shape::Mesh open = shapetest::SphereWithoutCap(3, 40);
-  EXPECT_THROW(shape::FillLoops(open, { { 0, 1 } }), shape::InvalidInput);
-  EXPECT_THROW(shape::FillLoops(open, { { 0, 1, 100000 } }), shape::InvalidInput);
+  EXPECT_REFUSED(shape::FillLoops(open, { { 0, 1 } }), "a loop has 2 points");
+  EXPECT_REFUSED(shape::FillLoops(open, { { 0, 1, 100000 } }), "point 100000 of");
   shape::FillHolesOptions options;
   options.Filler.EdgeGrowth = -0.1;
-  EXPECT_THROW(shape::FillHoles(open, options), shape::InvalidInput);
+  EXPECT_REFUSED(shape::FillHoles(open, options), "EdgeGrowth is -0.1");
   options = {};
   options.Filler.MaximumPoints = 0;
-  EXPECT_THROW(shape::FillHoles(open, options), shape::InvalidInput);
+  EXPECT_REFUSED(shape::FillHoles(open, options), "MaximumPoints is 0");
   options = {};
   options.Method = shape::FillMethod::Deformation;
   options.Deformation.UpwindRadius = 0.0;
-  EXPECT_THROW(shape::FillHoles(open, options), shape::InvalidInput);
+  EXPECT_REFUSED(shape::FillHoles(open, options), "UpwindRadius is 0");
   shape::Mesh bad = open;
   bad.Points(0, 0) = std::nan("");
-  EXPECT_THROW(shape::FillHoles(bad), shape::InvalidInput);
+  EXPECT_REFUSED(shape::FillHoles(bad), "first at point 0");
 }
 
 TEST(FillHoles, StopsWhenTold)

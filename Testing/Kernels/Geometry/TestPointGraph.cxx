@@ -2,6 +2,7 @@
 #include "Geometry/GraphComponents.h"
 #include "Geometry/PointGraph.h"
 #include "Search/PointTree.h"
+#include "Support/Refusals.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -167,7 +168,7 @@ TEST(PointGraph, IslandsAreJoinedWhereTheyAreNearest)
 TEST(PointGraph, NamesWhatIsWrong)
 {
   shape::Mesh mesh = shapetest::Icosphere(0);
-  EXPECT_THROW(shape::BuildPointGraph(shape::Mesh{}), shape::InvalidInput);
+  EXPECT_REFUSED(shape::BuildPointGraph(shape::Mesh{}), "has no points");
   mesh.Triangles(0, 0) = 12;
   EXPECT_THROW(shape::BuildPointGraph(mesh), shape::InvalidInput);
   mesh.Triangles(0, 0) = 0;

@@ -2,6 +2,7 @@
 #include "Geometry/SurfaceWelding.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
+#include "Support/Refusals.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -129,13 +130,13 @@ TEST(SurfaceWelding, TrianglesWithoutThreePlacesGoAndLeaveNoHole)
 TEST(SurfaceWelding, NamesWhatIsWrong)
 {
   const shape::Mesh sphere = shapetest::Icosphere(1);
-  EXPECT_THROW(shape::WeldedSurface({ sphere.Points, {} }), shape::InvalidInput);
+  EXPECT_REFUSED(shape::WeldedSurface({ sphere.Points, {} }), "has no triangles");
   shape::Mesh wrong = sphere;
   wrong.Triangles(3, 1) = 1000;
-  EXPECT_THROW(shape::WeldedSurface{ wrong }, shape::InvalidInput);
+  EXPECT_REFUSED(shape::WeldedSurface{ wrong }, "uses a point that does not exist");
   wrong = sphere;
   wrong.Points(3, 1) = NAN;
-  EXPECT_THROW(shape::WeldedSurface{ wrong }, shape::InvalidInput);
+  EXPECT_REFUSED(shape::WeldedSurface{ wrong }, "first at point 3");
   wrong.Points = Eigen::MatrixXd::Ones(sphere.Points.rows(), 3);
-  EXPECT_THROW(shape::WeldedSurface{ wrong }, shape::InvalidInput);
+  EXPECT_REFUSED(shape::WeldedSurface{ wrong }, "no triangle of");
 }

@@ -1,6 +1,7 @@
 #include "Base/Errors.h"
 #include "Harmonic/ApplyVolumeMap.h"
 #include "Harmonic/PiecewiseInverseMap.h"
+#include "Support/Refusals.h"
 #include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
 
@@ -159,17 +160,17 @@ TEST(PiecewiseHarmonicMap, RefusesWhatIsIncomplete)
 {
   shape::PiecewiseCharges charges = Nested(0.1, 0.0);
   charges.Regions(3) = 2;
-  EXPECT_THROW(shape::PiecewiseHarmonicMap{ charges }, shape::InvalidInput);
+  EXPECT_REFUSED(shape::PiecewiseHarmonicMap{ charges }, "bounds region 2");
   charges = Nested(0.1, 0.0);
   charges.Regions.setZero();
-  EXPECT_THROW(shape::PiecewiseHarmonicMap{ charges }, shape::InvalidInput)
-    << "no surface around region 1";
+  EXPECT_REFUSED(
+    shape::PiecewiseHarmonicMap{ charges }, "no triangle of the map's surface bounds region 1");
   charges = Nested(0.1, 0.0);
   charges.Skins = Eigen::VectorXd::Constant(1, 0.1);
-  EXPECT_THROW(shape::PiecewiseHarmonicMap{ charges }, shape::InvalidInput);
+  EXPECT_REFUSED(shape::PiecewiseHarmonicMap{ charges }, "skins");
   charges = Nested(0.1, 0.0);
   shape::Mesh crossing = charges.Surface;
   crossing.Points.bottomRows(642).array() += 1.5;
   charges.Surface = crossing;
-  EXPECT_THROW(shape::PiecewiseHarmonicMap{ charges }, shape::InvalidInput) << "surfaces cross";
+  EXPECT_REFUSED(shape::PiecewiseHarmonicMap{ charges }, "the surface of the Map");
 }

@@ -6,6 +6,7 @@
 #include "Parameterize/Private/PlanarElements.h"
 #include "Support/FlatMaps.h"
 #include "Support/ProgressChecks.h"
+#include "Support/Refusals.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -163,14 +164,13 @@ TEST(InjectiveRefinement, RefusesAFlippedStartAndBadOptions)
   const shape::Mesh mesh = shapetest::BumpyDisk(3, 0.5);
   Eigen::MatrixXd start = Tutte(mesh);
   start.col(0) *= -1.0;
-  EXPECT_THROW(shape::RefineInjectively(mesh, start), shape::InvalidInput);
+  EXPECT_REFUSED(shape::RefineInjectively(mesh, start), "of the start is not counter-clockwise");
   start.col(0) *= -1.0;
-  shape::InjectiveRefinementOptions options;
-  options.Tolerance = 1.0;
-  EXPECT_THROW(shape::RefineInjectively(mesh, start, {}, options), shape::InvalidInput);
-  options = {};
-  options.Scale = 0.0;
-  EXPECT_THROW(shape::RefineInjectively(mesh, start, {}, options), shape::InvalidInput);
+  using Options = shape::InjectiveRefinementOptions;
+  shapetest::ExpectRefused<Options>(
+    [&](const Options& options) { shape::RefineInjectively(mesh, start, {}, options); }, {},
+    { { &Options::Tolerance, 1.0, { "Tolerance is 1" } },
+      { &Options::Scale, 0.0, { "Scale is 0" } } });
 }
 
 TEST(InjectiveRefinement, ProgressRisesAndCanStop)

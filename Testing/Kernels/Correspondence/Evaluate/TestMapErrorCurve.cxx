@@ -1,5 +1,6 @@
 #include "Base/Errors.h"
 #include "Correspondence/Evaluate/MapErrorCurve.h"
+#include "Support/Refusals.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Geometry>
@@ -139,14 +140,15 @@ TEST(MapErrorCurve, RefusesWhatHasNoError)
 {
   const shape::Mesh mesh = shapetest::Icosphere(2);
   const shape::GroundTruth none{ Eigen::MatrixXd(0, 3), Eigen::MatrixXd(0, 3), {} };
-  EXPECT_THROW(shape::ComputeMapErrorCurve(mesh, mesh.Points, mesh, none), shape::InvalidInput);
+  EXPECT_REFUSED(
+    shape::ComputeMapErrorCurve(mesh, mesh.Points, mesh, none), "the Truth has no points");
   const shape::GroundTruth truth{ mesh.Points, mesh.Points, {} };
-  EXPECT_THROW(
-    shape::ComputeMapErrorCurve(mesh, mesh.Points.topRows(3), mesh, truth), shape::InvalidInput);
+  EXPECT_REFUSED(shape::ComputeMapErrorCurve(mesh, mesh.Points.topRows(3), mesh, truth),
+    "the map of the Input has 3");
   shape::MapErrorCurveOptions options;
   options.LargestError = 0.0;
-  EXPECT_THROW(
-    shape::ComputeMapErrorCurve(mesh, mesh.Points, mesh, truth, options), shape::InvalidInput);
+  EXPECT_REFUSED(
+    shape::ComputeMapErrorCurve(mesh, mesh.Points, mesh, truth, options), "LargestError is 0");
   EXPECT_THROW(shape::ComputeMapErrorCurve(
                  mesh, mesh.Points, mesh, truth, {}, shape::Progress([](double) { return false; })),
     shape::Aborted);

@@ -1,6 +1,7 @@
 #include "Base/Errors.h"
 #include "Correspondence/Functional/HeatKernelMap.h"
 #include "Support/MatchingShapes.h"
+#include "Support/Refusals.h"
 #include "Support/SimpleSurfaces.h"
 
 #include <Eigen/Core>
@@ -111,14 +112,15 @@ TEST(HeatKernelMap, NamesWhatIsWrong)
 {
   const shape::Mesh sphere = shapetest::Icosphere(2);
   const shape::Mesh both = shapetest::Twice(sphere);
-  EXPECT_THROW(shape::ComputeHeatKernelMap(sphere, both, { { 0, 0 } }), shape::InvalidInput);
-  EXPECT_THROW(shape::ComputeHeatKernelMap(both, sphere, { { 0, 0 } }), shape::InvalidInput);
-  EXPECT_THROW(shape::ComputeHeatKernelMap(sphere, sphere, { { 0, 162 } }), shape::InvalidInput);
-  EXPECT_THROW(shape::ComputeHeatKernelMap(sphere, sphere, { { -1, 0 } }), shape::InvalidInput);
-  EXPECT_THROW(
-    shape::ComputeHeatKernelMap(sphere, sphere, { { 0, 0 } }, { 1, 25 }), shape::InvalidInput);
-  EXPECT_THROW(
-    shape::ComputeHeatKernelMap(sphere, sphere, { { 0, 0 } }, { 9, 0 }), shape::InvalidInput);
+  EXPECT_REFUSED(
+    shape::ComputeHeatKernelMap(sphere, both, { { 0, 0 } }), "surface B has 2 components");
+  EXPECT_REFUSED(
+    shape::ComputeHeatKernelMap(both, sphere, { { 0, 0 } }), "surface A has 2 components");
+  EXPECT_REFUSED(shape::ComputeHeatKernelMap(sphere, sphere, { { 0, 162 } }), "162");
+  EXPECT_REFUSED(shape::ComputeHeatKernelMap(sphere, sphere, { { -1, 0 } }), "-1");
+  EXPECT_REFUSED(
+    shape::ComputeHeatKernelMap(sphere, sphere, { { 0, 0 } }, { 1, 25 }), "Eigenpairs is 1");
+  EXPECT_REFUSED(shape::ComputeHeatKernelMap(sphere, sphere, { { 0, 0 } }, { 9, 0 }), "Times is 0");
   shape::Mesh loose = sphere;
   loose.Points.conservativeResize(163, 3);
   loose.Points.row(162).setZero();

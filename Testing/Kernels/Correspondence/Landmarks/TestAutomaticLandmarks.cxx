@@ -3,6 +3,7 @@
 #include "Correspondence/Landmarks/Private/FeatureAssignment.h"
 #include "Correspondence/Landmarks/Private/PersistentMaxima.h"
 #include "Support/MatchingShapes.h"
+#include "Support/Refusals.h"
 #include "Support/SimpleSurfaces.h"
 
 #include <Eigen/Core>
@@ -173,14 +174,14 @@ TEST(AutomaticLandmarks, NamesWhatIsWrong)
   const shape::Mesh sphere = shapetest::Icosphere(2);
   const Eigen::Index n = sphere.Points.rows();
   const shape::Mesh both = shapetest::Twice(sphere);
-  EXPECT_THROW(shape::FindLandmarks(sphere, both), shape::InvalidInput);
-  EXPECT_THROW(shape::FindLandmarks(both, sphere), shape::InvalidInput);
+  EXPECT_REFUSED(shape::FindLandmarks(sphere, both), "surface B");
+  EXPECT_REFUSED(shape::FindLandmarks(both, sphere), "surface A");
   shape::Mesh loose = sphere;
   loose.Points.conservativeResize(n + 1, 3);
   loose.Points.row(n).setZero();
   EXPECT_THROW(shape::FindLandmarks(sphere, loose), shape::InvalidInput);
-  EXPECT_THROW(
-    shape::FindLandmarks(sphere, sphere, { 3, 12, 10, true, true, true }), shape::InvalidInput);
+  EXPECT_REFUSED(
+    shape::FindLandmarks(sphere, sphere, { 3, 12, 10, true, true, true }), "Samples is 3");
 }
 
 TEST(AutomaticLandmarks, OfAnOctahedronAreAGuess)

@@ -2,6 +2,7 @@
 #include "Correspondence/Transport/GromovWasserstein.h"
 #include "Correspondence/Transport/Private/Sinkhorn.h"
 #include "Support/MatchingShapes.h"
+#include "Support/Refusals.h"
 #include "Support/SimpleSurfaces.h"
 
 #include <Eigen/Core>
@@ -219,9 +220,8 @@ TEST(GromovWasserstein, NamesWhatIsWrong)
 {
   const shape::Mesh sphere = shapetest::Icosphere(2);
   const shape::Mesh both = shapetest::Twice(sphere);
-  EXPECT_THROW(shape::ComputeGromovWassersteinMap(sphere, both, {}), shape::InvalidInput);
-  EXPECT_THROW(
-    shape::ComputeGromovWassersteinMap(sphere, sphere, { { 0, 999 } }), shape::InvalidInput);
+  EXPECT_REFUSED(shape::ComputeGromovWassersteinMap(sphere, both, {}), "surface B");
+  EXPECT_REFUSED(shape::ComputeGromovWassersteinMap(sphere, sphere, { { 0, 999 } }), "999");
   shape::GromovWassersteinOptions options;
   options.Samples = 5;
   EXPECT_THROW(
