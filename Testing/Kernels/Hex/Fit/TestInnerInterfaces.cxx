@@ -131,9 +131,8 @@ TEST(InnerInterfaces, TheirDistanceIsThatAfterTheOuterSurfaceIsSnappedTo)
   EXPECT_NE(snapped.InnerDistance, fit.InnerDistance);
   for (const shape::HexFit* each : { &snapped, &fit })
   {
-    const std::vector<shape::Surface> surfaces(inner.begin(), inner.end());
     EXPECT_EQ(each->InnerDistance,
-      shape::ComputeInterfaceDistance(each->Solid.Points, each->Interfaces, surfaces));
+      shape::ComputeInterfaceDistance(each->Solid.Points, each->Interfaces, inner));
   }
 }
 
@@ -142,7 +141,8 @@ TEST(InnerInterfaces, BallsSideBySideAndInOneAnother)
   const shape::Mesh outer = Ball(1.0, { 0.0, 0.0, 0.0 });
   std::vector<shape::Surface> inner = { Ball(0.3, { 0.0, 0.5, 0.0 }, 3),
     Ball(0.35, { 0.0, -0.4, 0.0 }, 3), Ball(0.15, { 0.0, -0.4, 0.0 }, 2) };
-  inner[1].Triangles = inner[1].Triangles.rowwise().reverse().eval(); // either way is right
+  // Either orientation is right.
+  inner[1] = shape::Surface(inner[1].Points(), inner[1].Triangles().rowwise().reverse());
   shape::GridHexesOptions options;
   options.CellSize = 0.1;
   options.Rounds = 1;
