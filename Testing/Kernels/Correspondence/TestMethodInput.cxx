@@ -94,7 +94,7 @@ TEST(MethodInput, LandmarksMustBeAsManyAsTheMethodTakes)
                          five = { { 0, 0 }, { 1, 1 }, { 2, 2 }, { 3, 3 }, { 4, 4 } };
   for (const Method method : { Method::BlendedIntrinsic, Method::CommonSphere })
   {
-    EXPECT_REFUSED(Require(sphere, sphere, method, one), "there is 1 landmark on");
+    EXPECT_REFUSED(Require(sphere, sphere, method, one), "there is 1 distinct landmark");
   }
   for (const shape::Landmarks& landmarks : { one, five })
   {

@@ -283,7 +283,7 @@ TEST(FillHoles, NamesWhatIsWrong)
 {
   const shape::Mesh open = shapetest::SphereWithoutCap(3, 40);
   EXPECT_REFUSED(shape::FillLoops(open, { { 0, 1 } }), "a loop has 2 points");
-  EXPECT_REFUSED(shape::FillLoops(open, { { 0, 1, 100000 } }), "point 100000 of");
+  EXPECT_REFUSED(shape::FillLoops(open, { { 0, 1, 100000 } }), "contains point 100000");
   shape::FillHolesOptions options;
   options.Filler.EdgeGrowth = -0.1;
   EXPECT_REFUSED(shape::FillHoles(open, options), "EdgeGrowth is -0.1");
