@@ -15,11 +15,11 @@ using Curve = Eigen::MatrixXd;
 /// Points of curves, each with the point at the same fraction of the length of the paired curve.
 struct MatchedCurves
 {
-  Eigen::MatrixXd Points;    ///< k x 3
-  Eigen::MatrixXd Targets;   ///< k x 3
-  Eigen::VectorXi Curves;    ///< k: the index of each point's curve
-  Eigen::VectorXd Positions; ///< k: i + t if the point lies at the fraction t of the segment from
-                             ///< point i to point i + 1
+  Eigen::MatrixXd Points;  ///< k x 3
+  Eigen::MatrixXd Targets; ///< k x 3
+  Eigen::VectorXi Curves;  ///< k: the index of each point's curve
+  /// k: i + t if the point lies at the fraction t of the segment from point i to point i + 1
+  Eigen::VectorXd Positions;
 };
 
 /**

@@ -39,8 +39,8 @@ struct GraphSources
 {
   std::vector<int> Nodes; ///< a node may occur several times
   Eigen::VectorXd Distances;
-  std::vector<int>
-    Before = {}; ///< for each source, the previous node on its path, or -1; empty = -1 for all
+  /// for each source, the previous node on its path, or -1; empty = -1 for all
+  std::vector<int> Before = {};
 };
 
 /**

@@ -15,7 +15,7 @@ namespace shape
 struct Topology
 {
   int EulerNumber = 0;        ///< points - edges + triangles
-  int Components = 0;         ///< number of components; triangles that share a point are connected
+  int Components = 0;         ///< triangles that share a point are connected
   int BoundaryLoops = 0;      ///< number of chains of edges with only one triangle
   int FirstOpenPoint = -1;    ///< a point of the first boundary loop, or -1
   int NonManifoldEdges = 0;   ///< number of edges with three or more triangles
@@ -24,8 +24,8 @@ struct Topology
   int FirstPinchedPoint = -1; ///< the first of these points, or -1
   int MisorientedEdges = 0;   ///< number of edges with the same direction in both triangles
   int FirstMisoriented = -1;  ///< a point of the first of these edges, or -1
-  Eigen::VectorXi
-    ComponentId; ///< n: 0, 1, ... in the order of the components' first points; -1 at unused points
+  /// n: 0, 1, ... in the order of the components' first points; -1 at unused points
+  Eigen::VectorXi ComponentId;
 };
 
 /// Throws InvalidInput if an index of a triangle is out of range.

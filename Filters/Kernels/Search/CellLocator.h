@@ -18,8 +18,8 @@ struct CellPoints
   /// positions. A row has entries at the corners of the cell, or of one of its triangles, and sums
   /// to 1.
   Eigen::SparseMatrix<double, Eigen::RowMajor> Weights;
-  Eigen::VectorXd
-    Distances; ///< n: 0 inside the cell, else the distance to the closest point of the cell
+  /// n: 0 inside the cell, else the distance to the closest point of the cell
+  Eigen::VectorXd Distances;
 };
 
 /**

@@ -17,8 +17,8 @@ struct FreeBoundaryResult
   /// volume. For this, images are scaled so that solid and target have the same volume. The energy
   /// of an isometry is 6.
   double DistortionBefore = 0.0, DistortionAfter = 0.0;
-  bool Kept =
-    false; ///< whether the distortion decreased; if not, Targets and Map are those passed in
+  /// whether the distortion decreased; if not, Targets and Map are those passed in
+  bool Kept = false;
 };
 
 /**
