@@ -15,8 +15,8 @@
 namespace shape
 {
 
-/// A graph whose edges have lengths, stored in compressed rows. For each k from First[i] to First[i
-/// + 1] - 1, an edge of length Lengths[k] connects node i to Neighbours[k].
+/// A graph whose edges have lengths, stored in compressed rows. For each k from First[i] to
+/// First[i + 1] - 1, an edge of length Lengths[k] connects node i to Neighbours[k].
 struct Graph
 {
   std::vector<int> First;      ///< n + 1
@@ -26,8 +26,8 @@ struct Graph
   int Size() const { return static_cast<int>(this->First.size()) - 1; }
 };
 
-/// Builds a graph. links: pairs of different nodes in any order, possibly repeated. positions: n x
-/// 3; the length of an edge is the distance between the positions of its nodes.
+/// Builds a graph. links: pairs of different nodes in any order, possibly repeated. positions:
+/// n x 3; the length of an edge is the distance between the positions of its nodes.
 Graph BuildGraph(const Eigen::MatrixXd& positions, std::vector<std::pair<int, int>> links);
 
 /// Returns the graph of a surface's points and edges, which is computed once and cached in the
@@ -47,11 +47,11 @@ struct GraphSources
  * Dijkstra's algorithm ("A note on two problems in connexion with graphs", 1959): visits the nodes
  * of a graph in ascending order of their distance from the sources.
  *
- * distances: n initial values, each lowered if a path from the sources is shorter. extend(distance,
- * k): for the distance at the start of edge k, returns the distance at its end. It must not be
- * smaller; it is infinity if the edge is closed. reach(node, before): called whenever the distance
- * of `node` is lowered; `before` is the previous node on the path, or -1. settle(node): called when
- * the distance of `node` is final; returns true to end the search.
+ * distances: n initial values, each lowered if a path from the sources is shorter.
+ * extend(distance, k): for the distance at the start of edge k, returns the distance at its end. It
+ * must not be smaller; it is infinity if the edge is closed. reach(node, before): called whenever
+ * the distance of `node` is lowered; `before` is the previous node on the path, or -1.
+ * settle(node): called when the distance of `node` is final; returns true to end the search.
  */
 template <typename Extend, typename Reach, typename Settle>
 void RunDijkstra(const Graph& graph, const GraphSources& sources, Eigen::VectorXd& distances,

@@ -25,9 +25,8 @@ namespace shape
  */
 class SolidRegions
 {
-  /// the region of positions outside the solid
 public:
-  static constexpr int Void = -1;
+  static constexpr int Void = -1; ///< the region of positions outside the solid
 
   /// surfaces: the boundary, then the material borders. Each is closed and consistently oriented,
   /// facing either way. names: denote the surfaces in messages. Throws InvalidInput if a component

@@ -10,10 +10,10 @@ namespace shape
 /**
  * Computes the heat kernel signature (Sun, Ovsjanikov and Guibas, "A concise and provably
  * informative multi-scale signature based on heat diffusion", 2009, equation 3). It is the heat
- * that remains at each point after some time, divided by the mean over the surface. At the point x
- * and the time t this is the sum of exp(-lambda t) phi(x)^2, divided by the sum of exp(-lambda t),
- * times the area. The signature is dimensionless, its area-weighted mean is 1, and it does not
- * depend on the size of the surface.
+ * that remains at each point after some time, divided by the mean over the surface. At the
+ * point x and the time t this is the sum of exp(-lambda t) phi(x)^2, divided by the sum of
+ * exp(-lambda t), times the area. The signature is dimensionless, its area-weighted mean is 1, and
+ * it does not depend on the size of the surface.
  *
  * Returns n x times. The times form a geometric sequence from 4 ln 10 / the largest eigenvalue to 4
  * ln 10 / the smallest nonzero one. The signature is 0 at points without a triangle. times: the
