@@ -12,9 +12,8 @@ namespace shape
  * boundary map, which a harmonic map inherits.
  *
  * boundary: closed. targets (n x 3, finite): the images of its points. Throws InvalidInput if the
- * target is not closed. Throws InvalidInput also if the genera of its components differ from those
- * of the boundary's components, because then there is no continuous one-to-one map between them.
- * Throws Aborted.
+ * target is not closed. Throws InvalidInput also if the components of target and boundary differ in
+ * genus: then no continuous one-to-one map exists between them. Throws Aborted.
  */
 double ComputeTargetDistance(const Surface& boundary, const Eigen::MatrixXd& targets,
   const Surface& target, const Progress& progress = {});

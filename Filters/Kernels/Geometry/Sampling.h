@@ -25,10 +25,10 @@ enum class SamplingMode
  * its mean.
  *
  * Li et al. 2010, section 4.1.1, use the points that remain after quadric simplification, which
- * leaves flat parts empty. RMSEInside of the harmonic map, with collocation points and sources of
- * this function against those of vtkQuadricDecimation: dented spheres of 3k and 10k points to the
- * ball 3.2e-3 against 3.6e-3 and 3.4e-4 against 3.7e-4; two-torus to its polycube 1.6e-3 against
- * 1.7e-3; twisted bar to its box 3.3e-5 against 1.6e-3. This function also takes less time.
+ * leaves flat parts empty. RMSEInside of the harmonic map with samples of this function, against
+ * samples of vtkQuadricDecimation: dented spheres of 3k and 10k points to the ball 3.2e-3 against
+ * 3.6e-3 and 3.4e-4 against 3.7e-4; two-torus to its polycube 1.6e-3 against 1.7e-3; twisted bar to
+ * its box 3.3e-5 against 1.6e-3. This function also takes less time.
  *
  * Throws InvalidInput if count < 4 or the surface has no area; Aborted.
  */

@@ -25,8 +25,7 @@ struct InverseMapOptions
  * path: its image moves from f(start) to y on a straight line. The first path starts at the
  * boundary position whose image is nearest to y, so no other boundary image lies on the line. The
  * second path starts at the nearest seed. Finally, Newton's method is tried from further seeds.
- * Where f folds, a point has several preimages. One of them is returned, and every call returns the
- * same one.
+ * Where f folds, a point has several preimages. Find returns one of them, always the same.
  *
  * A point is Outside without a search if two conditions hold. First, it lies outside the boundary's
  * image by more than 4 times the tolerance of ComputeDomainTolerances. Second, the determinant of

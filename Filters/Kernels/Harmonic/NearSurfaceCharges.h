@@ -47,7 +47,7 @@ public:
     Little,
     More
   };
-  /// boundary: closed, facing out of the solid, longest side 1. surface: the same surface or a
+  /// boundary: closed, facing out of the solid, with longest side 1. surface: the boundary, or a
   /// refinement of it. Throws SolveFailure if no charge has room; Aborted.
   NearSurfaceChargeSystem(const SignedDistance& boundary, const Surface& surface,
     Effort effort = Effort::Little, const Progress& progress = {});
@@ -55,7 +55,7 @@ public:
   /// Positions where values are prescribed: m x 3, the surface's points and then its triangles'
   /// centroids.
   const Eigen::MatrixXd& Rows() const { return this->System.Rows; }
-  /// Positions of all charges, the coarse ones last: k x 3.
+  /// Positions of all charges, k x 3; the coarse charges come last.
   const Eigen::MatrixXd& Sources() const { return this->AllSources; }
   /// Number of surface points without a charge: in a gap too narrow, or without a normal.
   int PointsWithoutCharge() const { return this->WithoutCharge; }

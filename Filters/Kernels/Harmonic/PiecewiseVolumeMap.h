@@ -24,11 +24,11 @@ struct PiecewiseVolumeMapOptions
   /// them. With 1 instead of 0, the jumps of MultiLevel are 2 to 3 times smaller at 6 times the
   /// cost.
   int InterfaceRefinement = 1;
-  /// Ratio (>= 0) of the thickness of a skin to the maximum jump at its border. Thickness is
-  /// relative to the longest side of the boundary, the jump to that of the targets. In a thinner
-  /// skin the map bends more sharply; a thicker skin departs from the layer's harmonic map over a
-  /// longer distance. The thickness is limited to half the distance to the charges beyond the
-  /// border, and to half the distance to the next border.
+  /// Ratio (>= 0) of the thickness of a skin to the maximum jump at its border. The thickness is
+  /// relative to the longest side of the boundary, the jump to the longest side of the targets. In
+  /// a thinner skin the map bends more sharply; a thicker skin departs from the layer's harmonic
+  /// map over a longer distance. The thickness is limited to half the distance to the charges
+  /// beyond the border, and to half the distance to the next border.
   double SkinPerJump = 20.0;
 };
 

@@ -48,8 +48,8 @@ public:
     const Eigen::VectorXi& clusters, const SchwarzOptions& options = {},
     const Progress& progress = {});
 
-  /// residual: m x k. Returns the charges at the sources, then those at the coarse sources: (n + c)
-  /// x k.
+  /// residual: m x k. Returns the charges at the sources, then the charges at the coarse sources:
+  /// (n + c) x k.
   Eigen::MatrixXd Apply(const Eigen::MatrixXd& residual) const;
 
 private:

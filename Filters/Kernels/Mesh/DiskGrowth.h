@@ -8,9 +8,10 @@ namespace shape
 {
 
 /**
- * Grows a disk over a surface from its first triangle, in O(m log m). Of the triangles whose
- * addition leaves the disk a disk, each step adds that of lowest index. Where the disk meets
- * itself, for example behind a hole or around a cylindrical part, it stays open along a line.
+ * Grows a disk over a surface from its first triangle, in O(m log m). Each step adds one triangle,
+ * so that the disk remains a disk. If several triangles are possible, it is the one with the lowest
+ * index. Where the disk meets itself, for example behind a hole or around a cylindrical part, it
+ * stays open along a line.
  *
  * triangles: m x 3, an oriented 2-manifold with or without boundary. points: the number of points.
  * Returns the indices of the disk's triangles, ascending. These are all triangles if the surface is

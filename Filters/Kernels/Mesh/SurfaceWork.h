@@ -31,8 +31,8 @@ public:
 
   int Count(Kind kind) const { return this->Counts[static_cast<std::size_t>(kind)]; }
 
-  /// The function that computes a topology or search tree calls this first. points: those of its
-  /// surface. May be called from any thread.
+  /// Must be called by every function that computes a topology or a search tree. points: the points
+  /// of the surface. May be called from any thread.
   static void Note(Kind kind, const Eigen::MatrixXd& points);
 
 private:

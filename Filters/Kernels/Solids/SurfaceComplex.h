@@ -27,8 +27,8 @@ void RequireClosed(const Surface& surface, const std::string& name);
 SurfaceComplex JoinSurfaces(const std::vector<Surface>& surfaces);
 
 /// Throws InvalidInput if triangles are degenerate, cross or coincide; Aborted. The message
-/// contains their number, the first of them, and its position divided by `unit`. names: denote the
-/// surfaces in messages.
+/// contains the number of such triangles or pairs, and the first ones with their positions,
+/// multiplied by `unit`. names: denote the surfaces in messages.
 void RequireConformingComplex(const SurfaceComplex& complex, const std::vector<std::string>& names,
   double unit, const Progress& progress = {});
 

@@ -27,10 +27,9 @@ Eigen::MatrixXd ComputeHeatKernelSignature(const LaplaceEigenpairs& spectrum, in
  * equation 6), times the area. Its area-weighted mean is 1.
  *
  * Returns n x energies; 0 at points without a triangle. The logarithms of the energies are evenly
- * spaced. They range from 2 standard deviations above the logarithm of the smallest nonzero
- * eigenvalue to 2 below that of the largest. The standard deviation is 7 % of the difference of
- * these two logarithms. energies: the number of energies; >= 1. Throws InvalidInput if all
- * eigenvalues are 0.
+ * spaced. With the logarithms a and b of the smallest nonzero and the largest eigenvalue, they
+ * range from a + 2 s to b - 2 s, where the standard deviation s is 0.07 (b - a). energies: the
+ * number of energies; >= 1. Throws InvalidInput if all eigenvalues are 0.
  */
 Eigen::MatrixXd ComputeWaveKernelSignature(const LaplaceEigenpairs& spectrum, int energies = 100);
 

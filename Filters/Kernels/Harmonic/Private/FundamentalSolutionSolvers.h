@@ -15,11 +15,11 @@ void SolveSingleShot(FundamentalSolutionFit& problem, const HarmonicVolumeMapOpt
   HarmonicVolumeMapResult& result, const Progress& progress);
 
 /**
- * Fits a sum of maps (Li et al. 2010, sections 3.3 and 4.1.2). The first fits a coarse boundary
- * map, each later one the residual of the sum so far on the finer boundary map. The sources are
- * divided into evenly spread subsets, which the levels use in turn. Sources that a decomposition
- * shows to be redundant are deleted. New ones are placed near the points with the largest errors,
- * which become collocation points too.
+ * Fits a sum of maps (Li et al. 2010, sections 3.3 and 4.1.2). The first map fits a coarse boundary
+ * map. Each later map fits the residual of the sum so far on the finer boundary map. The sources
+ * are divided into evenly spread subsets, which the levels use in turn. Sources that a
+ * decomposition shows to be redundant are deleted. New sources are placed near the points with the
+ * largest errors, and these points become collocation points, too.
  *
  * Beyond the paper, coarse subsets lie farther out. The distances of the subsets from the boundary
  * form a geometric sequence; the first is ComputeCoarseness times the last. At the distance that
