@@ -13,7 +13,7 @@ struct SampledDistances
 {
   Eigen::MatrixXd Positions; ///< n x 3
   Eigen::MatrixXd Nearest;   ///< n x 3: the nearest points on the other surface
-  Eigen::VectorXd Distances; ///< n: the distances between both
+  Eigen::VectorXd Distances; ///< n: from each position to its nearest point
 };
 
 /// Computes the distances from `to` at the points that triangles of `from` use, and at 50,000

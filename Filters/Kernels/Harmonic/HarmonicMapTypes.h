@@ -20,7 +20,7 @@ struct HarmonicVolumeMapOptions
     /// the error stays above the tolerance, the boundary is refined. Features are then fitted by
     /// MultiLevel on top of this map.
     Accelerated = 0,
-    MultiLevel = 1, ///< a sum of harmonic maps, each fitted to the residual of the previous ones
+    MultiLevel = 1, ///< a sum of harmonic maps, each fitted to the residual of the previous maps
     SingleShot = 2  ///< one map, from one decomposition of all sources and collocation points
   };
   MethodType Method = MethodType::Accelerated;
@@ -33,7 +33,7 @@ struct HarmonicVolumeMapOptions
   /// subsets if one would otherwise have fewer than 16 sources.
   int SourceSubsets = 8;
   /// Minimum relative decrease of the residual; >= 0, < 1. MultiLevel stops when two levels in a
-  /// row gain less. Accelerated stops when one level, except the first, gains less. This is also
+  /// row gain less. Accelerated stops when a level after the first gains less. This is also
   /// GmresOptions::LeastGain of Accelerated.
   double LeastGain = 0.02;
   double FeatureWeight = 20.0;   ///< weight of features that are given without weights; > 0
@@ -73,8 +73,8 @@ struct HarmonicVolumeMapResult
   struct Level
   {
     int Number = 0;            ///< 0: the affine map alone
-    int Sources = 0;           ///< columns of the system
-    int Collocations = 0;      ///< rows of the system, features included
+    int Sources = 0;           ///< number of columns of the system
+    int Collocations = 0;      ///< number of rows of the system, features included
     double RMSEVertices = 0.0; ///< at the boundary's points
     double RMSEInside = 0.0;   ///< at one position inside each triangle (ComputeOffCentres)
     double Maximum = 0.0;      ///< maximum over both

@@ -30,8 +30,8 @@ struct AcceleratedSetup;
  * dense matrices and are meant for small boundaries. The paper's offset is 0.15 times the longest
  * side of the box. Here the default distance of the nearest charges is 1.25 times the spacing of
  * the collocation points, clamped to between 0.01 and 0.15 times that side. RMSEInside of
- * MultiLevel with 0.8, 1.25 and 2 instead of 1.25: dented ball with 2892 points to ball 1.4e-3,
- * 2.4e-3, 5.6e-3; the inverse direction 4.1e-4, 2.7e-4, 2.2e-4.
+ * MultiLevel with the factors 0.8, 1.25 and 2 of the spacing: dented ball with 2892 points to ball
+ * 1.4e-3, 2.4e-3, 5.6e-3; the inverse direction 4.1e-4, 2.7e-4, 2.2e-4.
  *
  * Each fitted map is scaled before it is added, by one factor for each coordinate. The factors
  * minimize the residual inside triangles and at features. They differ from 1 if the fit oscillates

@@ -14,7 +14,7 @@ namespace shape
 struct TestedSystem
 {
   Eigen::MatrixXd Rows;    ///< m x 3: positions where values are prescribed
-  Eigen::VectorXd Weights; ///< m, >= 0: weights of the rows
+  Eigen::VectorXd Weights; ///< m values, each >= 0: weights of the rows
   Eigen::SparseMatrix<double, Eigen::RowMajor> Tests; ///< n x m: weights of the averages
   Eigen::MatrixXd Sites;                              ///< n x 3
   Eigen::MatrixXd Sources;                            ///< n x 3
@@ -58,7 +58,7 @@ private:
     std::vector<int> Own;    ///< the sites whose charges the block solves for
     std::vector<int> Inputs; ///< rows of Positions whose residuals the block reads
     bool TakesRows = false;  ///< true: the inputs are rows of the system, not averages
-    Eigen::MatrixXf Inverse; ///< number of own sites x number of inputs
+    Eigen::MatrixXf Inverse; ///< own sites x inputs: from the inputs to the charges
   };
   static Block MakeBlock(const TestedSystem& system, const std::vector<int>& own,
     const std::vector<int>& around, double maximumAmplification);
@@ -77,8 +77,8 @@ private:
   Eigen::MatrixXd CoarseInverse; ///< c x c: from the cluster means to the coarse charges
 };
 
-/// Splits points (n x 3) recursively at the median of the longest side of their box until no part
-/// has more than `maximum` points. Returns the rows in each part, ascending.
+/// Splits points (n x 3) recursively into parts of at most `maximum` points. Each split is at the
+/// median along the longest side of the part's box. Returns the rows in each part, ascending.
 std::vector<std::vector<int>> SplitAtMedians(const Eigen::MatrixXd& points, int maximum);
 
 } // namespace shape

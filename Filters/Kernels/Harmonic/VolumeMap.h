@@ -21,8 +21,8 @@ struct VolumeMapConditions
   Surface Boundary;                   ///< closed: around the solid and its voids
   Eigen::MatrixXd Targets;            ///< n x 3: the images of its points
   std::optional<Surface> Target;      ///< the surface that the boundary is mapped to
-  std::vector<ExactSurface> Surfaces; ///< inside; exact: see VolumeMapOptions::Exact
-  VolumeFeatures Features;            ///< inside; fitted in the least-squares sense
+  std::vector<ExactSurface> Surfaces; ///< inside the boundary, for VolumeMapOptions::Exact
+  VolumeFeatures Features;            ///< inside the boundary, fitted by least squares
 };
 
 struct VolumeMapOptions
