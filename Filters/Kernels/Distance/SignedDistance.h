@@ -29,7 +29,7 @@ public:
     ClosestPoints Closest;     ///< the closest points on the surface
   };
 
-  /// points: n x 3, finite. Throws what SurfaceLocator::Find throws.
+  /// points: n x 3, finite. Throws the exceptions of SurfaceLocator::Find.
   Result Evaluate(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
 
   const SurfaceLocator& Locator() const { return this->Nearest; }

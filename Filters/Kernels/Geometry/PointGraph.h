@@ -51,7 +51,7 @@ struct PointGraph : Graph
   Eigen::MatrixXd Normals;  ///< n x 3: the unit normal at each node, or 0 if there is none
   Eigen::VectorXi NodeOf;   ///< for each point of the shape, its node
   std::vector<int> PointOf; ///< n: the first point of each node
-  double MeanLength = 0.0;  ///< ComputeMeanLinkLength
+  double MeanLength = 0.0;  ///< see ComputeMeanLinkLength
 
   /// Returns the number of nodes, even before they are linked.
   int Size() const { return static_cast<int>(this->Positions.rows()); }
@@ -73,7 +73,8 @@ void SetLinks(PointGraph& graph, std::vector<std::pair<int, int>> links);
 /// Returns the mean length of the links, weighted by the nodes' weights; 0 if there are none.
 double ComputeMeanLinkLength(const PointGraph& graph);
 
-/// Returns the links of a graph without repeats, the lower node first, in ascending order.
+/// Returns the links of a graph without repeats. Each link has its lower node first, and the links
+/// are sorted.
 std::vector<std::pair<int, int>> ListLinks(const PointGraph& graph);
 
 } // namespace shape

@@ -43,9 +43,9 @@ const Eigen::MatrixXd& GetVertexNormals(const Surface& surface);
  *
  * A paraboloid is fitted to the two rings of vertices around each vertex, weighted by the area
  * around them (Cazals and Pouget, "Estimating differential quantities using polynomial fitting of
- * osculating jets", 2005). Vertices of triangles that face the other way are ignored. The result is
- * the normal weighted by area instead if there are too few vertices, or if the paraboloid turns the
- * normal by more than 60 degrees. It is zero if the triangles have no area.
+ * osculating jets", 2005). Vertices of triangles that face the other way are ignored. If there are
+ * too few vertices, or if the paraboloid turns the normal by more than 60 degrees, the result is
+ * the normal weighted by area. It is zero if the triangles have no area.
  *
  * The normals are exact on planes. On spheres their error is of third order in the edge length.
  * fans: the fans of the surface's triangles.

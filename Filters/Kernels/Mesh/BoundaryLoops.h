@@ -15,7 +15,7 @@ struct BoundaryLoops
   /// surface lies to the left). Each loop starts at its point of lowest index. The longest loop
   /// comes first; loops of equal length are ordered by their first points.
   std::vector<std::vector<int>> Loops;
-  int UnclosedSides = 0; ///< boundary edges that belong to no closed loop
+  int UnclosedSides = 0; ///< number of boundary edges that belong to no closed loop
 };
 
 /**

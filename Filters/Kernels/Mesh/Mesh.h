@@ -64,9 +64,9 @@ Mesh OrientOutwards(Mesh mesh);
 Eigen::MatrixXd ComputeCentroids(const Mesh& mesh);
 
 /// Returns one position in each triangle (m x 3), as far from the edges as a random position is on
-/// average. It lies off the centroid and the medians, where a map may have been fitted, so an error
-/// measured at it is not too small. The order of the corners' coordinates decides which corner it
-/// is closest to.
+/// average. It lies off the centroid and the medians, where a map may have been fitted, so that
+/// errors are not underestimated. The order of the corners' coordinates decides which corner it is
+/// closest to.
 Eigen::MatrixXd ComputeOffCentres(const Mesh& mesh);
 
 /// Interpolates values at the points (n x d) linearly at the positions of ComputeOffCentres.

@@ -55,7 +55,7 @@ public:
   /// The twin of each half-edge (FindTwins). The surface must be an oriented 2-manifold.
   const std::vector<int>& Twins() const;
 
-  /// The topology (ComputeTopology). Throws what ComputeTopology throws.
+  /// The topology (ComputeTopology). Throws the exceptions of ComputeTopology.
   const shape::Topology& Topology() const;
 
   /// The twice-area vectors of the triangles (m x 3, ComputeAreaVectors).
