@@ -19,7 +19,8 @@ Surface Oriented(const Surface& surface, const Progress& progress)
   }
   catch (const InvalidInput& error)
   {
-    throw InvalidInput(error.what() + std::string("; or turn Signed off, for any surface"));
+    throw InvalidInput(
+      error.what() + std::string("; or turn Signed off, which works for any surface"));
   }
 }
 
@@ -31,7 +32,7 @@ BoundaryDistance::BoundaryDistance(
   if (surface.Triangles().rows() == 0)
   {
     throw InvalidInput(
-      "the Surface has no polygons; give a surface, such as Extract Surface makes");
+      "the Surface has no polygons; give a surface, for example the output of Extract Surface");
   }
   RequireFinite(surface.Points(), "the Surface");
   if (options.Signed)

@@ -10,7 +10,7 @@ namespace shape
 /**
  * The distance to a closed surface, negative inside it.
  *
- * The sign is that of the angle-weighted pseudonormal at the closest point (Baerentzen and Aanaes,
+ * The angle-weighted pseudonormal at the closest point determines the sign (Baerentzen and Aanaes,
  * "Signed distance computation using the angle weighted pseudonormal", 2005). It is correct if the
  * surface is closed, faces outwards and does not cross itself. If a triangle at the closest point
  * is degenerate and has no normal, the winding number decides.
@@ -18,8 +18,9 @@ namespace shape
 class SignedDistance
 {
 public:
-  /// surface: closed, triangles counter-clockwise seen from outside (checked by the caller). Its
-  /// search tree and pseudonormals are cached in it, so another distance to it costs nothing.
+  /// surface: closed, triangles counter-clockwise seen from outside (checked by the caller). The
+  /// search tree and the pseudonormals are cached in the surface, so another SignedDistance of the
+  /// same surface costs nothing.
   explicit SignedDistance(const Surface& surface);
 
   struct Result
@@ -28,7 +29,7 @@ public:
     ClosestPoints Closest;     ///< the closest points on the surface
   };
 
-  /// points: n x 3, finite. Throws what SurfaceLocator::Find throws.
+  /// points: n x 3, finite. Throws the exceptions of SurfaceLocator::Find.
   Result Evaluate(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
 
   const SurfaceLocator& Locator() const { return this->Nearest; }
@@ -42,20 +43,19 @@ private:
   std::shared_ptr<const Pseudonormals> Normals;
 };
 
-/// Returns the distance outside a closed surface up to which points belong to its domain, for each
-/// of the closest points on `surface` (n); see FindPointsOutsideDomain.
+/// Returns the tolerance of FindPointsOutsideDomain at each of the n closest points on `surface`.
 Eigen::VectorXd ComputeDomainTolerances(
   const Surface& surface, const ClosestPoints& closest, double farthest);
 
 /**
- * Finds the points (n x 3, finite) outside the domain that a closed, outward-facing surface bounds:
- * 1 outside, 0 inside or within the tolerance.
+ * Finds the points (n x 3, finite) outside the domain that a closed, outward-facing surface bounds.
+ * Returns 1 for a point outside, and 0 for a point inside or within the tolerance (n values).
  *
  * The tolerance is a quarter of the longest edge of the closest triangle. It is at most `farthest`,
- * and at least 1e-6 of the longest edge of the surface's bounding box. A solid that was meshed
- * against the smooth surface protrudes from its facets by less than that, and its points belong to
- * the domain. `farthest` is half the distance of the charges: close to them a harmonic map is
- * meaningless.
+ * and at least 1e-6 of the longest edge of the surface's bounding box. A solid that was meshed from
+ * the smooth surface protrudes from the facets by less than that, so its points belong to the
+ * domain. `farthest` is half the distance of the charges of a harmonic map, because close to them
+ * the map is meaningless.
  *
  * Throws Aborted.
  */

@@ -3,8 +3,8 @@
 namespace shape
 {
 
-/// The angle between the normals of two faces, in degrees, above which their edge is a feature:
-/// the default of every kernel and filter.
+/// The default feature angle, in degrees, of every kernel and filter. An edge is a feature if the
+/// angle between the normals of its two faces is larger.
 inline constexpr double DefaultFeatureAngle = 40.0;
 
 } // namespace shape

@@ -8,30 +8,32 @@
 namespace shape
 {
 
-/// A polyline: its points in order (n x 3, n >= 2). A closed one repeats its first point at the
-/// end.
+/// The points of a polyline, in order (n x 3, n >= 2). The first and last points of a closed
+/// polyline are equal.
 using Curve = Eigen::MatrixXd;
 
-/// Points of curves, and the points at the same fraction of the length of the paired curves.
+/// Points of curves, each with the point at the same fraction of the length of the paired curve.
 struct MatchedCurves
 {
-  Eigen::MatrixXd Points;    ///< k x 3
-  Eigen::MatrixXd Targets;   ///< k x 3
-  Eigen::VectorXi Curves;    ///< k: the index of each point's curve
-  Eigen::VectorXd Positions; ///< k: i + t, at the fraction t of the segment from point i to i + 1
+  Eigen::MatrixXd Points;  ///< k x 3
+  Eigen::MatrixXd Targets; ///< k x 3
+  Eigen::VectorXi Curves;  ///< k: the index of each point's curve
+  /// k: i + t if the point lies at the fraction t of the segment from point i to point i + 1
+  Eigen::VectorXd Positions;
 };
 
 /**
  * Pairs the i-th curve of `sources` with the i-th of `targets` by arc length (the restamping of
- * skeletons in Li et al. 2010, section 4.4). A point at the fraction s of its curve's length goes
- * to the point at the fraction s of the other's length. The numbers of points may differ.
+ * skeletons in Li et al. 2010, section 4.4). A point at the fraction s of its curve's length is
+ * paired with the point at the fraction s of the other curve's length. The two curves may have
+ * different numbers of points.
  *
- * The result contains the points of `sources`, and further evenly spaced points between two that
- * are more than `longestStep` (> 0) apart.
+ * The result contains the points of `sources`. Between two consecutive points more than
+ * `longestStep` (> 0) apart, it also contains evenly spaced points.
  *
- * `name` is used for the curves in messages. Throws InvalidInput if the numbers of curves differ,
- * or if a curve has no length or non-finite coordinates. Throws it also if two consecutive points
- * of `sources` are more than 10,000 steps apart.
+ * `name` denotes the curves in messages. Throws InvalidInput if the numbers of curves differ, or if
+ * a curve has no length or a coordinate that is not finite. Throws InvalidInput also if two
+ * consecutive points of `sources` are more than 10,000 `longestStep` apart.
  */
 MatchedCurves MatchCurves(const std::vector<Curve>& sources, const std::vector<Curve>& targets,
   double longestStep, const std::string& name);

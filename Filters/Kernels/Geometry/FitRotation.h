@@ -5,17 +5,18 @@
 namespace shape
 {
 
-/// Returns the rotation nearest to a matrix: its orthogonal polar factor or, if that is a
-/// reflection, the nearest rotation. For the matrix sum_j to_j from_j^T it is the rotation R that
+/// Returns the rotation nearest to a matrix. It is the orthogonal polar factor of the matrix,
+/// unless this factor is a reflection. For the matrix sum_j to_j from_j^T it is the rotation R that
 /// minimises the sum of |R from_j - to_j|^2 (Kabsch 1976).
 Eigen::Matrix3d FitRotation(const Eigen::Matrix3d& matrix);
 
-/// The same for a matrix that may not determine the rotation, with an estimate of it. If the matrix
-/// has rank one, the result is the estimate followed by the smallest rotation that takes its
-/// direction to where the matrix takes it. If the matrix is zero, the result is the estimate.
+/// The same, for a matrix that may not determine the rotation. If the matrix is zero, the result is
+/// `estimate`. If it has rank one, u v^T, the result is `estimate`, followed by the smallest
+/// rotation that takes the estimated image of v to the direction of u.
 Eigen::Matrix3d FitRotation(const Eigen::Matrix3d& matrix, const Eigen::Matrix3d& estimate);
 
-/// FitRotation of a mean of rotations, to 1e-9; ten times as fast if they do not differ too much.
+/// Returns FitRotation(mean) for a mean of rotations, to 1e-9. It is ten times as fast if the
+/// rotations do not differ too much.
 Eigen::Matrix3d FitBlendedRotation(const Eigen::Matrix3d& mean);
 
 } // namespace shape

@@ -8,8 +8,8 @@ namespace shape
 {
 
 /**
- * Connects a graph. Components without a node in `mainland`, such as parts of a soup or loose
- * points, are linked to the nearest node of another component until all are connected. Returns the
+ * Adds links until the graph is connected. Each component without a node in `mainland`, such as a
+ * part of a soup or a loose point, is linked to the nearest node of another component. Returns the
  * original number of components.
  *
  * mainland: at least one node. Throws Aborted.

@@ -12,8 +12,8 @@
 namespace shape
 {
 
-/// The elements of a shape, over common points: a curve network, a surface or soup of triangles, a
-/// solid of tetrahedra, any mix of them, or points alone.
+/// The elements of a shape, with common points. The shape may be a curve network, a surface or soup
+/// of triangles, a solid of tetrahedra, a mix of these, or points alone.
 struct ShapeElements
 {
   Eigen::MatrixXd Points;     ///< n x 3
@@ -24,33 +24,36 @@ struct ShapeElements
 
 struct PointGraphOptions
 {
-  int Nearest = 8; ///< number of neighbours of a point that no element connects to another
+  int Nearest = 8; ///< number of nearest points to which a point without elements is linked
 };
 
 /**
  * The graph of a shape's points, for propagation over shapes of any kind: curves, surfaces, solids,
  * soups and point sets, manifold or not.
  *
- * Nodes are the points; coincident ones are welded (FindPointsWithinTolerance).
+ * The nodes are the points of the shape, with coincident points welded (FindPointsWithinTolerance).
  */
 struct PointGraph : Graph
 {
   Eigen::MatrixXd Points;    ///< all points of the shape, before welding
   Eigen::MatrixXd Positions; ///< n x 3
-  /// n: how much of the shape a node represents (equation 8 of Schmidt and Singh, "Drag-and-drop
-  /// surface composition"), so that dense regions do not dominate. It is the area of the triangles,
-  /// volume of the tetrahedra or length of the lines around the node; if there are none, the
-  /// squared distance of its nearest neighbour. 0 if all its elements are degenerate.
+  /// n values: how much of the shape a node represents (equation 8 of Schmidt and Singh,
+  /// "Drag-and-drop surface composition"), so that dense regions do not dominate. It is the area of
+  /// the triangles, volume of the tetrahedra or length of the lines around the node. Volumes are
+  /// divided, and lengths multiplied, by the mean length of a link, so every weight is an area.
+  /// Without elements it is the squared distance to the nearest neighbour. It is 0 if all elements
+  /// of the node are degenerate.
   Eigen::VectorXd Weights;
-  /// n: the absolute Gaussian curvature: the angle defect of the triangles around each node over a
-  /// third of their area. 0 where it is undefined (boundaries, non-manifold nodes).
+  /// n values: the absolute Gaussian curvature at each node. It is the angle defect of the
+  /// triangles around the node, divided by a third of their area; 0 on boundaries and at
+  /// non-manifold nodes, where it is undefined.
   Eigen::VectorXd Curvatures;
-  Eigen::MatrixXd Normals;  ///< n x 3: unit normals of the triangles around each node, or 0
+  Eigen::MatrixXd Normals;  ///< n x 3: the unit normal at each node, or 0 if there is none
   Eigen::VectorXi NodeOf;   ///< for each point of the shape, its node
   std::vector<int> PointOf; ///< n: the first point of each node
-  double MeanLength = 0.0;  ///< ComputeMeanLinkLength
+  double MeanLength = 0.0;  ///< see ComputeMeanLinkLength
 
-  /// Nodes, also before they are linked.
+  /// Returns the number of nodes, even before they are linked.
   int Size() const { return static_cast<int>(this->Positions.rows()); }
 };
 
@@ -63,14 +66,15 @@ PointGraph BuildPointGraph(
 /// Builds the graph of a surface.
 PointGraph BuildPointGraph(const Mesh& surface, const PointGraphOptions& options = {});
 
-/// Replaces the links of a graph by these pairs of different nodes, in any order, possibly with
-/// repeats. Lengths are the straight distances.
+/// Replaces the links of a graph. links: pairs of different nodes, in any order, possibly with
+/// repeats. The length of a link is the distance between its nodes.
 void SetLinks(PointGraph& graph, std::vector<std::pair<int, int>> links);
 
 /// Returns the mean length of the links, weighted by the nodes' weights; 0 if there are none.
 double ComputeMeanLinkLength(const PointGraph& graph);
 
-/// Returns the links of a graph without repeats, the lower node first, in ascending order.
+/// Returns the links of a graph without repeats. Each link has its lower node first, and the links
+/// are sorted.
 std::vector<std::pair<int, int>> ListLinks(const PointGraph& graph);
 
 } // namespace shape

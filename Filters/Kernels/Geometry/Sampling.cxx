@@ -112,7 +112,7 @@ Eigen::MatrixXd SampleSurface(
   {
     throw InvalidInput(count < 4
         ? "cannot spread " + std::to_string(count) + " points over a surface; ask for at least 4"
-        : "the surface to sample has no area");
+        : "the surface to sample has no area; check its coordinates");
   }
   const double radius = ComputePackingRadius(area, count);
   // Adaptive samples are up to four times as dense as the mean: they need more candidates to choose

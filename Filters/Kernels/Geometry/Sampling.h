@@ -20,26 +20,28 @@ enum class SamplingMode
  * sets", 2015).
  *
  * Uniform: maximises the distances between points. GeometryAdaptive: the density follows the
- * curvature of the surface within one spacing, so that facets between the points would deviate from
- * it by the same amount everywhere; it stays within [0.5, 4] times the mean.
+ * curvature of the surface, measured within one spacing. Facets between the points would then
+ * deviate from the surface by the same amount everywhere. The density stays within [0.5, 4] times
+ * its mean.
  *
- * Li et al. 2010, section 4.1.1, use the points that quadric simplification leaves, which has no
- * preference in flat parts and leaves them empty. RMSEInside of the harmonic map with collocation
- * points and sources from here, against vtkQuadricDecimation: dented spheres of 3k and 10k points
- * to the ball 3.2e-3 against 3.6e-3 and 3.4e-4 against 3.7e-4; two-torus to its polycube 1.6e-3
- * against 1.7e-3; twisted bar to its box 3.3e-5 against 1.6e-3; in less time.
+ * Li et al. 2010, section 4.1.1, use the points that remain after quadric simplification, which
+ * leaves flat parts empty. RMSEInside of the harmonic map with samples of this function, against
+ * samples of vtkQuadricDecimation: dented spheres of 3k and 10k points to the ball 3.2e-3 against
+ * 3.6e-3 and 3.4e-4 against 3.7e-4; two-torus to its polycube 1.6e-3 against 1.7e-3; twisted bar to
+ * its box 3.3e-5 against 1.6e-3. This function also takes less time.
  *
  * Throws InvalidInput if count < 4 or the surface has no area; Aborted.
  */
 Eigen::MatrixXd SampleSurface(const Mesh& surface, int count, SamplingMode mode,
   unsigned int seed = 1, const Progress& progress = {});
 
-/// The same for several surfaces: `count` points are distributed by area, with at least `minimum`
-/// on each. Returns the points of each surface.
+/// The same for several surfaces. The `count` points are distributed in proportion to area, with at
+/// least `minimum` on each surface. Returns the points of each surface.
 std::vector<Eigen::MatrixXd> SampleSurfaces(const std::vector<Mesh>& surfaces, int count,
   int minimum, SamplingMode mode, unsigned int seed = 1, const Progress& progress = {});
 
-/// Returns the radius of `count` equal disks in the densest packing of a plane region of this area.
+/// Returns the radius of `count` equal disks that are packed as densely as possible in a plane
+/// region of this area.
 double ComputePackingRadius(double area, int count);
 
 /// Returns the `count` rows of `points` (n x 3) that weighted elimination keeps, ascending. radii
@@ -48,8 +50,9 @@ Eigen::VectorXi EliminateSamples(const Eigen::MatrixXd& points, const Eigen::Vec
   int count, const Progress& progress = {});
 
 /**
- * Estimates the area that each of the points spread over a surface represents, relative to the mean
- * (n): the square of the mean distance to its 6 nearest neighbours, within a factor of 10.
+ * Estimates the area that each of n points spread over a surface represents, divided by the mean (n
+ * values). The estimate is the square of the mean distance to the 6 nearest neighbours, clamped to
+ * within a factor of 10.
  *
  * With these weights a sum over the points approximates an integral over the surface, whatever the
  * density. Without them dense regions dominate the least squares of the harmonic map. RMSEVertices
@@ -59,8 +62,8 @@ Eigen::VectorXi EliminateSamples(const Eigen::MatrixXd& points, const Eigen::Vec
  */
 Eigen::VectorXd ComputeSampledAreas(const Eigen::MatrixXd& points);
 
-/// Returns the rows of `points` in Morton order, in which neighbours in space are mostly neighbours
-/// in the list. Every k-th entry is therefore an evenly spread subset.
+/// Returns the row indices of `points` in Morton order: neighbours in space are mostly neighbours
+/// in the list. Every k-th entry therefore forms an evenly spread subset.
 Eigen::VectorXi FindSpatialOrder(const Eigen::MatrixXd& points);
 
 } // namespace shape

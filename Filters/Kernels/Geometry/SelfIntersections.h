@@ -19,8 +19,9 @@ struct Crossing
 
 /**
  * Whether two triangles intersect beyond their shared corners and edge, decided by exact
- * orientations (Geometry/Orientation.h). Points are shared by index. A degenerate triangle that
- * shares no point is treated as its edges, and never intersects another degenerate one.
+ * orientations (Geometry/Orientation.h). Two triangles share a point if they have the same index. A
+ * degenerate triangle that shares no point is replaced by its edges, and never intersects another
+ * degenerate triangle.
  */
 bool DoTrianglesIntersect(const Mesh& mesh, int first, int second);
 
@@ -28,8 +29,8 @@ bool DoTrianglesIntersect(const Mesh& mesh, int first, int second);
 std::vector<int> FindDegenerateTriangles(const Mesh& mesh);
 
 /**
- * Finds every pair of triangles of a surface that cross, touch, overlap or coincide beyond their
- * shared corners and edge, ordered by First, then Second.
+ * Finds all pairs of triangles of a surface that cross, touch, overlap or coincide beyond their
+ * shared corners and edge. The pairs are sorted by First, then by Second.
  *
  * A hierarchy of boxes (GetTriangleBoxes) finds the candidates, and exact orientations
  * (Geometry/Orientation.h) decide: a pair is listed if and only if the triangles intersect. Points
@@ -38,8 +39,7 @@ std::vector<int> FindDegenerateTriangles(const Mesh& mesh);
  */
 std::vector<Crossing> FindSelfIntersections(const Surface& surface, const Progress& progress = {});
 
-/// The same for pairs whose second triangle is `first` or a later one. Stops soon after `maximum`
-/// pairs are found.
+/// The same, but only for pairs with Second >= `first`. Stops soon after `maximum` pairs are found.
 std::vector<Crossing> FindSelfIntersectionsFrom(
   const Surface& surface, int first, int maximum, const Progress& progress = {});
 

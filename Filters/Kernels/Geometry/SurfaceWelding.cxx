@@ -143,7 +143,7 @@ WeldedSurface::WeldedSurface(const Mesh& surface, const Progress& progress, cons
   if (surface.Triangles.minCoeff() < 0 || surface.Triangles.maxCoeff() >= surface.Points.rows())
   {
     throw InvalidInput("a triangle of " + name +
-      " uses a point that does not exist; make the surface anew, or run Clean on it");
+      " uses a point that does not exist; recreate the surface, or apply Clean to it");
   }
   const Eigen::MatrixXd positions = WithUnusedAside(surface);
   RequireFinite(positions, name);

@@ -12,15 +12,16 @@ struct TangentFrame
 };
 
 /// Applies to `vector` the smallest rotation that takes the unit vector `from` to the unit vector
-/// `to`. If these are opposite, it is a half turn around the x axis, or around the y axis if they
-/// are parallel to x.
+/// `to`. If `from` and `to` are opposite, it is a half turn around the x axis, or around the y axis
+/// if they are parallel to x.
 Eigen::RowVector3d RotateBetweenNormals(
   const Eigen::RowVector3d& vector, const Eigen::RowVector3d& from, const Eigen::RowVector3d& to);
 
 /**
- * Builds the frame at `origin` with a unit normal. Its x axis is xDirection, projected onto the
- * tangent plane. If the projection is zero, it is (1, 0, 0), rotated as RotateBetweenNormals takes
- * (0, 0, 1) to the normal. That axis depends continuously on the normal, except at (0, 0, -1).
+ * Builds the frame at `origin` with a unit normal. Its x axis is the normalised projection of
+ * xDirection onto the tangent plane. If the projection is zero, the x axis is (1, 0, 0), rotated by
+ * RotateBetweenNormals from (0, 0, 1) to the normal. This axis depends continuously on the normal,
+ * except at the normal (0, 0, -1).
  */
 TangentFrame BuildTangentFrame(const Eigen::RowVector3d& origin, const Eigen::RowVector3d& normal,
   const Eigen::RowVector3d& xDirection = Eigen::RowVector3d::Zero());

@@ -24,38 +24,39 @@ enum class NormalWeight
 };
 
 ///@{
-/// Returns unit normals of a surface at all vertices (n x 3), or at some (k x 3), given the fans of
-/// its triangles. A normal is zero if no triangle around the vertex has an area.
+/// Returns unit normals of a surface at all vertices (n x 3), or at the given `vertices` (k x 3).
+/// fans: the fans of the surface's triangles. A normal is zero if no triangle around the vertex has
+/// an area.
 Eigen::MatrixXd ComputeVertexNormals(const Mesh& surface, NormalWeight weight);
 Eigen::MatrixXd ComputeVertexNormals(const Eigen::MatrixXd& points,
   const Eigen::MatrixXi& triangles, const TriangleFans& fans, const std::vector<int>& vertices,
   NormalWeight weight);
 ///@}
 
-/// Returns the normals of a surface weighted by angle (n x 3), which are computed once and cached
-/// in the surface: valid as long as the surface or a copy of it.
+/// Returns the normals of a surface weighted by angle (n x 3). They are computed once and cached in
+/// the surface. The reference is valid as long as the surface or a copy of it exists.
 const Eigen::MatrixXd& GetVertexNormals(const Surface& surface);
 
 /**
  * Returns unit normals at vertices on a surface's boundary (k x 3), where the mean of the
  * triangles' normals would be biased towards the inside.
  *
- * A paraboloid is fitted to the two rings of vertices around each, weighted by the area around them
- * (Cazals and Pouget, "Estimating differential quantities using polynomial fitting of osculating
- * jets", 2005). Vertices of triangles that face the other way are ignored. If there are too few
- * vertices, or if the paraboloid turns the normal by more than 60 degrees, the result is the normal
- * weighted by area; zero if the triangles have no area.
+ * A paraboloid is fitted to the two rings of vertices around each vertex, weighted by the area
+ * around them (Cazals and Pouget, "Estimating differential quantities using polynomial fitting of
+ * osculating jets", 2005). Vertices of triangles that face the other way are ignored. If there are
+ * too few vertices, or if the paraboloid turns the normal by more than 60 degrees, the result is
+ * the normal weighted by area. It is zero if the triangles have no area.
  *
- * Exact for planes; of third order in the edge length for spheres. fans: those of the surface's
- * triangles.
+ * The normals are exact on planes. On spheres their error is of third order in the edge length.
+ * fans: the fans of the surface's triangles.
  */
 Eigen::MatrixXd ComputeBoundaryNormals(
   const Mesh& surface, const TriangleFans& fans, const std::vector<int>& vertices);
 
 /**
  * Smooths unit normals at the nodes of a graph (n x 3). Each round replaces a normal by the
- * weighted mean of itself and those of its neighbours. The weights are inverse distances; the node
- * itself has the weight of its nearest neighbour.
+ * weighted mean of itself and the normals of the neighbours. A neighbour's weight is its inverse
+ * distance; the node itself has the weight of its nearest neighbour.
  *
  * First, a node whose normal is zero gets the mean of its neighbours' normals, or (0, 0, 1) if no
  * node connected to it has one. Throws Aborted.

@@ -12,8 +12,8 @@ struct MovedPoints
 };
 
 /**
- * Moves points (n x 3, finite) by a volume map. Points outside its domain are not moved
- * (FindPointsOutsideDomain). PiecewiseInverseMap computes the inverse.
+ * Moves points (n x 3, finite) by a volume map. Points outside the map's domain
+ * (FindPointsOutsideDomain) are not moved. For the inverse map, see PiecewiseInverseMap.
  *
  * Throws SolveFailure if the map is not finite at a point of its domain, and Aborted.
  */

@@ -13,7 +13,7 @@ namespace shape
  *   f(y) = A y + b + sum_j Charges_j / (4 pi |y - Points_j|)
  *
  * (Li et al., "Feature-aligned harmonic volumetric mapping using MFS", 2010, eqs. 1 and 2). Unlike
- * in the paper, the affine part is solved for explicitly. f is harmonic except at the charges.
+ * the paper, ShapeMap solves for the affine part explicitly. f is harmonic except at the charges.
  */
 struct ChargeSet
 {
@@ -22,10 +22,10 @@ struct ChargeSet
   Eigen::Matrix<double, 3, 4> Affine = Eigen::Matrix<double, 3, 4>::Identity(); ///< [A b]
 };
 
-/// Returns f at `points` (n x 3) as n x 3. A large sum is computed by the fast multipole method
-/// (FmmSummation.h) if that is faster and its root mean square error is at most `error` times the
-/// size of the image. The result has the same bits for any number of threads. It is not finite at
-/// the position of a charge. Throws Aborted.
+/// Returns the values of f at `points`, both n x 3. A large sum is computed by the fast multipole
+/// method (FmmSummation.h) if this is faster. Its root mean square error is then at most `error`
+/// times the size of the image. The result has the same bits for any number of threads. It is not
+/// finite at the position of a charge. Throws Aborted.
 Eigen::MatrixXd Evaluate(const ChargeSet& set, const Eigen::MatrixXd& points,
   const Progress& progress = {}, double error = 1e-10);
 

@@ -20,28 +20,28 @@ struct HarmonicVolumeMapOptions
     /// the error stays above the tolerance, the boundary is refined. Features are then fitted by
     /// MultiLevel on top of this map.
     Accelerated = 0,
-    MultiLevel = 1, ///< a sum of harmonic maps, each fitted to the residual of the previous ones
+    MultiLevel = 1, ///< a sum of harmonic maps, each fitted to the residual of the previous maps
     SingleShot = 2  ///< one map, from one decomposition of all sources and collocation points
   };
   MethodType Method = MethodType::Accelerated;
   double Tolerance = 1e-4; ///< stop when RMSEInside is at most this; >= 0
   int MaximumLevels = 12;  ///< maximum number of maps in the sum; >= 1
-  /// Accelerated: maximum number of points of the refined boundary, divided by the number of points
-  /// of the boundary, or by 2500 if it has fewer; >= 1.
+  /// Accelerated: limits the refinement of the boundary. The refined boundary has at most
+  /// MostRefined times as many points as the boundary, or as 2500 if the boundary has fewer. > 0.
   double MostRefined = 4.0;
-  /// MultiLevel: number of subsets that the sources are divided into; fewer if a subset would have
-  /// less than 16 sources; >= 1.
+  /// MultiLevel: number of subsets into which the sources are divided; >= 1. There are fewer
+  /// subsets if one would otherwise have fewer than 16 sources.
   int SourceSubsets = 8;
-  /// Minimum relative decrease of the residual. MultiLevel stops when two levels in a row gain
-  /// less, Accelerated when one level after the first does. It also ends Accelerated's iterations
-  /// (Gmres.h). >= 0, < 1.
+  /// Minimum relative decrease of the residual; >= 0, < 1. MultiLevel stops when two levels in a
+  /// row gain less. Accelerated stops when a level after the first gains less. This is also
+  /// GmresOptions::LeastGain of Accelerated.
   double LeastGain = 0.02;
   double FeatureWeight = 20.0;   ///< weight of features that are given without weights; > 0
   double CollocationRatio = 0.4; ///< number of collocation points / number of boundary points; > 0
   double SourceRatio = 0.8;      ///< initial number of charges / number of boundary points; > 0
-  /// Distance of the farthest charges from the boundary / longest side of the boundary's box.
-  /// MultiLevel's last subset is sqrt(SourceSubsets) times nearer. 0: the distance of the nearest
-  /// charges follows from the spacing of the collocation points.
+  /// Distance of the farthest charges from the boundary / longest side of the boundary's box; >= 0.
+  /// The last subset of MultiLevel is sqrt(SourceSubsets) times nearer. With 0 the spacing of the
+  /// collocation points determines the distance of the nearest charges.
   double OffsetDistance = 0.0;
   SamplingMode CollocationSampling = SamplingMode::GeometryAdaptive;
   SamplingMode SourceSampling = SamplingMode::GeometryAdaptive;
@@ -50,12 +50,12 @@ struct HarmonicVolumeMapOptions
   unsigned int Seed = 1;                ///< seed of the random points of uniform sampling
 };
 
-/// Points inside the domain with prescribed images, fitted in the least-squares sense.
+/// Points inside the domain with prescribed images. The map fits them in the least-squares sense.
 struct VolumeFeatures
 {
   Eigen::MatrixXd Points = Eigen::MatrixXd(0, 3);  ///< k x 3
   Eigen::MatrixXd Targets = Eigen::MatrixXd(0, 3); ///< k x 3
-  /// k, > 0: weight w is the same as w equal rows; empty = FeatureWeight for all
+  /// k values, each > 0: a weight w has the effect of w equal rows; empty = FeatureWeight for all
   Eigen::VectorXd Weights;
 };
 
@@ -66,15 +66,15 @@ struct HarmonicVolumeMapResult
     Tolerance,     ///< RMSEInside reached the tolerance
     Levels,        ///< all MaximumLevels levels were fitted
     NoImprovement, ///< the residual decreased by less than LeastGain
-    Refinement     ///< Accelerated: refining the boundary would exceed MostRefined
+    Refinement     ///< Accelerated: a further refinement would exceed MostRefined
   };
-  /// One fitted map. The errors are those of the sum of all maps so far, over the whole boundary,
-  /// divided by the longest side of the targets' box.
+  /// One fitted map. The errors are measured after this map has been added to the sum, over the
+  /// whole boundary. They are divided by the longest side of the targets' box.
   struct Level
   {
     int Number = 0;            ///< 0: the affine map alone
-    int Sources = 0;           ///< columns of the system
-    int Collocations = 0;      ///< rows of the system, features included
+    int Sources = 0;           ///< number of columns of the system
+    int Collocations = 0;      ///< number of rows of the system, features included
     double RMSEVertices = 0.0; ///< at the boundary's points
     double RMSEInside = 0.0;   ///< at one position inside each triangle (ComputeOffCentres)
     double Maximum = 0.0;      ///< maximum over both
@@ -86,7 +86,7 @@ struct HarmonicVolumeMapResult
   std::vector<Level> Levels; ///< the errors of the last level are those of Map
   Stop Reason = Stop::Levels;
   /// Distance of the nearest charges from the boundary / longest side of the boundary's box. It is
-  /// smaller than requested if a void is too narrow.
+  /// smaller than the requested distance if a void is too narrow.
   double OffsetDistance = 0.0;
   /// root mean square error of Map at the features, unweighted; 0 without features
   double RMSEFeatures = 0.0;
@@ -96,7 +96,7 @@ struct HarmonicVolumeMapResult
   int Iterations = 0; ///< total number of iterations of all levels
   /// number of points added to the boundary by refinement, at the last level
   int RefinedPoints = 0;
-  /// boundary points in gaps too narrow for a charge, or without a normal
+  /// number of boundary points without a charge: in a gap too narrow for one, or without a normal
   int PointsWithoutCharge = 0;
 };
 

@@ -12,33 +12,36 @@ struct AcceleratedSetup;
 /**
  * Computes the harmonic map of a solid from given values on its boundary, by the method of
  * fundamental solutions. Charges outside the solid are fitted so that the sum of their potentials
- * matches the boundary map (Li, Xu, Wan, Yin and Yu, "Feature-aligned harmonic volumetric mapping
- * using MFS", Computers & Graphics 34, 2010). The affine part is fitted first, so affine maps are
- * exact.
+ * approximates the boundary map (Li, Xu, Wan, Yin and Yu, "Feature-aligned harmonic volumetric
+ * mapping using MFS", Computers & Graphics 34, 2010). The affine part is fitted first, so affine
+ * maps are exact.
  *
- * Accelerated places one charge outside each boundary point, at 0.9 spacings, and a few hundred
- * coarse charges farther out. The equations at the boundary points and triangle centroids are
- * solved by least squares. GMRES is preconditioned by local blocks, and sums use the multipole
- * method (NearSurfaceCharges.h, SchwarzPreconditioner.h, FmmSummation.h). Then the triangles with
- * the largest residual are bisected and a further map is fitted to the residual, until the
- * tolerance is met. Time and memory grow nearly linearly with the boundary. Sphere maps (CPU
- * seconds, RMSEInside): bear_bis with 10096 points 1.8, 9.1e-5; bunny00 with 37706
- * points 3.0, 7.5e-5, and with 113114 points 6.0, 6.4e-5 (Testing/Benchmarks/VolumeMap.py).
+ * Accelerated places one charge outside each boundary point, at 0.9 times the spacing of the
+ * points. Up to a few thousand coarse charges lie farther out. The equations at the boundary points
+ * and triangle centroids are solved by least squares. GMRES is preconditioned by local blocks, and
+ * sums are computed by the fast multipole method (NearSurfaceCharges.h, SchwarzPreconditioner.h,
+ * FmmSummation.h). Then the triangles with the largest residual are bisected, and a further map is
+ * fitted to the residual. This is repeated until the tolerance is met. Time and memory grow nearly
+ * linearly with the boundary. Sphere maps (CPU seconds, RMSEInside): bear_bis with 10096 points
+ * 1.8, 9.1e-5; bunny00 with 37706 points 3.0, 7.5e-5, and with 113114 points 6.0, 6.4e-5
+ * (Testing/Benchmarks/VolumeMap.py).
  *
  * MultiLevel fits soft features better; SingleShot is the paper's first method. Both decompose
- * dense matrices and are meant for small boundaries. The paper's offset is 0.15 of the size. Here
- * the nearest charges are, by default, 1.25 spacings of the collocation points away, between 0.01
- * and 0.15. RMSEInside of MultiLevel at 0.8, 1.25 and 2 spacings: dented ball with 2892 points to
- * ball 1.4e-3, 2.4e-3, 5.6e-3; the inverse direction 4.1e-4, 2.7e-4, 2.2e-4.
+ * dense matrices and are meant for small boundaries. The paper's offset is 0.15 times the longest
+ * side of the box. Here the default distance of the nearest charges is 1.25 times the spacing of
+ * the collocation points, clamped to between 0.01 and 0.15 times that side. RMSEInside of
+ * MultiLevel with the factors 0.8, 1.25 and 2 of the spacing: dented ball with 2892 points to ball
+ * 1.4e-3, 2.4e-3, 5.6e-3; the inverse direction 4.1e-4, 2.7e-4, 2.2e-4.
  *
  * Each fitted map is scaled before it is added, by one factor for each coordinate. The factors
  * minimize the residual inside triangles and at features. They differ from 1 if the fit oscillates
- * between the collocation points, as SingleShot's can with more sources than collocation points.
+ * between the collocation points. The fit of SingleShot can do so with more sources than
+ * collocation points.
  *
- * boundary: the closed surface of one solid and of its voids, with any orientation, in the space of
- * the domain. Charges are placed in the voids, too (ChargeShells). targets: n x 3, the image of
- * each boundary point. setup: Accelerated's system for this boundary (NearSurfaceCharges.h). It is
- * kept between calls and rebuilt only if the boundary has changed.
+ * boundary: the closed surface around one solid and its voids, facing either way. Charges are
+ * placed in the voids, too (ChargeShells). targets: n x 3, the image of each boundary point. setup:
+ * keeps the system of Accelerated between calls (NearSurfaceCharges.h); it is rebuilt only if the
+ * boundary has changed.
  *
  * Throws InvalidInput if the surface is not closed or bounds several solids, a value is not finite,
  * or an option is out of range. Throws InvalidInput, too, if a feature lies outside the domain or a

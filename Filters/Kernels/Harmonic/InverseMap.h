@@ -16,29 +16,28 @@ struct InverseMapOptions
 };
 
 /**
- * Finds the preimages x, f(x) = y, of points y under the map f of a charge set, in the domain
- * bounded by a closed surface. It uses Newton's method with the analytic derivative. Each step is
- * halved until it decreases |f(x) - y|.
+ * Inverts the map f of a charge set: for each point y it finds a preimage x, f(x) = y, in the
+ * domain bounded by a closed surface. It uses Newton's method with the analytic derivative. Each
+ * step is halved until it decreases |f(x) - y|.
  *
- * The seeds are the points of a lattice inside the domain. The first start is the seed with the
- * nearest image, or the boundary position whose image is closest to y if that is nearer. If
- * Newton's method fails, x is continued along a path: its image moves from f(start) to y on a
- * straight line. The first path starts at the boundary, where no other boundary point's image lies
- * on the line; the second starts at the nearest seed. Finally, Newton's method is tried from
- * further seeds. Where f folds, a point has several preimages: one of them is returned, always the
- * same.
+ * The seeds are the points of a lattice inside the domain. The first start is the seed or the
+ * boundary position whose image is nearest to y. If Newton's method fails, x is continued along a
+ * path: its image moves from f(start) to y on a straight line. The first path starts at the
+ * boundary position whose image is nearest to y, so no other boundary image lies on the line. The
+ * second path starts at the nearest seed. Finally, Newton's method is tried from further seeds.
+ * Where f folds, a point has several preimages. Find returns one of them, always the same.
  *
- * A point is outside the image if two conditions hold. It lies outside the boundary's image by more
- * than the tolerance, which depends on the edge lengths there. And the determinant of the
- * derivative has the same sign at all seeds, boundary points and random boundary positions. Any
- * other point is searched for. The object copies its input and can be used from several threads.
+ * A point is Outside without a search if two conditions hold. First, it lies outside the boundary's
+ * image by more than 4 times the tolerance of ComputeDomainTolerances. Second, the determinant of
+ * the derivative has the same sign at all seeds, boundary points and random boundary positions. The
+ * object copies its input and can be used from several threads.
  */
 class InverseMap
 {
 public:
-  /// domain: closed and consistently oriented (checked by the caller). farthest: how far outside
-  /// the domain a preimage may lie (FindPointsOutsideDomain). Throws InvalidInput if an option is
-  /// out of range or the map is not finite on the boundary; Aborted.
+  /// domain: closed and consistently oriented (checked by the caller). farthest: the maximum
+  /// distance of a preimage outside the domain (FindPointsOutsideDomain). Throws InvalidInput if an
+  /// option is out of range or the map is not finite on the boundary; Aborted.
   InverseMap(const ChargeSet& map, const Surface& domain, double farthest,
     const InverseMapOptions& options = {}, const Progress& progress = {});
 
@@ -57,8 +56,8 @@ public:
   /// Finds the preimages of points (n x 3, finite). Throws Aborted.
   Result Find(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
 
-  /// Returns the position where the search for the preimage of a point starts. Returns none if the
-  /// distance to the image alone shows that the point is Outside.
+  /// Returns the position where the search for the preimage of a point starts. Returns nothing if
+  /// the point is Outside without a search.
   std::optional<Eigen::RowVector3d> Start(const Eigen::RowVector3d& point) const;
 
   /// Whether the determinant of the derivative changes sign or vanishes among the sampled

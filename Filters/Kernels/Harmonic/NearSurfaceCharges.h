@@ -21,52 +21,53 @@ struct NearSurfaceCharges
 /**
  * Places one charge on the normal of each site, at the given offset. In a narrow gap the offset is
  * reduced until the distance from every part of the surface is at least 0.6 of the reduced offset.
- * A site gets no charge if that requires less than 0.24 of the offset, because the field of a
- * charge so close to the surface is a spike between its points. It also gets none if its
- * normal or offset is zero.
+ * A site gets no charge if the offset would have to be less than 0.24 of the given one. The field
+ * of a charge so close to the surface is a spike between the surface's points. A site also gets no
+ * charge if its normal or its offset is zero.
  *
- * boundary: closed, facing out of the solid. sites: n x 3, on or near it. normals: n x 3, unit, or
- * zero. offsets: n, >= 0. Throws Aborted.
+ * boundary: closed, facing out of the solid. sites: n x 3, on or near the boundary. normals: n x 3,
+ * each a unit vector or zero. offsets: n values, each >= 0. Throws Aborted.
  */
 NearSurfaceCharges InsertNearSurfaceCharges(const SignedDistance& boundary,
   const Eigen::MatrixXd& sites, const Eigen::MatrixXd& normals, const Eigen::VectorXd& offsets,
   const Progress& progress = {});
 
 /**
- * The linear system for charges close to a surface: one outside each surface point, at about the
- * distance of the neighbouring points, and a few coarse ones farther out. It is set up once for a
- * surface and solves for any number of boundary values.
+ * The linear system for charges close to a surface. One charge lies outside each surface point, at
+ * 0.9 times the spacing of the points. A few coarse charges lie farther out. It is set up once for
+ * a surface and solves for any number of boundary values.
  */
 class NearSurfaceChargeSystem
 {
 public:
-  /// More takes three times the time and memory of Little. It also converges if the surface's
-  /// triangles are uneven, parts are thin, gaps are narrow, or the residual is already small.
+  /// More takes three times the time and memory of Little. It converges even if triangles are
+  /// uneven, parts of the solid are thin, gaps are narrow, or the residual is already small.
   enum class Effort
   {
     Little,
     More
   };
-  /// boundary: closed, facing out of the solid, longest side 1. surface: the same surface or a
+  /// boundary: closed, facing out of the solid, with longest side 1. surface: the boundary, or a
   /// refinement of it. Throws SolveFailure if no charge has room; Aborted.
   NearSurfaceChargeSystem(const SignedDistance& boundary, const Surface& surface,
     Effort effort = Effort::Little, const Progress& progress = {});
 
-  /// Positions where values are prescribed: m x 3, the surface's points and then its centroids.
+  /// Positions where values are prescribed: m x 3, the surface's points and then its triangles'
+  /// centroids.
   const Eigen::MatrixXd& Rows() const { return this->System.Rows; }
-  /// Positions of all charges, the coarse ones last: k x 3.
+  /// Positions of all charges, k x 3; the coarse charges come last.
   const Eigen::MatrixXd& Sources() const { return this->AllSources; }
   /// Number of surface points without a charge: in a gap too narrow, or without a normal.
   int PointsWithoutCharge() const { return this->WithoutCharge; }
-  /// Minimum offset of the charges, after leaving out the smallest 1 %.
+  /// Minimum offset of the charges, without the smallest 1 % of the offsets.
   double Offset() const { return this->NearOffset; }
 
-  /// Solves for the charges (Solution: k x 3) with the given values at Rows() (m x 3). Throws
-  /// Aborted.
+  /// Returns the charges (Solution: k x 3) whose potentials approximate `values` (m x 3) at Rows().
+  /// Throws Aborted.
   GmresResult Solve(const Eigen::MatrixXd& values, const GmresOptions& options,
     const Progress& progress = {}) const;
 
-  /// Returns the potentials of charges (k x 3) at Rows(): m x 3. Throws Aborted.
+  /// Returns the potentials of `charges` (k x 3) at Rows(), m x 3. Throws Aborted.
   Eigen::MatrixXd Values(const Eigen::MatrixXd& charges, const Progress& progress = {}) const;
 
 private:
@@ -78,7 +79,7 @@ private:
   std::unique_ptr<FmmSummation> Sums;
 };
 
-/// The system of a boundary, kept for further targets.
+/// The system of a boundary, which further targets of the same boundary reuse.
 struct AcceleratedSetup
 {
   Surface Boundary;

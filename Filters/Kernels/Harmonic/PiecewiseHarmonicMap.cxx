@@ -43,9 +43,9 @@ void RequireValidCharges(const PiecewiseCharges& charges)
       (charges.Skins.size() != count || charges.Skins.minCoeff() < 0.0)))
   {
     throw InvalidInput("the map has " + std::to_string(count) + " regions, " + std::to_string(m) +
-      " triangles with " + std::to_string(charges.Regions.size()) + " regions, and " +
+      " triangles, " + std::to_string(charges.Regions.size()) + " region numbers and " +
       std::to_string(charges.Skins.size()) +
-      " skins; give each triangle a region and each region a skin that is not negative");
+      " skins; give one region number for each triangle, and one skin >= 0 for each region");
   }
   for (Eigen::Index r = 0; r < count && charges.Regions.size() > 0; ++r)
   {
@@ -61,7 +61,7 @@ void RequireValidCharges(const PiecewiseCharges& charges)
     {
       throw InvalidInput("a triangle of the map's surface bounds region " + std::to_string(region) +
         ", but there are " + std::to_string(count) +
-        " regions; number them from 0, and the walls of voids -1");
+        " regions; number regions from 0, and use -1 for the walls of voids");
     }
   }
 }

@@ -9,27 +9,27 @@
 namespace shape
 {
 
-/// A volume map as plain data: one harmonic map for each region of a solid, and the surfaces that
+/// The data of a volume map: one harmonic map for each region of a solid, and the surfaces that
 /// bound the solid and its regions.
 struct PiecewiseCharges
 {
   static constexpr int Void = -1; ///< the region number of empty space
 
   std::vector<ChargeSet> Maps = std::vector<ChargeSet>(1); ///< one for each region; at least 1
-  /// closed, with any orientation: around the solid, its voids and its inner regions
+  /// closed surfaces around the solid, its voids and its inner regions, facing either way
   shape::Surface Surface;
-  /// m: the region enclosed by the component that each triangle belongs to. 0 for the component
-  /// around the solid, Void for the wall of a void. May be empty if there is one region.
+  /// For each triangle (m), the region that its component encloses: 0 for the component around the
+  /// solid, Void for the wall of a void. May be empty if there is one region.
   Eigen::VectorXi Regions;
-  double Farthest = 0.0; ///< how far outside the solid the map is valid (FindPointsOutsideDomain)
-  /// One for each region, >= 0: the thickness of the skin inside its border. In the skin the map of
+  double Farthest = 0.0; ///< maximum distance outside the solid at which the map is valid
+  /// For each region, the thickness (>= 0) of the skin inside its border. In the skin the map of
   /// the surrounding region blends into the region's map. Empty = 0 for all.
   Eigen::VectorXd Skins;
 };
 
-/// Returns how far outside its domain a map is valid (PiecewiseCharges::Farthest). This is half the
-/// distance of its charges: `offsetDistance` times the longest side of the boundary's `points`
-/// (n x 3).
+/// Returns the maximum distance outside its domain at which a map is valid
+/// (PiecewiseCharges::Farthest). This is half the distance of its charges, which is
+/// `offsetDistance` times the longest side of the bounding box of the boundary's `points` (n x 3).
 double ComputeFarthest(double offsetDistance, const Eigen::MatrixXd& points);
 
 /**
@@ -39,11 +39,11 @@ double ComputeFarthest(double offsetDistance, const Eigen::MatrixXd& points);
  *
  * Here r is the region of y, p the region around it, d the distance to the border between them, and
  * t the skin of r. The share s(u) is (1 - u)^2 (1 + 2 u) for u < 1, else 0. So f equals f_r except
- * in the skin. f and its first derivative are continuous across borders, however large the
- * difference between the two fitted maps is there.
+ * in the skin. f and its first derivative are continuous across borders, even if the two fitted
+ * maps differ there.
  *
- * Region r > 0 is the space enclosed by the components with number r, without the regions inside
- * them. A position on a border belongs to the outer region.
+ * Region r > 0 is the space inside the components with number r, except the regions inside it. A
+ * position on a border belongs to the outer region.
  */
 class PiecewiseHarmonicMap
 {
@@ -67,10 +67,11 @@ public:
   /// Returns f at the points: n x 3. Throws Aborted.
   Eigen::MatrixXd Evaluate(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
 
-  /// Returns the derivative of f at the points: n x 9, as EvaluateJacobians. Throws Aborted.
+  /// Returns the derivative of f at the points: n x 9, ordered as by EvaluateJacobians. Throws
+  /// Aborted.
   Eigen::MatrixXd Jacobians(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
 
-  /// The regions of points, and how far the skins there are blended.
+  /// The regions of points, and how the maps are blended there.
   struct Positions
   {
     Eigen::VectorXi Regions; ///< n

@@ -145,8 +145,8 @@ std::vector<Layer> FindLayers(const std::vector<ExactSurface>& surfaces, const P
     }
     if (parent == -1 && i > 0)
     {
-      throw InvalidInput("the boundary bounds several solids that do not touch; map each by itself "
-                         "(Connectivity separates them)");
+      throw InvalidInput("the boundary bounds several solids that do not touch; separate them "
+                         "with Connectivity and map each of them alone");
     }
     Layer layer;
     // The first piece of a region keeps its number; further pieces are numbered after the surfaces.

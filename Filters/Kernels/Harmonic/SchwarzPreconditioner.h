@@ -9,12 +9,12 @@
 namespace shape
 {
 
-/// A linear system for charges near a surface. Row j of Sources is the charge of site j, and row j
-/// of Tests averages the residual around it.
+/// A linear system for charges near a surface. The charge of site j lies at row j of Sources. Row j
+/// of Tests averages the residual around site j.
 struct TestedSystem
 {
   Eigen::MatrixXd Rows;    ///< m x 3: positions where values are prescribed
-  Eigen::VectorXd Weights; ///< m, >= 0: weights of the rows
+  Eigen::VectorXd Weights; ///< m values, each >= 0: weights of the rows
   Eigen::SparseMatrix<double, Eigen::RowMajor> Tests; ///< n x m: weights of the averages
   Eigen::MatrixXd Sites;                              ///< n x 3
   Eigen::MatrixXd Sources;                            ///< n x 3
@@ -24,30 +24,32 @@ struct SchwarzOptions
 {
   int Own = 64;     ///< maximum number of sites of a block; >= 1
   int Around = 100; ///< number of surrounding sites in the local system of a block; >= 0
-  /// Maximum amplification of a block's averaged system. A block above it is solved by regularized
-  /// least squares over the rows, because an ill-conditioned block drowns the others for many
-  /// iterations. For evenly sized triangles the amplification is 100 to 600. With 0 all blocks are
-  /// solved by least squares. This takes three times the time and memory, and works where charges
-  /// are crowded.
+  /// Maximum amplification of a block's averaged system. A block with a larger amplification is
+  /// ill-conditioned, and its error would dominate for many iterations. It is solved by regularized
+  /// least squares over the rows instead. For evenly sized triangles the amplification is 100 to
+  /// 600. With 0 all blocks are solved by least squares. This takes three times the time and
+  /// memory, but also works if charges are crowded.
   double MaximumAmplification = 1e3;
 };
 
 /**
- * An approximate inverse of the potentials of charges near a surface, in two levels. First come
- * coarse charges farther out, one for each cluster of sites. Restricted additive Schwarz then
- * reduces their residual. The charges of each block of sites solve a dense local system that
- * includes the surrounding sites (Cai and Sarkis, "A restricted additive Schwarz preconditioner for
- * general sparse linear systems", 1999). The operator is linear.
+ * An approximate inverse of a TestedSystem, in two levels. The first level has coarse charges
+ * farther out, one for each cluster of sites. Restricted additive Schwarz then reduces the residual
+ * that they leave. The charges of each block of sites solve a dense local system that includes the
+ * surrounding sites (Cai and Sarkis, "A restricted additive Schwarz preconditioner for general
+ * sparse linear systems", 1999). The operator is linear.
  */
 class SchwarzPreconditioner
 {
 public:
-  /// coarseSources: c x 3. clusters: n, the index of each site's coarse source. Throws Aborted.
+  /// coarseSources: c x 3. clusters: for each of the n sites, the index of its coarse source.
+  /// Throws Aborted.
   SchwarzPreconditioner(const TestedSystem& system, const Eigen::MatrixXd& coarseSources,
     const Eigen::VectorXi& clusters, const SchwarzOptions& options = {},
     const Progress& progress = {});
 
-  /// residual: m x k. Returns the charges of the sources, then of the coarse sources: (n + c) x k.
+  /// residual: m x k. Returns the charges at the sources, then the charges at the coarse sources:
+  /// (n + c) x k.
   Eigen::MatrixXd Apply(const Eigen::MatrixXd& residual) const;
 
 private:
@@ -56,7 +58,7 @@ private:
     std::vector<int> Own;    ///< the sites whose charges the block solves for
     std::vector<int> Inputs; ///< rows of Positions whose residuals the block reads
     bool TakesRows = false;  ///< true: the inputs are rows of the system, not averages
-    Eigen::MatrixXf Inverse; ///< number of own sites x number of inputs
+    Eigen::MatrixXf Inverse; ///< own sites x inputs: from the inputs to the charges
   };
   static Block MakeBlock(const TestedSystem& system, const std::vector<int>& own,
     const std::vector<int>& around, double maximumAmplification);
@@ -65,8 +67,8 @@ private:
 
   Eigen::SparseMatrix<double, Eigen::RowMajor> Tests;
   std::vector<Block> Blocks;
-  /// Positions where blocks read the residual: first the centres of the averages of all sites, then
-  /// the rows in Rows.
+  /// Positions where blocks read the residual: first the weighted mean position of each site's
+  /// average, then the positions of the rows in Rows.
   Eigen::MatrixXd Positions;
   std::vector<int> Rows; ///< the rows of the system that some block reads
   Eigen::MatrixXd CoarseSources;
@@ -75,8 +77,8 @@ private:
   Eigen::MatrixXd CoarseInverse; ///< c x c: from the cluster means to the coarse charges
 };
 
-/// Splits points (n x 3) recursively at the median of the longest side of their box until no part
-/// has more than `maximum` points. Returns the rows in each part, ascending.
+/// Splits points (n x 3) recursively into parts of at most `maximum` points. Each split is at the
+/// median along the longest side of the part's box. Returns the rows in each part, ascending.
 std::vector<std::vector<int>> SplitAtMedians(const Eigen::MatrixXd& points, int maximum);
 
 } // namespace shape

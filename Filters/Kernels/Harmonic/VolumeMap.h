@@ -21,17 +21,17 @@ struct VolumeMapConditions
   Surface Boundary;                   ///< closed: around the solid and its voids
   Eigen::MatrixXd Targets;            ///< n x 3: the images of its points
   std::optional<Surface> Target;      ///< the surface that the boundary is mapped to
-  std::vector<ExactSurface> Surfaces; ///< inside; exact: see VolumeMapOptions::Exact
-  VolumeFeatures Features;            ///< inside; fitted in the least-squares sense
+  std::vector<ExactSurface> Surfaces; ///< inside the boundary, for VolumeMapOptions::Exact
+  VolumeFeatures Features;            ///< inside the boundary, fitted by least squares
 };
 
 struct VolumeMapOptions
 {
   HarmonicVolumeMapOptions Harmonic;
-  /// Solves one harmonic map in each region between the Surfaces, instead of one for the whole
-  /// solid.
+  /// Whether to solve one harmonic map in each region between the Surfaces, instead of one for the
+  /// whole solid.
   bool Exact = false;
-  /// Lets the images of the boundary's points slide on the Target, which must be given.
+  /// Whether the images of the boundary's points may slide on the Target, which must be given then.
   bool FreeBoundary = false;
 };
 
@@ -39,7 +39,7 @@ struct VolumeMapResult
 {
   PiecewiseVolumeMapResult Map; ///< without Exact: a map of one region
   Eigen::MatrixXd Targets; ///< n x 3: the images of the boundary's points, given or after sliding
-  /// Distance of the given Targets from the Target (ComputeTargetDistance); 0 without a Target.
+  /// Distance between the given Targets and the Target (ComputeTargetDistance); 0 without a Target.
   double TargetDistance = 0.0;
   // With FreeBoundary: see FreeBoundaryResult.
   double DistortionBefore = 0.0, DistortionAfter = 0.0;
@@ -55,10 +55,10 @@ struct VolumeMapResult
  * 3. With FreeBoundary: SlideBoundary, which starts from that map.
  * 4. With Exact: ComputePiecewiseVolumeMap, with the boundary's images after step 3.
  *
- * A fold-free mesh is made afterwards, from the points that the map has moved: ComputeFoldFreeMap.
+ * ComputeFoldFreeMap can then make a fold-free mesh from the points that the map has moved.
  *
- * setup: see ComputeHarmonicVolumeMap. Throws InvalidInput if FreeBoundary is set without a Target,
- * and the exceptions of these functions.
+ * setup: see ComputeHarmonicVolumeMap. Throws the exceptions of these functions, and InvalidInput
+ * if FreeBoundary is set without a Target.
  */
 VolumeMapResult ComputeVolumeMap(const VolumeMapConditions& conditions,
   const VolumeMapOptions& options = {}, const Progress& progress = {},

@@ -17,14 +17,14 @@ namespace shape
 class VolumeTransform
 {
 public:
-  /// Without `withInverse` only Forward may be called; setting up the inverse takes a while. Throws
-  /// the exceptions of PiecewiseHarmonicMap and PiecewiseInverseMap.
+  /// Without `withInverse`, only Forward may be called; constructing the inverse takes a while.
+  /// Throws the exceptions of PiecewiseHarmonicMap and PiecewiseInverseMap.
   VolumeTransform(const PiecewiseCharges& charges, bool withInverse);
 
   struct Result
   {
     Eigen::Vector3d Position;
-    /// unless Found, Position is the point itself
+    /// if not Found, Position is the given point
     InverseMap::State State = InverseMap::State::Found;
     /// The derivative of the forward map: Forward takes it at the given point, Backward at the
     /// preimage. It is the identity if the point is not moved.
@@ -39,7 +39,7 @@ public:
   Result Backward(const Eigen::Vector3d& point) const;
 
   ///@{
-  /// Many points (n x 3) in parallel, with the same results.
+  /// The same for many points (n x 3), in parallel.
   std::vector<Result> Forward(const Eigen::MatrixXd& points) const;
   std::vector<Result> Backward(const Eigen::MatrixXd& points) const;
   ///@}

@@ -6,13 +6,13 @@ namespace shape
 {
 
 /**
- * The singular value decomposition A = U diag(S) V^T of a dense matrix, and the minimum-norm
- * least-squares solution without the smallest singular values.
+ * The singular value decomposition A = U diag(S) V^T of a dense matrix. Solve returns the
+ * minimum-norm least-squares solution without the smallest singular values.
  *
- * A QR factorisation reduces the longer side; then LAPACK's gesdd decomposes the triangular factor.
- * The singular vectors along the longer side are never formed. For a matrix with twice as many rows
- * as columns this saves two fifths of gesdd's work and two thirds of its memory. These are two
- * library calls that cannot be interrupted.
+ * A QR factorisation reduces A to a triangular factor, which LAPACK's gesdd decomposes. If A is
+ * wide, A^T is used. The singular vectors along the longer side are never formed. For a matrix with
+ * twice as many rows as columns, this saves two fifths of gesdd's work and two thirds of its
+ * memory. Both are library calls that cannot be interrupted.
  */
 class SingularValues
 {
@@ -21,7 +21,7 @@ public:
   /// InvalidInput if A is empty or not finite, and std::bad_alloc.
   explicit SingularValues(Eigen::MatrixXd a);
 
-  /// Returns x (n x k) = V diag(1/S) U^T b over the singular values >= threshold; b: m x k.
+  /// Returns V diag(1/S) U^T b (n x k), restricted to the singular values >= threshold. b: m x k.
   Eigen::MatrixXd Solve(const Eigen::MatrixXd& b, double threshold) const;
 
   /// Returns the number of singular values >= threshold.
@@ -30,7 +30,7 @@ public:
   /// min(m, n) singular values, descending
   const Eigen::VectorXd& Values() const { return this->S; }
 
-  /// Returns the right singular vectors from number `first` on, one per column: n x (min(m, n) -
+  /// Returns the right singular vectors without the first `first`, one per column: n x (min(m, n) -
   /// first).
   Eigen::MatrixXd RightVectors(int first) const;
 
@@ -39,7 +39,7 @@ private:
   void ApplyQ(Eigen::MatrixXd& b, bool transposed) const;
 
   bool Wide = false;          ///< whether A^T was factorised
-  Eigen::MatrixXd Reflectors; ///< Householder reflectors of Q, longer x shorter side
+  Eigen::MatrixXd Reflectors; ///< Householder reflectors of Q: longer side x shorter side
   Eigen::VectorXd Factors;    ///< factors of the reflectors
   Eigen::MatrixXd U, Vt;      ///< singular vectors of the triangular factor
   Eigen::VectorXd S;

@@ -9,16 +9,18 @@
 namespace shape
 {
 
-/// A Dirichlet problem for a stiffness matrix, factorised once.
+/// A Dirichlet problem for a stiffness matrix. The matrix is factorised once and used for any
+/// number of right sides.
 class DirichletProblem
 {
 public:
-  /// stiffness: n x n, symmetric positive semi-definite, kept by reference. fixed: points with
-  /// given values. Throws SolveFailure if the matrix of the other points is not positive definite.
+  /// stiffness: n x n, symmetric positive semi-definite; it must outlive this object. fixed: the
+  /// points with given values. Throws SolveFailure if the part of the matrix for the other points
+  /// is not positive definite.
   DirichletProblem(const Eigen::SparseMatrix<double>& stiffness, const std::vector<int>& fixed);
 
-  /// Completes `values` (n x d), given at the fixed points and 0 elsewhere, so that stiffness *
-  /// values = right holds at the other points.
+  /// values: n x d, given at the fixed points and 0 at the others. Sets the values at the others so
+  /// that stiffness * values = right holds there.
   void Solve(Eigen::MatrixXd& values, const Eigen::MatrixXd& right) const;
 
 private:

@@ -14,8 +14,9 @@ struct GmresOptions
   int MaximumIterations = 40; ///< >= 1
   /// Stops when the weighted root mean square residual of every column is at most this; >= 0.
   double Tolerance = 1e-8;
-  /// Stops when three iterations in a row reduce every column's residual by less than this share.
-  /// Two iterations suffice if all residuals are at most four tolerances. >= 0, < 1.
+  /// Stops after three iterations in a row that each reduce every column's residual by less than
+  /// this share; >= 0, < 1. Two such iterations suffice if all residuals are at most 4 times
+  /// Tolerance.
   double LeastGain = 0.0;
 };
 
@@ -31,14 +32,14 @@ struct GmresResult
 using LinearMap = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>;
 
 /**
- * Solves A x = b, or minimises |b - A x| over a growing space of preconditioned residuals, by GMRES
- * with right preconditioning (Saad and Schultz 1986). For least squares, B has the shape of A's
- * transpose (Hayami, Yin and Ito, "GMRES methods for least squares problems", 2010, AB-GMRES). A
- * and B are applied to all columns of b together, but each column has its own Krylov space. The
- * residual never increases.
+ * Solves A x = b by GMRES with right preconditioning (Saad and Schultz 1986): each iteration
+ * minimises |b - A x| over a larger space. A need not be square. For least squares, the
+ * preconditioner B has the shape of A's transpose (Hayami, Yin and Ito, "GMRES methods for least
+ * squares problems", 2010, AB-GMRES). A and B are applied to all columns of b together, but each
+ * column has its own Krylov space. No residual ever increases.
  *
- * a: A, n x k to m x k. b: the preconditioner B, m x k to n x k, linear. rightSide: m x k. weights:
- * m, >= 0, the weights of the rows in all norms. Throws Aborted.
+ * a: applies A, n x k to m x k. b: applies the preconditioner B, m x k to n x k. rightSide: b,
+ * m x k. weights: m values, each >= 0, the weights of the rows in all norms. Throws Aborted.
  */
 GmresResult SolveGmres(const LinearMap& a, const LinearMap& b, const Eigen::MatrixXd& rightSide,
   const Eigen::VectorXd& weights, const GmresOptions& options = {}, const Progress& progress = {});

@@ -15,22 +15,23 @@ namespace shape
  * step -H^-1 g.
  *
  * The unknowns are grouped in blocks, such as the coordinates of a point. All elements have the
- * same number of blocks. The pattern of H is computed once. For each step call Clear, then
- * AddGradient and AddCurvature for all elements, then Solve.
+ * same number of corners, and each corner has a block or none. The pattern of H is computed once.
+ * For each step call Clear, then AddGradient and AddCurvature for all elements, then Solve.
  */
 class NewtonSystem
 {
 public:
-  /// widths: number of unknowns of each block, >= 0. elements: the blocks of each element,
-  /// `corners` per element, consecutively; -1 for a corner without unknowns.
+  /// widths: for each block, its number of unknowns, >= 0. elements: the blocks of the first
+  /// element's corners, then of the second's, and so on; -1 for a corner without unknowns. corners:
+  /// number of corners of an element.
   NewtonSystem(const std::vector<int>& widths, std::vector<int> elements, int corners);
 
   int Width(int block) const { return this->First[block + 1] - this->First[block]; }
 
   void Clear(); ///< sets H = 0 and g = 0
 
-  /// Adds a vector to the part of g for one corner of an element. The corner must have a block; the
-  /// vector has its width.
+  /// Adds a vector to the part of g for one corner of an element. The corner must have a block, and
+  /// the vector the width of this block.
   template <typename Values>
   void AddGradient(int element, int corner, const Values& values)
   {
@@ -44,8 +45,8 @@ public:
     return this->Slots[this->SlotOf(element, row, column)] >= 0;
   }
 
-  /// Adds a matrix to the part of H for two corners of an element. Both must have blocks; the
-  /// matrix has their widths.
+  /// Adds a matrix to the part of H for two corners of an element. Both corners must have blocks.
+  /// The matrix has as many rows and columns as the blocks have unknowns.
   template <typename Values>
   void AddCurvature(int element, int row, int column, const Values& values)
   {
@@ -63,7 +64,7 @@ public:
 
   struct Step
   {
-    Eigen::VectorXd Values; ///< for all unknowns; 0 if H cannot be factorised
+    Eigen::VectorXd Values; ///< -H^-1 g; 0 if H cannot be factorised
     double Slope = 0.0;     ///< initial rate of decrease of the energy along the step: g^T H^-1 g
     /// Returns the values of a block.
     auto Of(const NewtonSystem& system, int block) const
@@ -72,16 +73,17 @@ public:
     }
   };
 
-  /// Shares of the diagonal of H that are added to it, one by one, until H is positive definite:
-  /// first First, then each time Factor times the previous share, while below 1.
+  /// A ridge is a share of the diagonal of H that is added to H. The first share is First, each
+  /// further one Factor times the previous. Shares below 1 are added one after the other, until H
+  /// is positive definite.
   struct Ridge
   {
     double First;
     double Factor;
   };
 
-  /// Factorises H in place, with the smallest ridge that makes it positive definite, and returns
-  /// the step. Each ridge takes one library call.
+  /// Adds ridges to H until it is positive definite, factorises it in place and returns the step.
+  /// Each attempt is one library call that cannot be interrupted.
   Step Solve(const Ridge& ridge);
 
 private:
@@ -94,7 +96,7 @@ private:
   int Corners;
   std::vector<int> Elements;
   std::vector<int> First; ///< first unknown of each block, and the number of unknowns
-  std::vector<int> Slots; ///< for each pair of corners: first entry in each column; -1: none
+  std::vector<int> Slots; ///< for each pair of corners, the first entry in each column, or -1
   Eigen::SparseMatrix<double> Matrix;
   Eigen::VectorXd Gradient;
   SparseCholesky Cholesky;

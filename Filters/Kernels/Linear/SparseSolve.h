@@ -8,8 +8,8 @@ namespace shape
 {
 
 /**
- * Cholesky factorisation of sparse symmetric positive definite matrices that share one pattern. It
- * uses CHOLMOD's supernodal method if ShapeMap was built with CHOLMOD, else Eigen's.
+ * Cholesky factorisation of sparse symmetric positive definite matrices with the same pattern. It
+ * uses CHOLMOD's supernodal method if ShapeMap was built with CHOLMOD, else Eigen's method.
  *
  * Each call is one library call that cannot be interrupted.
  */
@@ -22,7 +22,7 @@ public:
   SparseCholesky& operator=(SparseCholesky&&) noexcept;
 
   /// Factorises `a` (n x n, both triangular parts stored). The first call also computes the
-  /// elimination order, which later calls reuse: their matrices must have the same pattern. Throws
+  /// elimination order. Later calls reuse it, so their matrices must have the same pattern. Throws
   /// SolveFailure if `a` is not positive definite.
   void Factorize(const Eigen::SparseMatrix<double>& a);
 

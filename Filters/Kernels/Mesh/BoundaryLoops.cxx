@@ -267,7 +267,8 @@ BoundaryLoops FindBoundaryLoops(const Mesh& surface)
     if (surface.Triangles.row(t).minCoeff() < 0 ||
       surface.Triangles.row(t).maxCoeff() >= surface.Points.rows())
     {
-      throw InvalidInput("triangle " + std::to_string(t) + " uses a point that does not exist");
+      throw InvalidInput("triangle " + std::to_string(t) + " uses a point that does not exist; " +
+        "the surface has " + std::to_string(surface.Points.rows()) + " points");
     }
   }
   return BoundaryWalk(surface).Find();

@@ -16,14 +16,14 @@ inline constexpr int Vertex = 1, Line = 3, Triangle = 5, Quadrilateral = 9, Tetr
  * Cells of any kinds over common points: a solid, or a surface of polygons.
  *
  * Points: n x 3. Cell c has the points Corners(Offsets(c)), ..., Corners(Offsets(c + 1) - 1), in
- * VTK's order for its kind: one of cell_kind, or another VTK type.
+ * VTK's order for the cell's kind.
  */
 struct Cells
 {
   Eigen::MatrixXd Points;
-  Eigen::VectorXi Kinds;   ///< m
-  Eigen::VectorXi Offsets; ///< m + 1, from 0
-  Eigen::VectorXi Corners;
+  Eigen::VectorXi Kinds;   ///< m: one of cell_kind, or another VTK cell type
+  Eigen::VectorXi Offsets; ///< m + 1; the first is 0
+  Eigen::VectorXi Corners; ///< indices of points
 };
 
 } // namespace shape

@@ -8,13 +8,14 @@ namespace shape
 {
 
 /**
- * Grows a disk over a surface from its first triangle, in O(m log m). Each step adds the triangle
- * of lowest index that can join the disk and leaves it a disk. Where the surface closes around a
- * cylindrical part or a hole, the disk meets itself and stays open along that line.
+ * Grows a disk over a surface from its first triangle, in O(m log m). Each step adds one triangle,
+ * so that the disk remains a disk. If several triangles are possible, it is the one with the lowest
+ * index. Where the disk meets itself, for example behind a hole or around a cylindrical part, it
+ * stays open along a line.
  *
- * triangles: m x 3 indices of `points` points, an oriented 2-manifold with or without boundary.
- * Returns the indices of the disk's triangles, ascending: all of them if the surface is a disk that
- * can be grown this way, none if there are no triangles.
+ * triangles: m x 3, an oriented 2-manifold with or without boundary. points: the number of points.
+ * Returns the indices of the disk's triangles, ascending. These are all triangles if the surface is
+ * a disk that can be grown this way. The result is empty if there are no triangles.
  */
 std::vector<int> GrowDisk(const Eigen::MatrixXi& triangles, Eigen::Index points);
 

@@ -12,17 +12,18 @@ namespace shape
 struct CutTriangles
 {
   Eigen::MatrixXi Triangles;                 ///< oriented like the original triangles
-  std::vector<int> Original;                 ///< original triangle of each, ascending
-  std::vector<std::array<int, 2>> Midpoints; ///< ends of the edge that each new point splits
+  std::vector<int> Original;                 ///< for each new triangle, the original one; ascending
+  std::vector<std::array<int, 2>> Midpoints; ///< for each new point, the ends of its edge
 };
 
-/// Splits edges (the lower point first, without repeats) in all triangles that have them. points:
-/// the number of points; the new points are numbered after them, in the order of the edges.
+/// Splits the given edges in all triangles that contain them. edges: without repeats, each with the
+/// lower point first. points: the number of points; the new points follow, in the order of the
+/// edges.
 CutTriangles SplitEdges(
   const Eigen::MatrixXi& triangles, const std::vector<std::array<int, 2>>& edges, int points);
 
-/// Returns the edges of triangles that join two points of a loop that are not consecutive in it, in
-/// order, the lower point first. loop: points without repeats.
+/// Returns the triangle edges that join two non-consecutive points of a loop. Each edge has its
+/// lower point first, and the edges are sorted. loop: points without repeats.
 std::vector<std::array<int, 2>> FindLoopChords(
   const Eigen::MatrixXi& triangles, const std::vector<int>& loop);
 

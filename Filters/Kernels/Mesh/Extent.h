@@ -8,8 +8,8 @@ namespace shape
 {
 
 /// Throws InvalidInput unless the longest edge of the points' bounding box is 0 or between 1e-50
-/// and 1e50: sixth powers of lengths must neither overflow nor underflow. `name` is used for the
-/// points in the message, for example "the surface".
+/// and 1e50. So sixth powers of lengths neither overflow nor underflow. `name` denotes the points
+/// in the message, for example "the surface".
 void RequireExtent(const Eigen::MatrixXd& points, const std::string& name);
 
 } // namespace shape

@@ -15,8 +15,8 @@
 namespace shape
 {
 
-/// A graph whose edges have lengths, in compressed rows. Node i is connected to Neighbours[k], with
-/// the length Lengths[k], for each k from First[i] to First[i + 1] - 1.
+/// A graph whose edges have lengths, stored in compressed rows. For each k from First[i] to
+/// First[i + 1] - 1, an edge of length Lengths[k] connects node i to Neighbours[k].
 struct Graph
 {
   std::vector<int> First;      ///< n + 1
@@ -26,8 +26,8 @@ struct Graph
   int Size() const { return static_cast<int>(this->First.size()) - 1; }
 };
 
-/// Builds the graph of these links: pairs of different nodes in any order, possibly repeated. The
-/// length of an edge is the distance between its nodes' positions (n x 3).
+/// Builds a graph. links: pairs of different nodes in any order, possibly repeated. positions:
+/// n x 3; the length of an edge is the distance between the positions of its nodes.
 Graph BuildGraph(const Eigen::MatrixXd& positions, std::vector<std::pair<int, int>> links);
 
 /// Returns the graph of a surface's points and edges, which is computed once and cached in the
@@ -37,20 +37,21 @@ std::shared_ptr<const Graph> GetEdgeGraph(const Surface& surface);
 /// The nodes where paths start, and the initial distance of each.
 struct GraphSources
 {
-  std::vector<int> Nodes; ///< a node may be there several times
+  std::vector<int> Nodes; ///< a node may occur several times
   Eigen::VectorXd Distances;
-  std::vector<int> Before = {}; ///< the node before each on the path, or -1; empty: -1 for all
+  /// for each source, the previous node on its path, or -1; empty = -1 for all
+  std::vector<int> Before = {};
 };
 
 /**
  * Dijkstra's algorithm ("A note on two problems in connexion with graphs", 1959): visits the nodes
  * of a graph in ascending order of their distance from the sources.
  *
- * distances (n): lowered where a path from the sources is shorter; unreachable nodes keep their
- * value. extend(distance, k): returns the distance at the end of edge k from that at its start,
- * which must not be smaller; infinity if the edge is closed. reach(node, before): called whenever a
- * distance is lowered, with the previous node on the path, or -1. settle(node): called when a
- * distance is final; returns true to end the search.
+ * distances: n initial values, each lowered if a path from the sources is shorter.
+ * extend(distance, k): for the distance at the start of edge k, returns the distance at its end. It
+ * must not be smaller; it is infinity if the edge is closed. reach(node, before): called whenever
+ * the distance of `node` is lowered; `before` is the previous node on the path, or -1.
+ * settle(node): called when the distance of `node` is final; returns true to end the search.
  */
 template <typename Extend, typename Reach, typename Settle>
 void RunDijkstra(const Graph& graph, const GraphSources& sources, Eigen::VectorXd& distances,
@@ -91,13 +92,13 @@ void RunDijkstra(const Graph& graph, const GraphSources& sources, Eigen::VectorX
   }
 }
 
-/// Lowers distances (n) to the lengths of shortest paths from the sources, wherever these are
-/// shorter; the search does not continue beyond. Throws Aborted.
+/// Lowers each of `distances` (n) to the length of the shortest path from the sources, if that is
+/// shorter. The search does not continue past a node whose distance is not lowered. Throws Aborted.
 void LowerDistances(const Graph& graph, const GraphSources& sources, Eigen::VectorXd& distances,
   const Progress& progress = {});
 
-/// Returns the shortest path between two nodes, including both; empty if there is none. extend: as
-/// in RunDijkstra.
+/// Returns the nodes of the shortest path between two nodes, including both; empty if there is no
+/// path. extend: see RunDijkstra.
 std::vector<int> FindShortestPath(
   const Graph& graph, int from, int to, const std::function<double(double, int)>& extend);
 

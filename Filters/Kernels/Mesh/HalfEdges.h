@@ -8,7 +8,8 @@
 namespace shape
 {
 
-/// An edge of one triangle, from the point Begin at its corner Corner to the point End at the next.
+/// An edge of one triangle. It runs from the point Begin, at the triangle's corner Corner, to the
+/// point End at the next corner.
 struct HalfEdge
 {
   int Begin;
@@ -19,15 +20,15 @@ struct HalfEdge
   int High() const { return std::max(this->Begin, this->End); }
 };
 
-/// Returns the half-edges of all triangles (m x 3, indices less than `points`), sorted by Low,
-/// High, Triangle. Half-edges of the same edge are therefore adjacent.
+/// Returns the half-edges of all triangles (m x 3, indices less than `points`), sorted by Low, High
+/// and Triangle. The half-edges of an edge are therefore adjacent.
 std::vector<HalfEdge> SortHalfEdges(const Eigen::MatrixXi& triangles, Eigen::Index points);
 
 /// Returns the twin of each half-edge, or -1 on the boundary. Half-edge 3 t + k runs from corner k
 /// of triangle t to the next corner. triangles: an oriented 2-manifold.
 std::vector<int> FindTwins(const Eigen::MatrixXi& triangles, Eigen::Index points);
 
-/// The same from sorted half-edges (SortHalfEdges).
+/// The same, for half-edges sorted by SortHalfEdges.
 std::vector<int> FindTwins(const std::vector<HalfEdge>& sorted);
 
 ///@{

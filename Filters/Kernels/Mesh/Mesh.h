@@ -28,11 +28,11 @@ inline Eigen::Matrix3d GetCorners(const Mesh& mesh, Eigen::Index triangle)
   return corners;
 }
 
-/// Returns the longest edge of the points' axis-aligned bounding box: the size that errors are
-/// relative to.
+/// Returns the longest edge of the points' axis-aligned bounding box. Relative errors are divided
+/// by this length.
 double ComputeLongestBoxEdge(const Eigen::MatrixXd& points);
 
-/// Returns the diagonal of the bounding box.
+/// Returns the length of the bounding box's diagonal.
 double ComputeBoxDiagonal(const Eigen::MatrixXd& points);
 
 /// Returns the cross product of two edges of each triangle (m x 3): it points outwards, and its
@@ -49,10 +49,10 @@ Eigen::VectorXd ComputePointAreas(const Mesh& mesh);
 double ComputeEnclosedVolume(const Mesh& mesh);
 
 /**
- * Returns the winding number of closed surfaces of `triangles` (m x 3) over `points` around a
- * position on none of them: the sum of the solid angles / 4 pi (Van Oosterom and Strackee, "The
- * solid angle of a plane triangle", 1983). It is 1 inside a surface that faces outwards, -1 inside
- * one that faces inwards, 0 outside.
+ * Returns the winding number of closed surfaces around a position that lies on none of them: the
+ * sum of the triangles' solid angles / 4 pi (Van Oosterom and Strackee, "The solid angle of a plane
+ * triangle", 1983). It is 1 inside a surface that faces outwards, -1 inside a surface that faces
+ * inwards, and 0 outside. points: n x 3. triangles: m x 3.
  */
 double ComputeWindingNumber(const Eigen::MatrixXd& points, const Eigen::MatrixXi& triangles,
   const Eigen::RowVector3d& position);
@@ -63,19 +63,21 @@ Mesh OrientOutwards(Mesh mesh);
 /// Returns the centroids of the triangles (m x 3).
 Eigen::MatrixXd ComputeCentroids(const Mesh& mesh);
 
-/// Returns one position in each triangle (m x 3), as far from its edges as random ones on average.
-/// It avoids the centroid and the medians, so errors there do not profit from a map that was fitted
-/// there. The order of the corners' coordinates decides which corner it is closest to.
+/// Returns one position in each triangle (m x 3), as far from the edges as a random position is on
+/// average. It lies off the centroid and the medians, where a map may have been fitted, so that
+/// errors are not underestimated. The order of the corners' coordinates decides which corner it is
+/// closest to.
 Eigen::MatrixXd ComputeOffCentres(const Mesh& mesh);
 
-/// Interpolates values at the points (n x d) linearly at the positions of ComputeOffCentres (m x
-/// d).
+/// Interpolates values at the points (n x d) linearly at the positions of ComputeOffCentres.
+/// Returns m x d.
 Eigen::MatrixXd InterpolateAtOffCentres(const Mesh& mesh, const Eigen::MatrixXd& values);
 
 /// Returns random positions on the triangles (count x 3), uniformly distributed over the area.
 Eigen::MatrixXd SampleRandomly(const Mesh& mesh, int count, unsigned int seed);
 
-/// Returns the mean over each triangle's corners (m x d) of values at the points (n x d).
+/// Returns, for each triangle, the mean of the values at its corners (m x d). values: n x d, at the
+/// points.
 Eigen::MatrixXd AverageAtCorners(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values);
 
 } // namespace shape

@@ -11,66 +11,70 @@
 namespace shape
 {
 
-/// Where the points and cells of a mesh come from that was derived from another one: cut, filled,
-/// split or joined. Data are carried from the old mesh to the new one by it.
+/// The origin of the points and cells of a new mesh that was made from an old mesh by cutting,
+/// filling, splitting or joining. It determines how data are carried from the old mesh to the new
+/// one.
 struct Provenance
 {
-  /// New points x old points: a value at a new point is the weighted mean of the values at the old
-  /// ones. Rows sum to 1; an empty row belongs to a point without a source. In a mesh made from
-  /// two, the rows of both provenances sum to 1 together.
+  /// New points x old points: the value at a new point is the weighted mean of the values at old
+  /// points. Each row sums to 1, or is empty if the point has no source. If a mesh is made from
+  /// two, it has two provenances, and each row sums to 1 over both.
   Eigen::SparseMatrix<double, Eigen::RowMajor> Weights;
-  /// Of each new point: the old point that it is, or is a copy of; -1 if it is none.
+  /// For each new point, the old point of which it is a copy; -1 if it is no copy.
   Eigen::VectorXi Points;
-  /// Of each new cell: the old cell that it is, is a part of, or takes its data from; -1: none.
+  /// For each new cell, the old cell that it equals, is a part of, or takes its data from; -1 if
+  /// there is none.
   Eigen::VectorXi Cells;
 };
 
-/// Of each entry of `second`: the entry of `first` at that index; -1 stays -1.
+/// Returns, for each index in `second`, the entry of `first` at this index, or -1 if the index is
+/// -1.
 Eigen::VectorXi ComposeIndices(const Eigen::VectorXi& first, const Eigen::VectorXi& second);
 
-/// The provenance of a mesh that was derived in two steps; the points and cells of the mesh between
-/// them are the new ones of `first` and the old ones of `second`.
+/// Returns the provenance of a mesh that was made in two steps. first: the provenance of the mesh
+/// between the steps. second: the provenance of the final mesh from that mesh.
 Provenance Compose(const Provenance& first, const Provenance& second);
 
-/// The provenance of a mesh that is the old one.
+/// Returns the provenance of an unchanged mesh.
 Provenance TraceIdentity(Eigen::Index points, Eigen::Index cells);
 
-/// The provenance of a mesh whose points are all copies. points: of each, the old point, less than
-/// oldPoints; cells: as Provenance::Cells.
+/// Returns the provenance of a mesh whose points are all copies. points: for each new point, its
+/// old point. oldPoints: the number of old points. cells: see Provenance::Cells.
 Provenance TraceCopies(
   const std::vector<int>& points, Eigen::Index oldPoints, const Eigen::VectorXi& cells);
 
-/// Writes a provenance, one new point after the other.
+/// Builds a provenance. The new points are added one after the other.
 class ProvenanceWriter
 {
 public:
   explicit ProvenanceWriter(Eigen::Index oldPoints);
-  void Reserve(Eigen::Index newPoints); ///< room for this number of points
+  void Reserve(Eigen::Index newPoints); ///< allocates memory for this number of points
 
-  /// A point that is the old one.
+  /// Adds a copy of an old point.
   void AddCopy(int oldPoint);
-  /// The first `count` old points, in order.
+  /// Adds copies of the first `count` old points, in order.
   void AddCopies(Eigen::Index count);
-  /// A new point that has the values of an old one.
+  /// Adds a point that takes the values of an old point but is no copy of it.
   void AddNearest(int oldPoint);
-  /// A new point on a triangle of the old mesh. corners: its points.
+  /// Adds a point on a triangle of the old mesh. corners: the points of the triangle.
   void AddOnTriangle(const Eigen::RowVector3i& corners, const Eigen::RowVector3d& barycentric);
-  /// A new point that has the mean of the values at points that were written before.
+  /// Adds a point whose values are the mean of the values at new points that were added before.
   void AddMean(const std::vector<int>& newPoints);
-  /// A point with these old points and their weights, in any order. copied: as Provenance::Points.
+  /// Adds a point. entries: old points and their weights, in any order; they are sorted. copied:
+  /// see Provenance::Points.
   void AddRow(std::vector<std::pair<int, double>>& entries, int copied);
-  /// Points without a source.
+  /// Adds `count` points without a source.
   void AddNone(Eigen::Index count);
 
-  /// The provenance of all points written. cells: as Provenance::Cells.
+  /// Returns the provenance of all points that were added. cells: see Provenance::Cells.
   Provenance Finish(const Eigen::VectorXi& cells) const;
 
 private:
   Eigen::Index OldPoints;
-  std::vector<int> First = { 0 }; ///< of each row: its first entry; then the number of entries
+  std::vector<int> First = { 0 }; ///< the first entry of each row; then the number of entries
   std::vector<int> Columns;       ///< ascending in each row
   std::vector<double> Values;
-  std::vector<int> Copied; ///< as Provenance::Points
+  std::vector<int> Copied; ///< see Provenance::Points
   std::vector<std::pair<int, double>> Entries;
 };
 

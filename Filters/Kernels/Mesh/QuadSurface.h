@@ -47,8 +47,8 @@ private:
 /// Computes the topology of the boundary of hexahedra.
 Topology ComputeBoundaryTopology(const HexMesh& mesh);
 
-/// Whether the boundary of hexahedra is a 2-manifold with the Euler number and the number of
-/// components in `wanted`.
+/// Whether the boundary of hexahedra is a 2-manifold with the same Euler number and number of
+/// components as `wanted`.
 bool HasBoundaryTopology(const HexMesh& mesh, const Topology& wanted);
 
 } // namespace shape

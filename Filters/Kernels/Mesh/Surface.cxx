@@ -111,7 +111,7 @@ void CheckManifold(const Surface& surface, const Topology& topology, const std::
   if (topology.MisorientedEdges > 0 && IsOneSided(surface))
   {
     throw InvalidInput(name +
-      " is one-sided, as a Moebius strip is: its triangles cannot all face " +
+      " is one-sided, like a Moebius strip: its triangles cannot all face " +
       "the same way (they do not at point " + std::to_string(topology.FirstMisoriented) +
       "); cut it open across the strip");
   }
@@ -186,9 +186,9 @@ Surface Surface::WithPoints(Eigen::MatrixXd points) const
 {
   if (points.rows() != this->Points().rows())
   {
-    throw InvalidInput("a surface of " + std::to_string(this->Points().rows()) +
-      " points was given positions for " + std::to_string(points.rows()) +
-      "; give a row for each point");
+    throw InvalidInput("a surface has " + std::to_string(this->Points().rows()) +
+      " points, but there are " + std::to_string(points.rows()) +
+      " new positions; give one row for each point");
   }
   Surface moved(std::move(points), this->Triangles());
   // These follow from the triangles alone. An entry that is not made yet is shared, too, and made

@@ -11,29 +11,29 @@
 namespace shape
 {
 
-/// A surface that was cut open along edges.
+/// A surface after cutting it open along edges.
 struct CutSurface
 {
-  Mesh Surface;                 ///< the same triangles; copied points come after the original ones
+  Mesh Surface; ///< with the same triangles; the copies of points come after the original points
   shape::Provenance Provenance; ///< from the uncut surface
 };
 
-/// Cuts along the given edges. A point is copied for each further part into which the cut divides
-/// its triangles; the part with the first triangle keeps the original. surface: an oriented
-/// 2-manifold.
+/// Cuts along the given edges. The cut divides the triangles around a point into parts. The part
+/// with the triangle of lowest index keeps the point; each other part gets a copy. surface: an
+/// oriented 2-manifold.
 CutSurface CutAlongEdges(const Surface& surface, const std::vector<std::array<int, 2>>& edges);
 
 /// A path along edges.
 struct EdgePath
 {
   std::vector<int> Points;
-  std::vector<int> Stops; ///< the indices in Points of the stops
+  std::vector<int> Stops; ///< for each stop, its index in Points
 };
 
 /**
- * Finds the path through `stops` in order. Each leg is the shortest along edges that meets neither
- * the previous legs nor another stop. If that makes a stop unreachable, legs also avoid the
- * neighbours of later stops.
+ * Finds a path along edges through `stops`, in order. Each leg is the shortest path that meets
+ * neither the previous legs nor another stop. If a stop cannot be reached in this way, the search
+ * is repeated with legs that also avoid the neighbours of later stops.
  *
  * Throws InvalidInput if there is no such path because the mesh is too coarse; Aborted.
  */

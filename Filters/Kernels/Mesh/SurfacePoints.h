@@ -7,8 +7,9 @@
 namespace shape
 {
 
-/// A point on a surface: a triangle, and barycentric coordinates >= 0 whose sum is 1. On an edge
-/// the coordinate of the opposite corner is exactly 0; at a vertex one coordinate is exactly 1.
+/// A point on a surface, in barycentric coordinates of a triangle. Each is >= 0, and their sum is
+/// 1. On an edge the coordinate of the opposite corner is exactly 0. At a vertex one coordinate is
+/// exactly 1.
 struct SurfacePoint
 {
   int Triangle = -1;
@@ -19,21 +20,21 @@ struct SurfacePoint
 struct SurfacePoints
 {
   Eigen::VectorXi Triangles;    ///< n
-  Eigen::MatrixXd Barycentrics; ///< n x 3: >= 0, the sum of each row is 1
+  Eigen::MatrixXd Barycentrics; ///< n x 3, each >= 0; each row sums to 1
 };
 
-/// Returns P values (n x d): values at the points of the other surface (k x d), interpolated
-/// linearly at the images. triangles: those of the other surface.
+/// Returns P values (n x d): the values interpolated linearly at the images. values: k x d, at the
+/// points of the other surface. triangles: the triangles of the other surface.
 Eigen::MatrixXd PullBack(
   const SurfacePoints& map, const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values);
 
-/// Returns P^T values (points x d): the transpose of PullBack, applied to values (n x d) at the
-/// points that are mapped.
+/// Returns P^T values (points x d), where P is the linear map of PullBack. values: n x d, at the
+/// mapped points. points: the number of points of the other surface.
 Eigen::MatrixXd PushForward(const SurfacePoints& map, const Eigen::MatrixXi& triangles,
   const Eigen::MatrixXd& values, Eigen::Index points);
 
-/// Returns the map that takes point i to vertex targets(i) of the other surface, as a corner of one
-/// of its triangles. Throws InvalidInput if a target belongs to no triangle.
+/// Returns the map that takes point i to vertex targets(i) of the other surface. Throws
+/// InvalidInput if a target belongs to no triangle.
 SurfacePoints MakeSurfacePointsAtVertices(const Eigen::VectorXi& targets, const Mesh& other);
 
 /// Returns, for each image, the corner of its triangle with the largest barycentric coordinate (n);

@@ -9,9 +9,9 @@ namespace shape
 {
 
 /**
- * Counts, while it exists, how often the topology and the search tree of one surface are computed.
- * Tests use it: a kernel that copies its surface instead of passing it on makes the counts greater
- * than one. There may be one counter at a time.
+ * Counts how often the topology and the search tree of one surface are computed during the lifetime
+ * of this object. Tests use it: the counts exceed one if a kernel copies its surface instead of
+ * passing it on. Only one object may exist at a time.
  */
 class SurfaceWork
 {
@@ -22,7 +22,8 @@ public:
     SearchTree
   };
 
-  /// points (n x 3): the surface's; any surface of the same points counts, whatever its triangles.
+  /// points: n x 3, the points of the surface. Every surface with the same points is counted,
+  /// whatever its triangles.
   explicit SurfaceWork(Eigen::MatrixXd points);
   ~SurfaceWork();
   SurfaceWork(const SurfaceWork&) = delete;
@@ -30,7 +31,8 @@ public:
 
   int Count(Kind kind) const { return this->Counts[static_cast<std::size_t>(kind)]; }
 
-  /// What computes something of a surface calls this first, from any thread.
+  /// Must be called by every function that computes a topology or a search tree. points: the points
+  /// of the surface. May be called from any thread.
   static void Note(Kind kind, const Eigen::MatrixXd& points);
 
 private:

@@ -7,17 +7,17 @@
 namespace shape
 {
 
-/// A triangle around a node; Corner is the index of the node in the triangle. With Triangle -1, the
-/// entry stands only for a neighbour that is Next in no triangle around the node.
+/// A triangle around a node; Corner is the index of the node in the triangle. If Triangle is -1,
+/// the entry only records a neighbour of the node that is Next in none of the triangles.
 struct FanTriangle
 {
   int Next, Previous; ///< nodes
   int Triangle, Corner;
 };
 
-/// The triangles around each node: those of node i are Triangles[First[i]] ... Triangles[First[i +
-/// 1] - 1]. If triangles are consistently oriented, each neighbour of a node is Next in exactly one
-/// of them.
+/// The triangles around each node; node i has Triangles[First[i]] ... Triangles[First[i + 1] - 1].
+/// If the triangles are consistently oriented, each neighbour of a node is Next in exactly one
+/// entry.
 struct VertexFans
 {
   /// triangles: m x 3 indices of nodes. A triangle with a repeated node occurs once in its fan.

@@ -14,23 +14,26 @@ namespace shape
 struct CellPoints
 {
   Eigen::VectorXi Ids; ///< n: the cell of each position
-  /// n x points of the cells: the weights that interpolate values at the points to the positions. A
-  /// row refers to the corners of the cell, or of a triangle of it, and sums to 1.
+  /// n x number of points: the weights that interpolate values at the points of the cells to the
+  /// positions. A row has entries at the corners of the cell, or of one of its triangles, and sums
+  /// to 1.
   Eigen::SparseMatrix<double, Eigen::RowMajor> Weights;
-  Eigen::VectorXd Distances; ///< n: 0 inside the cell, else the distance to its closest point
+  /// n: 0 inside the cell, else the distance to the closest point of the cell
+  Eigen::VectorXd Distances;
 };
 
 /**
- * Finds the cell that contains a position, and the weights of the cell's points there. It is built
- * once and queried from any thread.
+ * Finds the cell that contains a position, and the interpolation weights of the cell's points
+ * there. A locator is built once and can be queried from any thread.
  *
  * Solid cells interpolate by their shape functions, as in vtkCell::EvaluatePosition: linear in
- * tetrahedra, trilinear in hexahedra, so linear functions of space are reproduced exactly. A
- * position outside all cells takes the closest point on a face of a cell, split into triangles.
+ * tetrahedra, trilinear in hexahedra, so linear functions of space are reproduced exactly. For a
+ * position outside all cells, the result is the closest point on a face of a cell; faces are split
+ * into triangles.
  *
- * If no cell is solid, polygons are split into triangles, and a position takes the closest point on
- * them, with barycentric weights. If there are both, polygons are ignored; lines and vertices
- * always are.
+ * If no cell is solid, polygons are split into triangles, and the result is the closest point on
+ * them, with barycentric weights. If there are solid cells, polygons are ignored. Lines and
+ * vertices are always ignored.
  */
 class CellLocator
 {

@@ -166,7 +166,7 @@ SurfaceLocator::SurfaceLocator(const Surface& surface)
   {
     if (surface.Triangles().rows() == 0)
     {
-      throw InvalidInput("the surface to search has no triangle");
+      throw InvalidInput("the surface to search has no triangle; give a surface with triangles");
     }
     Tree tree;
     tree.Facets.reserve(surface.Triangles().rows());

@@ -10,12 +10,11 @@
 namespace shape
 {
 
-/// The points on a surface closest to n points. On an edge the barycentric coordinate of the
-/// opposite corner is exactly 0.
+/// For each of n given points, the closest point on a surface.
 struct ClosestPoints : SurfacePoints
 {
   Eigen::MatrixXd Positions; ///< n x 3
-  Eigen::VectorXd Distances; ///< n: >= 0
+  Eigen::VectorXd Distances; ///< n values, each >= 0
 };
 
 /// The point on a surface closest to one point.
@@ -25,14 +24,14 @@ struct ClosestPoint : SurfacePoint
   double Distance = 0.0;
 };
 
-/// Returns the barycentric coordinates of the point of a triangle (one corner per row) closest to
-/// `position`. On an edge the coordinate of the opposite corner is exactly 0. The triangle may be
-/// degenerate.
+/// Returns the barycentric coordinates of the point of a triangle that is closest to `position`. If
+/// this point lies on an edge, the coordinate of the opposite corner is exactly 0. corners: one per
+/// row; the triangle may be degenerate.
 Eigen::RowVector3d FindClosestPointInTriangle(
   const Eigen::Matrix3d& corners, const Eigen::RowVector3d& position);
 
-/// Finds the closest points on a triangulated surface, from any thread. The search tree is cached
-/// in the surface, so another locator of the same surface costs nothing.
+/// Finds the closest points on a triangulated surface. Can be used from several threads. The search
+/// tree is cached in the surface, so another locator of the same surface costs nothing.
 class SurfaceLocator
 {
 public:
@@ -42,9 +41,10 @@ public:
   /// points: n x 3, finite. Throws InvalidInput if the square of a distance overflows; Aborted.
   ClosestPoints Find(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
 
-  /// The same for one point. guess: a triangle that is likely to be close, which speeds up the
-  /// search, or -1. It is returned if no other is closer, and immediately if the point lies on it
-  /// up to rounding. Throws InvalidInput as above.
+  /// The same for one point. guess: a triangle that is likely to be close, or -1. A good guess
+  /// speeds up the search. The guess is preferred among triangles at equal distance. If the point
+  /// lies on it up to rounding, there is no search. Throws InvalidInput if the square of a distance
+  /// overflows.
   ClosestPoint FindOne(const Eigen::RowVector3d& point, int guess = -1) const;
 
   const Surface& GetSurface() const { return this->Searched; } ///< the surface that is searched

@@ -8,21 +8,22 @@
 namespace shape
 {
 
-/// Returns, for each row of `queries` (q x d), the nearest row of `rows` (n x d, n >= 1); the first
-/// if several are equally near. Matrix products in single precision compute the distances: in a
-/// hundred dimensions this is faster than any tree, and exact up to rounding. Throws Aborted.
+/// Returns, for each row of `queries` (q x d), the index of the nearest row of `rows` (n x d, n >=
+/// 1). If several rows are equally near, it is the first. Distances are computed by matrix products
+/// in single precision: in a hundred dimensions this is faster than any tree, and exact up to
+/// rounding. Throws Aborted.
 Eigen::VectorXi FindNearestRows(
   const Eigen::MatrixXd& queries, const Eigen::MatrixXd& rows, const Progress& progress = {});
 
 /**
- * Finds, for each row of `queries` (q x d), a nearby point on the surface whose vertices are the
- * rows of `points` (n x d), in all d dimensions. The search starts at the nearest vertex
- * (FindNearestRows), takes the nearest point in the triangles there, and walks to triangles that
- * share a corner while the distance falls. In many dimensions this is a fast approximation of the
- * nearest point. Starting from a subset of the vertices would end elsewhere on thin parts, where
- * maps would then be wrong.
+ * Finds, for each row of `queries` (q x d), a nearby point on a surface in d dimensions, whose
+ * vertices are the rows of `points` (n x d). The search starts at the nearest vertex
+ * (FindNearestRows) and takes the nearest point in its triangles. Then it walks to triangles that
+ * share a corner while the distance decreases. In many dimensions this is a fast approximation of
+ * the nearest point. The start is chosen among all vertices: with a subset, walks on thin parts
+ * would end on the wrong side.
  *
- * triangles: m x 3; vertices without a triangle are never targets. Throws Aborted.
+ * triangles: m x 3; a vertex without a triangle is never a result. Throws Aborted.
  */
 SurfacePoints FindNearestSurfacePoints(const Eigen::MatrixXd& queries,
   const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& points, const Progress& progress = {});

@@ -22,8 +22,8 @@ public:
   /// at equal distance are ordered by index.
   std::vector<int> Nearest(const Eigen::RowVector3d& position, int count) const;
 
-  /// Returns the nearest point that `accepts` returns true for and that is closer than `within`; -1
-  /// if there is none.
+  /// Returns the nearest of the points that `accepts` returns true for, if it is closer than
+  /// `within`, or -1.
   int NearestOf(const Eigen::RowVector3d& position, const std::function<bool(int)>& accepts,
     double within) const;
 

@@ -9,11 +9,11 @@
 namespace shape
 {
 
-/// A hierarchy of boxes, whose objects are numbers.
+/// A hierarchy of bounding boxes around objects, which are given by their indices.
 using BoxTree = Eigen::KdBVH<double, 3, int>;
 
-/// The hierarchy of boxes around the triangles of a surface, built once and kept with it: every
-/// search in the surface uses this one. surface: with triangles.
+/// Returns the hierarchy of bounding boxes around the triangles of a surface. It is built once and
+/// cached in the surface, for all searches. surface: with at least one triangle.
 std::shared_ptr<const BoxTree> GetTriangleBoxes(const Surface& surface);
 
 } // namespace shape

@@ -9,20 +9,20 @@
 namespace shape
 {
 
-/// The nearest point in a set of triangles.
+/// The point of a set of triangles that is nearest to a given point.
 struct NearestTriangle : SurfacePoint
 {
   double SquaredDistance = 0.0;
 };
 
-/// Triangles in the order of a tree, 16 per block, and balls around them, in single precision.
-/// Coordinate k of entry i of block b has the index (b * Dimension + k) * 16 + i.
+/// Triangles in the order of a tree, in blocks of 16, and balls around them, in single precision.
+/// Coordinate k of entry i of block b is stored at index (b * Dimension + k) * 16 + i.
 struct TriangleBlocks
 {
   static constexpr int Size = 16;
 
-  /// Balls around 16 blocks, or around 16 balls of the previous level; the last level has at most
-  /// 16.
+  /// Balls, each around a block or around 16 balls of the previous level. The last level has at
+  /// most 16 balls.
   struct Level
   {
     std::vector<float> Centres;
@@ -37,23 +37,26 @@ struct TriangleBlocks
 };
 
 /**
- * Finds the nearest points of triangles in any dimension. The tree consists of balls around
- * triangles that are close to each other, which in many dimensions fit an oblique surface better
- * than boxes. Sixteen balls or triangles are compared at once in single precision (Highway);
- * candidates for the nearest are compared in double precision. If points move a little, as in an
- * iteration, the tree is kept and its balls are updated.
+ * Finds the nearest points of triangles in up to 64 dimensions. The tree consists of balls around
+ * triangles that are close to each other. In many dimensions, balls fit an oblique surface better
+ * than boxes. Sixteen balls or triangles are compared at once in single precision (Highway).
+ * Candidates for the nearest triangle are compared in double precision. If points move a little,
+ * for example during an iteration, the tree is kept and only its balls are updated.
  */
 class TriangleTree
 {
 public:
-  /// triangles: m x 3, m >= 1, kept by reference. points: n x d, d <= 64, the initial positions.
+  /// triangles: m x 3, m >= 1; they must outlive the tree. points: n x d, d <= 64, the initial
+  /// positions.
   TriangleTree(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& points);
 
-  /// points: n x d. However far they move, Find stays exact, but becomes slower.
+  /// Sets the positions of the points (n x d). Find stays exact however far they move, but becomes
+  /// slower.
   void Move(const Eigen::MatrixXd& points);
 
-  /// Returns the nearest point of all triangles to a point (d). guess: a triangle that is likely to
-  /// be close, which speeds up the search; it is preferred among points at equal distance.
+  /// Returns the point of all triangles that is nearest to `point` (d coordinates). guess: a
+  /// triangle that is likely to be close, which speeds up the search. It is preferred among
+  /// triangles at equal distance.
   NearestTriangle Find(const Eigen::RowVectorXd& point, int guess) const;
 
 private:

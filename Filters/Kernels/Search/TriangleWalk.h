@@ -11,8 +11,8 @@
 namespace shape
 {
 
-/// The triangles around each point: those of point i are Triangles[First[i]] ...
-/// Triangles[First[i + 1] - 1].
+/// The triangles around each point; point i has Triangles[First[i]] ... Triangles[First[i + 1] -
+/// 1].
 struct TriangleFans
 {
   TriangleFans(const Eigen::MatrixXi& triangles, Eigen::Index points);
@@ -20,8 +20,8 @@ struct TriangleFans
   std::vector<int> First, Triangles;
 };
 
-/// Walks on a surface in any dimension towards a position: from triangle to triangle that share a
-/// corner while the distance falls.
+/// Walks on a surface in any dimension towards a position. Each step goes to a triangle that shares
+/// a corner with the previous one, as long as the distance decreases.
 class TriangleWalk
 {
 public:
@@ -34,7 +34,8 @@ public:
   {
   }
 
-  /// Walks from the triangles around a point, which must have some, to a local minimum of distance.
+  /// Walks from the triangles around `point` to a local minimum of the distance to `towards`. The
+  /// point must have at least one triangle.
   void Go(int point, const Eigen::VectorXd& towards);
 
   int Triangle = -1; ///< the triangle where the walk ended
@@ -50,8 +51,8 @@ private:
   Eigen::VectorXd First, Second, Way; ///< buffers, kept to avoid allocations
 };
 
-/// Returns the ends of walks towards positions (q x d, one per row) on the surface of points (n x
-/// d, one per row). begin: returns the start point for each position; called from any thread.
+/// Returns the end of a walk towards each of `positions` (q x d, one per row). points: n x d, one
+/// per row. begin: returns the index of the start point for each position; called from any thread.
 /// Throws Aborted.
 SurfacePoints WalkToPositions(const Eigen::MatrixXd& positions, const Eigen::MatrixXi& triangles,
   const Eigen::MatrixXd& points, const TriangleFans& fans, const std::function<int(int)>& begin,

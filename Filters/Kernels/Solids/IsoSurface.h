@@ -23,8 +23,8 @@ struct SampledGrid
 };
 
 /// Returns the isosurface of the samples at `value` (vtkFlyingEdges3D). Triangles are
-/// counter-clockwise seen from the side of greater values. It is closed if it does not meet the
-/// grid's boundary, and empty if no sample lies on the other side of `value`.
+/// counter-clockwise seen from the side of greater values. The surface is closed if it does not
+/// meet the grid's boundary. It is empty if all samples lie on the same side of `value`.
 Mesh ExtractIsoSurface(const SampledGrid& grid, double value);
 
 } // namespace shape

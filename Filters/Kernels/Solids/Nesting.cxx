@@ -109,7 +109,7 @@ void RequireApart(const Surface& surface, const std::vector<Component>& componen
   }
   if (meeting.First < count)
   {
-    throw InvalidInput(name + " has components that touch or cross (those of points " +
+    throw InvalidInput(name + " has components that touch or cross (the components of points " +
       std::to_string(mesh.Triangles(triangles[0], 0)) + " and " +
       std::to_string(mesh.Triangles(components[meeting.First].Triangles[0], 0)) +
       "); move them apart, or unite them");

@@ -9,24 +9,26 @@ namespace shape
 /// The part of a surface that bounds its solid.
 struct SolidBoundaryResult
 {
-  /// The surface's triangles that bound the solid, with all of the surface's points; the surface
-  /// itself if all triangles do.
+  /// The triangles that bound the solid, with all points of the given surface. If Crossings is 0,
+  /// it is the given surface itself.
   shape::Surface Surface;
-  int Crossings = 0; ///< pairs of triangles that cross or touch; if 0, no triangle is removed
+  /// number of pairs of triangles that cross or touch; if 0, no triangle is removed
+  int Crossings = 0;
 };
 
 /**
- * Extracts the triangles of a closed surface that bound its solid, the region with a winding number
- * of at least 1; the surface may cross itself. Triangles inside the solid are removed (Jacobson,
- * Kavan and Sorkine-Hornung, "Robust inside-outside segmentation using generalized winding
- * numbers", 2013). Triangles that cross others are not split, so small parts of them may lie
- * inside. The result is cached in the surface.
+ * Extracts the triangles that bound the solid of a closed surface, which may cross itself. The
+ * solid is the region with a winding number of at least 1. Triangles inside the solid are removed
+ * (Jacobson, Kavan and Sorkine-Hornung, "Robust inside-outside segmentation using generalized
+ * winding numbers", 2013). Triangles that cross others are not split, so small parts of them may
+ * lie inside. The result is cached in the surface.
  *
  * surface: closed and consistently oriented. Throws Aborted.
  */
 SolidBoundaryResult ExtractSolidBoundary(const Surface& surface, const Progress& progress = {});
 
-/// Returns the closed surface with its normals pointing outwards: itself if they already do.
+/// Returns a closed surface with all triangles reversed if they face inwards, otherwise the same
+/// surface. A reversed surface is cached in `surface`.
 Surface OrientOutwards(const Surface& surface);
 
 } // namespace shape

@@ -10,14 +10,15 @@ namespace shape
 {
 
 /**
- * The regions of a solid inside closed surfaces, determined by how the surfaces are nested.
+ * The regions of a solid. The nesting of closed surfaces determines them.
  *
- * Each surface may have several components; no two components cross. A component of the first
- * surface (the boundary) inside an even number of its other components bounds solid, RegionId 0;
- * inside an odd number, a void. Components of the other surfaces (material borders) i = 0, 1, ...
- * lie in the solid and bound region i + 1. If one lies inside an odd number of others of the same
- * border, the region around that border continues inside it. A position belongs to the innermost
- * component around it.
+ * Each surface may have several components; no two components cross. The first surface is the
+ * boundary. A component of the boundary bounds region 0 if it lies inside an even number of the
+ * boundary's other components, and a void if inside an odd number. The other surfaces, i = 0, 1,
+ * ..., are material borders in the solid. A component of border i bounds region i + 1 if it lies
+ * inside an even number of the border's other components. If inside an odd number, it bounds a hole
+ * in region i + 1, where the region around that border continues. The innermost component around a
+ * position determines its region.
  *
  * Winding numbers decide which component contains which (Mesh/Mesh.h; Jacobson et al., "Robust
  * inside-outside segmentation", 2013).
@@ -27,33 +28,33 @@ class SolidRegions
 public:
   static constexpr int Void = -1; ///< the region of positions outside the solid
 
-  /// surfaces: the boundary, then the material borders; each closed and consistently oriented,
-  /// facing either way. names: used for them in messages. Throws InvalidInput if a component
-  /// encloses no volume or a border lies outside the solid; Aborted.
+  /// surfaces: the boundary, then the material borders. Each is closed and consistently oriented,
+  /// facing either way. names: denote the surfaces in messages. Throws InvalidInput if a component
+  /// encloses no volume, or if a border lies outside the solid; Aborted.
   SolidRegions(const std::vector<Surface>& surfaces, const std::vector<std::string>& names,
     const Progress& progress = {});
 
   /// Returns the region at a position that lies on no surface.
   int RegionAt(const Eigen::RowVector3d& position) const;
 
-  /// The volume of each region (1 + number of borders).
+  /// The volumes of the regions: 1 + number of borders values.
   const Eigen::VectorXd& Volumes() const { return this->RegionVolumes; }
 
   /// A connected piece of a surface.
   struct Component
   {
-    shape::Surface Surface;       ///< facing outwards, with its own points
-    int FirstPoint = -1;          ///< the index in its surface of its first point
+    shape::Surface Surface;       ///< its triangles, facing outwards, and its points only
+    int FirstPoint = -1;          ///< its first point, as an index of a point of its surface
     Eigen::RowVector3d Low, High; ///< its bounding box
-    int Owner = 0;                ///< the index of its surface
-    int Parent = -1;              ///< the innermost component around it, or -1
-    int Region = Void;            ///< the region that it bounds from outside
+    int Owner = 0;                ///< index of the surface that it belongs to
+    int Parent = -1;              ///< index of the innermost component around it, or -1
+    int Region = Void;            ///< the region directly inside it
     double Volume = 0.0;          ///< the volume that it encloses, > 0
   };
   /// All components by descending volume; a parent comes before its children.
   const std::vector<Component>& Pieces() const { return this->Components; }
 
-  /// Returns a position inside each void that the solid surrounds (n x 3), far from its walls.
+  /// Returns one position in each void that the solid surrounds (n x 3), far from the void's walls.
   /// Throws SolveFailure if a void is too thin.
   Eigen::MatrixXd FindPositionsInVoids() const;
 

@@ -91,7 +91,8 @@ int Owner(const SurfaceComplex& complex, int triangle)
       "remesh it");
   }
   throw InvalidInput(names[b] + " crosses or touches " + names[a] + " at " + pairs +
-    "the second number is a triangle of " + names[b] + "; move it away or leave it out");
+    "in each pair, the first triangle belongs to " + names[a] + ", the second to " + names[b] +
+    "; move " + names[b] + " away or leave it out");
 }
 
 } // namespace

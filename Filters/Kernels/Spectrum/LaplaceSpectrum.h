@@ -16,7 +16,8 @@ struct LaplaceSpectrumOptions
     Spectral, ///< ComputeSpectralEmbedding
     MDS       ///< EmbedByClassicalMds
   };
-  /// Number of smallest eigenpairs, including the constants; see SolveLaplaceEigenproblem.
+  /// Number of eigenpairs with the smallest eigenvalues, constant eigenfunctions included; see
+  /// SolveLaplaceEigenproblem.
   int NumberOfEigenpairs = 100;
   EmbeddingType Embedding = EmbeddingType::Spectral;
   int EmbeddingDimensions = 3; ///< >= 1
@@ -33,9 +34,9 @@ struct LaplaceSpectrumResult
 /**
  * Computes the spectrum of a surface, its signatures and an embedding.
  *
- * surface: a consistently oriented 2-manifold, open or closed; for MDS with one component. Throws
- * InvalidInput if it is not, if an option is out of range, or if it has fewer eigenpairs than
- * requested; SolveFailure, Aborted.
+ * surface: a consistently oriented 2-manifold, open or closed; for MDS it must have one component.
+ * Throws InvalidInput if the surface does not meet these conditions, if an option is out of range,
+ * or if there are fewer eigenpairs than requested. Throws SolveFailure and Aborted.
  */
 LaplaceSpectrumResult ComputeLaplaceSpectrum(const Surface& surface,
   const LaplaceSpectrumOptions& options = {}, const Progress& progress = {});

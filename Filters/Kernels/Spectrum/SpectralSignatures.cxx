@@ -20,7 +20,7 @@ Eigen::Index ZeroCount(const LaplaceEigenpairs& spectrum, int others)
   {
     throw InvalidInput("NumberOfEigenpairs is " + std::to_string(spectrum.Eigenvalues.size()) +
       ", of which " + std::to_string(zeros) +
-      " are constants, one for each component; it must be at least " +
+      " have constant eigenfunctions, one for each component; it must be at least " +
       std::to_string(zeros + others) +
       "; increase it, refine the surface if it has fewer points, or merge points at the same "
       "position with Clean");

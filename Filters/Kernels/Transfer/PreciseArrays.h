@@ -10,7 +10,7 @@
 namespace shape
 {
 
-/// A precise map in the form of point arrays of these names (n rows).
+/// A precise map as point arrays, which have the names of these members (n rows).
 struct PreciseArrays
 {
   Eigen::VectorXd TargetCell;
@@ -18,38 +18,39 @@ struct PreciseArrays
   Eigen::MatrixXd TargetPosition;    ///< n x 3
 };
 
-/// Thrown if the arrays are valid but were made for another target.
+/// Thrown if the arrays are valid, but were made for another target.
 class MapOfAnotherSurface : public InvalidInput
 {
 public:
   using InvalidInput::InvalidInput;
 };
 
-/// A surface with the cell numbers that TargetCell refers to.
+/// A surface with the cell numbers that TargetCell contains.
 struct NumberedSurface
 {
   Mesh Surface;
-  int First = 0;         ///< the cell number of its first triangle, after vertices and lines
+  int First = 0;         ///< the cell number of its first triangle; vertices and lines come before
   Eigen::VectorXi Cells; ///< m: the polygon that contains each triangle
 };
 
 /**
  * Returns the map given by the arrays, into the triangles of `target`. Where sheets lie close
- * together it determines the correct one, unlike the point closest to TargetPosition.
+ * together, the arrays determine the correct one. The point closest to TargetPosition may lie on
+ * the wrong one.
  *
  * tolerance: the maximum distance between the mapped position and TargetPosition, relative to the
- * longest edge of the target's bounding box. pointsName, targetName: used in messages for the
- * points and the target, for example "the Input".
+ * longest edge of the target's bounding box. pointsName, targetName: denote the points and the
+ * target in messages, for example "the Input".
  *
- * Throws InvalidInput if a number is not finite, a barycentric coordinate is negative, or the three
- * do not sum to 1 up to single precision. Throws MapOfAnotherSurface if a cell is no triangle of
+ * Throws InvalidInput if a number is not finite, or if three barycentric coordinates are not all >=
+ * 0 with the sum 1, up to single precision. Throws MapOfAnotherSurface if a cell is no triangle of
  * the target, or if the positions are farther apart than the tolerance.
  */
 SurfacePoints RequirePreciseMap(const PreciseArrays& arrays, const NumberedSurface& target,
   double tolerance, const std::string& pointsName, const std::string& targetName);
 
-/// Returns the weights that take values from the giver's points to points mapped onto its
-/// triangles. No point is outside.
+/// Returns the weights that interpolate values at the giver's points to points that `map` takes
+/// onto the giver's triangles. Outside is 0 for all points.
 TransferWeights LocateOnTriangles(const SurfacePoints& map, const NumberedSurface& giver);
 
 } // namespace shape

@@ -11,23 +11,24 @@ namespace shape
 
 struct TransferFieldsOptions
 {
-  /// The shape that carries the map.
+  /// The shape on which the map is given.
   enum class DirectionType
   {
-    Pull, ///< the receiver's map f leads into the giver: its point x takes the value at f(x)
-    Push  ///< the giver's map h leads into the receiver: its point z gives its value to h(z)
+    Pull, ///< the receiver has a map f to the giver: its point x takes the value at f(x)
+    Push  ///< the giver has a map h to the receiver: its point z gives its value to h(z)
   };
   DirectionType Direction = DirectionType::Pull;
-  /// The maximum distance from the giver's cells at which a position belongs to them, relative to
-  /// the longest edge of the giver's bounding box: flat cells cut off curved boundaries.
+  /// A position farther than this from all cells of the giver is outside; >= 0, relative to the
+  /// longest edge of the giver's bounding box. It is not 0 because flat cells cut off curved
+  /// boundaries.
   double Tolerance = 0.01;
 };
 
-/// The weights by which the receiver's points (r) take their values from the giver's points (n).
+/// The weights that interpolate values at the giver's n points to the receiver's r points.
 struct TransferWeights
 {
-  /// r x n: interpolates values at the giver's points; each row sums to 1. A position outside all
-  /// cells takes the value at the closest point in a cell.
+  /// r x n; each row sums to 1. A position outside all cells takes the value at the closest point
+  /// of a cell.
   Eigen::SparseMatrix<double, Eigen::RowMajor> Weights;
   Eigen::VectorXi Cells;   ///< r: the giver's cell, or the closest one if outside
   Eigen::VectorXi Outside; ///< r: 1 if farther than the tolerance from every cell, else 0
@@ -36,25 +37,27 @@ struct TransferWeights
 /**
  * Transfers values from one shape to another along a map between them.
  *
- * The value at x is the giver's interpolant at the position that corresponds to x. In a solid this
- * is interpolated by the shape functions of the cell that contains the position; on a surface by
- * barycentric weights at the closest point.
+ * The value at x is interpolated at the position in the giver that corresponds to x. In a solid the
+ * shape functions of the cell that contains the position interpolate; on a surface, barycentric
+ * weights at the closest point.
  *
- * Pull also composes maps: if t is a map given at the giver's points, the interpolated t is
- * t(f(x)). Push looks x up in the image of the giver, whose points are moved to h. This inverts h,
- * which should not fold the giver.
+ * Pull can also compose maps: if a map t is given at the giver's points, the interpolated value is
+ * t(f(x)). Push moves the giver's points by h and locates x in the moved giver. This inverts h, so
+ * h should not fold the giver.
  */
 class TransferFields
 {
 public:
-  /// giver: a solid or a surface with finite coordinates. map: for Push, the map at its points (n x
-  /// 3), in the receiver's space; for Pull it may be empty. Throws InvalidInput if the giver has no
-  /// polygon or solid cell, or if a position or the map is not finite; Aborted.
+  /// giver: a solid or a surface with finite coordinates. map: for Push, the images of its points
+  /// (n x 3), in the receiver's space; not used for Pull. Throws InvalidInput if the giver has no
+  /// polygon or solid cell, if Tolerance is negative, or if a point or its image is not finite;
+  /// Aborted.
   explicit TransferFields(Cells giver, const Eigen::MatrixXd& map = {},
     const TransferFieldsOptions& options = {}, const Progress& progress = {});
 
-  /// Returns the weights at positions (r x 3): for Pull the receiver's map at its points, for Push
-  /// the receiver's points. Throws InvalidInput if a position is not finite; Aborted.
+  /// Returns the weights at positions (r x 3). For Pull, these are the images of the receiver's
+  /// points; for Push, the receiver's points. Throws InvalidInput if a position is not finite;
+  /// Aborted.
   TransferWeights Find(const Eigen::MatrixXd& positions, const Progress& progress = {}) const;
 
 private:

@@ -19,9 +19,9 @@
 namespace
 {
 
-/// Writes a part and its fills, if it has any. Points on the cut get interpolated values, and
-/// points of a fill get harmonic values. Triangles get the data of the cell that contains them.
-/// Triangles of a fill get the data of the nearest cell at the loop.
+/// Writes a part of the surface and its fills, if it has any. Points on the cut get interpolated
+/// values; points of a fill get harmonic values. A triangle gets the data of the cell that contains
+/// it. A triangle of a fill gets the data of the nearest cell at the loop.
 void WritePart(const shape::DividedPart& part, const std::vector<shape::FilledHole>& holes,
   const shape::NumberedSurface& numbered, vtkPolyData* surface, vtkPolyData* output)
 {

@@ -22,8 +22,8 @@
 namespace
 {
 
-/// Returns the data of the feature, with values that are blended to agree with the target at the
-/// loop.
+/// Returns the data of the feature. Point values that the target has, too, are changed near the
+/// loop, so that they agree with the target's values there.
 vtkSmartPointer<vtkPolyData> Blend(const shape::PastedFeature& pasted,
   const shape::FeatureToPaste& feature, const vtkShapePastedData::Part& target,
   const vtkShapePastedData::Part& featurePart, double width)

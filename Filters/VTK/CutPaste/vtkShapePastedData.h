@@ -12,7 +12,7 @@
 namespace vtkShapePastedData
 {
 
-/// A surface and its triangles, with closed seams (shape::WeldedSurface).
+/// A surface of triangles with closed seams (shape::WeldedSurface), and its data.
 struct Part
 {
   shape::Mesh Surface;               ///< without points that no triangle uses
@@ -20,16 +20,16 @@ struct Part
   int WeldedPoints = 0;
 };
 
-/// Reads a surface. name: denotes the data in errors. Throws the exceptions of
+/// Converts `data` and closes its seams. name: denotes the data in errors. Throws the exceptions of
 /// shape::WeldedSurface.
 Part Read(vtkPolyData* data, const std::string& name, const shape::Progress& progress);
 
 /**
- * Writes the pasted surface with the data of target and feature (vtkShapeCarry). If both have an
- * array, its values at the points of the feature are changed to agree with the target at the loop
- * (shape::BlendAtSeam). blendWidth: the width of the changed band, as a share of the depth of the
- * feature. The cells of the seam band get the values of the target at the loop. The cell array
- * `Part` is 0 on the target, 1 on the seam band and 2 on the feature.
+ * Writes the pasted surface with the data of target and feature (vtkShapeCarry). If both have a
+ * point array of the same name, its values on the feature are changed to agree with the target's
+ * values at the loop (shape::BlendAtSeam). blendWidth: the width of the band with changed values,
+ * divided by the depth of the feature. The cells of the seam band get the values of the target at
+ * the loop. The cell array `Part` is 0 on the target, 1 on the seam band and 2 on the feature.
  */
 void Write(const shape::PastedFeature& pasted, const shape::FeatureToPaste& feature,
   const Part& target, const Part& featurePart, double blendWidth, vtkPolyData* output);

@@ -100,7 +100,7 @@ TEST(OrientByNesting, RefusesComponentsThatTouchOrCross)
   EXPECT_NO_THROW(shape::OrientByNesting(Joined({ cube, Cube({ 1.001, 0, 0 }) }), "it"));
   EXPECT_REFUSED(
     shape::BoundaryDistance(Joined({ Sphere(1.0, Origin), Sphere(1.0, { 0.5, 0, 0 }) })),
-    "touch or cross (those of points 0 and 642", "turn Signed off");
+    "touch or cross (the components of points 0 and 642", "turn Signed off");
 }
 
 TEST(BoundaryDistance, OfAShellIsNegativeInTheShellAlone)

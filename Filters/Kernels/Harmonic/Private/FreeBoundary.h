@@ -12,24 +12,25 @@ namespace shape
 struct FreeBoundaryResult
 {
   Eigen::MatrixXd Targets;     ///< n x 3: the images of the boundary's points, on the target
-  HarmonicVolumeMapResult Map; ///< the harmonic map with these values
-  /// Mean over the solid's volume of the symmetric Dirichlet energy |J|^2 + |J^-1|^2 of the
-  /// harmonic map. Images are scaled so that solid and target have the same volume: 6 for an
-  /// isometry.
+  HarmonicVolumeMapResult Map; ///< the harmonic map with Targets as boundary values
+  /// Mean of the symmetric Dirichlet energy |J|^2 + |J^-1|^2 of the harmonic map over the solid's
+  /// volume. For this, images are scaled so that solid and target have the same volume. The energy
+  /// of an isometry is 6.
   double DistortionBefore = 0.0, DistortionAfter = 0.0;
-  bool Kept = false; ///< whether the distortion decreased; else Targets and Map are the given ones
+  /// whether the distortion decreased; if not, Targets and Map are those passed in
+  bool Kept = false;
 };
 
 /**
- * Lets the images of a boundary's points slide on the target surface to reduce the distortion of
- * the volume map. The solid's tetrahedra are carried by the harmonic map and untangled. Then their
- * elliptic energy (EllipticEnergy) is minimized with the boundary points on the target. Finally the
- * harmonic map with the new boundary values is solved. Points may slide across creases of the
- * target.
+ * Reduces the distortion of a volume map by letting the images of the boundary's points slide on
+ * the target surface. The solid's tetrahedra are carried by the harmonic map and untangled. Then
+ * their elliptic energy (EllipticEnergy) is minimized while the boundary points stay on the target.
+ * Finally the harmonic map with the new boundary values is solved. Points may slide across creases
+ * of the target.
  *
  * boundary, targets, features, options: as for ComputeHarmonicVolumeMap. map: its result. Throws
  * the exceptions of that function, Tetrahedralize and Untangle. Throws SolveFailure if tetrahedra
- * stay inverted, as they do if the boundary map folds; Aborted.
+ * stay inverted, for example because the boundary map folds; Aborted.
  */
 FreeBoundaryResult SlideBoundary(const Surface& boundary, const Eigen::MatrixXd& targets,
   const Surface& target, const VolumeFeatures& features, const HarmonicVolumeMapOptions& options,

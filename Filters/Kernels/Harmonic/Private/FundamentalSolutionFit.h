@@ -25,8 +25,8 @@ public:
   const SignedDistance& Distance() const { return this->Field; }
   bool HasFeatures() const { return this->RootWeights.size() > 0; }
 
-  /// Returns the residual of the sum so far: `targets` minus its values at `positions` (each
-  /// k x 3).
+  /// Returns the residual of the sum so far: `targets` minus the values of the sum at `positions`
+  /// (each k x 3).
   Eigen::MatrixXd Left(const Eigen::MatrixXd& positions, const Eigen::MatrixXd& targets,
     const Progress& progress) const;
 
@@ -38,29 +38,30 @@ public:
   /// too large.
   void RequireMemory(int boundaryRows, int sources) const;
 
-  /// Fits charges at `sources` to the residual at the first `boundaryRows` collocation points and
-  /// at the features. Each collocation point is weighted by the area it represents in its component
-  /// (ComputeSampledAreas).
+  /// The charges fitted at `sources` to the residual at the first `boundaryRows` collocation points
+  /// and at the features. Each collocation point is weighted by the area it represents
+  /// (GetCollocationAreas).
   struct Fit
   {
     Eigen::MatrixXd Charges; ///< s x 3
     int Rows = 0;            ///< number of rows of the system
-    /// For each right singular vector below the threshold the source of its largest entry;
-    /// ascending, each once.
+    /// Indices of redundant sources, ascending, without repeats: for each right singular vector
+    /// below the threshold, the source with its largest entry.
     std::vector<int> Redundant;
   };
   Fit Solve(int boundaryRows, const Eigen::MatrixXd& sources, const Progress& progress) const;
 
-  /// Adds the charges to the sum, times one factor >= 0 for each coordinate. The factors minimize
-  /// the residual inside triangles and at features. Returns the relative decrease of the root of
-  /// the summed squared residual; 0 if no factor is positive.
+  /// Adds the charges to the sum, multiplied by one factor >= 0 for each coordinate. The factors
+  /// minimize the residual inside triangles and at features. Returns the relative decrease of the
+  /// root of the summed squared residual; 0 if no factor is positive.
   double Add(
     const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges, const Progress& progress);
 
-  /// Returns up to `count` boundary points with the largest residual, no two within `spacing`.
+  /// Returns up to `count` boundary points with the largest residual; any two are farther than
+  /// `spacing` apart.
   Eigen::MatrixXd WorstPoints(int count, double spacing) const;
 
-  /// Returns the errors of the sum so far. The caller fills in the sizes of the system.
+  /// Returns a level with the errors of the sum so far. The caller sets the other members.
   HarmonicVolumeMapResult::Level Errors() const;
   double FeatureError() const;
 
@@ -68,8 +69,9 @@ public:
   ChargeSet Map() const;
 
 private:
-  /// Returns the area that each of the first `count` collocation points represents, divided by the
-  /// mean of its component. So a small void has weight by its number of points, not by its area.
+  /// Returns the area that each of the first `count` collocation points represents
+  /// (ComputeSampledAreas), divided by its mean over the component. So the weight of a small void
+  /// is its number of points, not its area.
   Eigen::VectorXd GetCollocationAreas(int count) const;
 
   ScaledBoundary Scaled;

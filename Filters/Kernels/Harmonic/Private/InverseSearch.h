@@ -10,7 +10,7 @@
 namespace shape
 {
 
-/// Progress through an unknown number of steps: each takes a tenth of the remainder.
+/// Progress through an unknown number of steps. Each step takes a tenth of the remaining progress.
 class Steps
 {
 public:
@@ -30,7 +30,8 @@ private:
   double Done = 0.0;
 };
 
-/// The map to invert. It refers to the map that it is constructed from, which must outlive it.
+/// The map to invert. It keeps a reference to the map passed to the constructor, which must outlive
+/// it.
 struct SearchedMap
 {
   using Function =
@@ -42,7 +43,7 @@ struct SearchedMap
   SearchedMap(const PiecewiseHarmonicMap& map);
 };
 
-/// Iterates that converge to the preimages of targets (each n x 3).
+/// The state of an iteration towards the preimages of n targets.
 struct Search
 {
   Eigen::MatrixXd Positions;
@@ -62,17 +63,17 @@ struct Limits
 Search StartSearch(const SearchedMap& map, const Eigen::MatrixXd& positions,
   const Eigen::MatrixXd& targets, const Progress& progress);
 
-/// Runs Newton's method from every position, until its miss is at most the goal and no longer
+/// Runs Newton's method from every position until the miss is at most the goal and no longer
 /// decreases.
 void IterateNewton(const SearchedMap& map, Search& search, const Limits& limits, Steps& progress);
 
-/// Continues from `starts` while the images move to the targets on straight lines. Newton's method
-/// solves each step. A step is twice as long as the last if that succeeded, half as long if it
-/// failed.
+/// Moves the images of `starts` to the targets on straight lines, step by step, and follows the
+/// preimages by Newton's method. After a successful step the next is twice as long, after a failed
+/// one half as long.
 Search WalkToTargets(const SearchedMap& map, const Eigen::MatrixXd& starts,
   const Eigen::MatrixXd& targets, const Limits& limits, Steps& progress);
 
-/// Returns row i of a result of Jacobians as a matrix.
+/// Returns the derivative in row i of `jacobians` (n x 9, ordered as by EvaluateJacobians).
 Eigen::Matrix3d GetJacobian(const Eigen::MatrixXd& jacobians, Eigen::Index i);
 
 } // namespace shape

@@ -78,7 +78,7 @@ void RequireOneSolid(const Surface& oriented)
   if (solids != 1)
   {
     throw InvalidInput("the boundary bounds " + std::to_string(solids) +
-      " solids that do not touch; map each by itself (Connectivity separates them)");
+      " solids that do not touch; separate them with Connectivity and map each of them alone");
   }
 }
 

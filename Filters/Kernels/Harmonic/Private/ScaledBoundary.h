@@ -7,9 +7,10 @@
 namespace shape
 {
 
-/// Boundary and targets of a harmonic volume map, each moved to the origin and scaled to a box of
-/// longest side 1, because the method's thresholds are absolute. Points and triangles are sorted,
-/// so the map does not depend on the input's numbering or its distribution over processes.
+/// Boundary and targets of a harmonic volume map. Each is moved to the origin and scaled so that
+/// the longest side of its box is 1, because the method's thresholds are absolute. Points and
+/// triangles are sorted, so the map does not depend on the input's numbering or its distribution
+/// over processes.
 struct ScaledBoundary
 {
   shape::Surface Surface;  ///< without unused points, facing outwards, sorted by position

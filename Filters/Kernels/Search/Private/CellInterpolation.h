@@ -9,15 +9,17 @@ class vtkGenericCell;
 namespace shape
 {
 
-/// The tolerance for a position outside a cell to be inside: relative to its size and its weights.
+/// The tolerance of the test whether a position lies inside a cell. It applies to the interpolation
+/// weights, and to distances relative to the cell's size.
 constexpr double CellRounding = 1e-6;
 
-/// Makes `cell` the cell with the given index, with the point ids of `cells`.
+/// Sets `cell` to the cell of `cells` with this index, with the point ids of `cells`.
 void LoadCell(const Cells& cells, int number, vtkGenericCell* cell);
 
 /**
  * Returns the values of a solid cell's shape functions at `position`, one for each of its corners.
- * Empty if the position lies outside or the shape functions cannot be inverted. cell: a buffer.
+ * Returns nothing if the position lies outside, or if the shape functions cannot be inverted. cell:
+ * a buffer.
  */
 Eigen::VectorXd ComputeCellWeights(
   const Cells& cells, int number, const Eigen::RowVector3d& position, vtkGenericCell* cell);

@@ -7,9 +7,9 @@ namespace shape
 {
 
 /// Returns the point of a triangle nearest to a point, in any dimension, from scalar products
-/// alone. With the edges e and f from the first corner: a = e e, b = e f, c = f f. u and v are the
-/// products of e and f with the vector from that corner to the point. The result has the
-/// coordinates along e and f, each >= 0, with a sum <= 1.
+/// alone. e and f are the edges from the first corner, and w is the vector from this corner to the
+/// point. a = e e, b = e f, c = f f, u = e w, v = f w. The result (s, t) stands for the first
+/// corner + s e + t f; s, t >= 0 and s + t <= 1.
 inline std::array<double, 2> ProjectOntoTriangle(double a, double b, double c, double u, double v)
 {
   const double determinant = a * c - b * b;
