@@ -42,7 +42,7 @@ struct Source
   const shape::Provenance& From;
 };
 
-/// Carries the point data and cell data of one mesh or several, and the field data of the first.
+/// Carries the point data and cell data of one mesh or several; of one, the field data, too.
 void Carry(const std::vector<Source>& sources, vtkDataSet* derived);
 
 /// One array, by weights (new tuples x old ones, no entry 0). It has no role.

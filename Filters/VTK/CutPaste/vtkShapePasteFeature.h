@@ -13,7 +13,7 @@
  *
  * Output: the target without its covered region, a seam band, and the feature, deformed to fit. It
  * is watertight if the target is and the feature has no other loop. Points and cells keep their
- * arrays (see vtkShapePastedData), and the field data are those of the target. The cell array
+ * arrays (see vtkShapePastedData). The cell array
  * `Part` is 0 on the target, 1 on the band and 2 on the feature.
  *
  * Field data, with the prefix PasteFeature
