@@ -217,7 +217,10 @@ void vtkShapeCarry::Carry(const std::vector<Source>& sources, vtkDataSet* derive
       [](const Weights& weights) { return &weights; });
     CarryAttributes(cells, cellWeights, derived->GetCellData());
   }
-  derived->GetFieldData()->PassData(sources.front().Mesh->GetFieldData());
+  if (sources.size() == 1)
+  {
+    derived->GetFieldData()->PassData(sources.front().Mesh->GetFieldData());
+  }
 }
 
 vtkSmartPointer<vtkAbstractArray> vtkShapeCarry::CarryArray(

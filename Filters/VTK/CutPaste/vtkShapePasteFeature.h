@@ -13,8 +13,8 @@
  *
  * Output: the target without its covered region, a seam band, and the feature, deformed to fit. It
  * is watertight if the target is watertight and the feature has no other loop. Points and cells
- * keep their arrays (see vtkShapePastedData). The field data are copied from the target. The cell
- * array `Part` is 0 on the target, 1 on the seam band and 2 on the feature.
+ * keep their arrays (see vtkShapePastedData). The cell array `Part` is 0 on the target, 1 on the
+ * seam band and 2 on the feature.
  *
  * Field data, with the prefix PasteFeature
  * - .Seed, .Normal, .Direction (3 numbers each): the position on the target, its normal, and the
