@@ -247,7 +247,7 @@ refused += [
     ('landmarks far away', pebble, pebble, marks(100 * far, far), METHODS,
      ('8 landmarks are farther from SurfaceA', 'put Landmarks on SurfaceA')),
     ('landmarks at one point', pebble, pebble, marks(far[[0] * 4], far[[0] * 4]), METHODS[4:],
-     ('there is 1 landmark on', 'or none to have them found')),
+     ('there is 1 distinct landmark', 'or none to have them found')),
     ('a landmark that is NaN', pebble, pebble, marks(broken[15:20], far[:5]), METHODS,
      ('the set of Landmarks has 1 point with a value that is not finite',)),
     ('no landmark', pebble, pebble, vtkPolyData(), METHODS, ("'Landmarks' has no points",)),

@@ -81,7 +81,7 @@ models = os.environ.get('SHAPEMAP_MODELS', os.path.join(shapetesting.BUILD, 'mod
 if os.path.exists(os.path.join(models, 'joint.off')):
     coarse = off.read(os.path.join(models, 'joint.off'))
     shapetesting.check_refused(
-        shapetesting.new(shapemap.vtkShapePolycube, coarse, TargetEdgeLength=0.08), 'turns', ' of chart ')
+        shapetesting.new(shapemap.vtkShapePolycube, coarse, TargetEdgeLength=0.08), 'inverts', ' of chart ')
     finer = vtkLinearSubdivisionFilter()
     finer.SetNumberOfSubdivisions(1)
     finer.SetInputData(coarse)

@@ -133,7 +133,7 @@ assert (abs(points(result)[flat, 2]) < 1e-12).all(), 'it left its face'
 
 # Other cells and another rest shape are refused.
 surface_grid = read('DentedSphere600.vtp')
-assert 'the Input has a vtkTriangle (cell 0), and only' in untangled(surface_grid)[1]
+assert 'the Input has a vtkTriangle (cell 0), but only' in untangled(surface_grid)[1]
 assert 'the RestShape does not have the cells of the Input' in untangled(ball, image)[1]
 assert 'MaximumIterations is 0' in untangled(ball, MaximumIterations=0)[1]
 print('solids are untangled, split where there is no room, and what must fold is told')
