@@ -35,7 +35,7 @@ std::vector<int> FindDegenerateTriangles(const Mesh& mesh);
  * A hierarchy of boxes (GetTriangleBoxes) finds the candidates, and exact orientations
  * (Geometry/Orientation.h) decide: a pair is listed if and only if the triangles intersect. Points
  * are shared by index, so coincident points must be joined first. surface: any triangles except
- * those of FindDegenerateTriangles. Throws Aborted.
+ * degenerate ones (FindDegenerateTriangles). Throws Aborted.
  */
 std::vector<Crossing> FindSelfIntersections(const Surface& surface, const Progress& progress = {});
 

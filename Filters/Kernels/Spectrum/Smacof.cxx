@@ -98,7 +98,7 @@ EmbeddedSamples EmbedSamples(
   if (topology.Components > 1)
   {
     throw InvalidInput("the surface has " + std::to_string(topology.Components) +
-      " components, but distances between components are undefined; give one of them");
+      " components, but distances between components are undefined; give a single component");
   }
   const std::vector<int> points =
     SampleFarthestPoints(surface, options.Samples, progress.Part(0.0, 0.2));

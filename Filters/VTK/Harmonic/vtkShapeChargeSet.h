@@ -14,9 +14,9 @@ class vtkMultiProcessController;
 class vtkPolyData;
 
 /**
- * Conversion of charge sets to VTK data and back. The points of the data have `Charge` (double, 3),
- * and their field data have `Affine` (3 tuples of 4). The cells are the surface that bounds the
- * domain; the points of this surface have charge 0.
+ * Conversion of charge sets to VTK data and back. The data have the point array
+ * `Charge` (double, 3 components) and the field data array `Affine` (3 tuples of 4 components). The
+ * cells are the surface that bounds the domain; the points of this surface have charge 0.
  *
  * If the map has several layers, there is also `RegionId` (int). At a charge, it is the region to
  * whose map the charge belongs. At the points and cells of a surface, it is the region that the

@@ -22,9 +22,9 @@
  * Output: the receiver with these additional point arrays:
  * - the point arrays of the giver. Floating-point values and colours are interpolated in the cell
  *   that contains the position. On a surface, this is the cell with the closest position, or
- *   `TargetCell`. Other values are copied from the point of this cell with the largest weight, so
- *   that labels stay labels. Vectors keep their components. Normals and global ids of the giver are
- *   not transferred.
+ *   `TargetCell`. Other values are copied from one point of this cell, the one with the largest
+ *   interpolation weight, so that labels stay labels. Vectors keep their components. Normals and
+ * global ids of the giver are not transferred.
  * - the cell arrays of the giver, with the value of the same cell.
  * - `OutsideDomain` (int): 1 if the position is farther than Tolerance from all cells of the giver,
  *   otherwise 0. The values are then taken at the closest position.

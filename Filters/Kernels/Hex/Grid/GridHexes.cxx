@@ -426,7 +426,7 @@ GridHexesResult OfOneGrid(const Surface& surface, const GridHexesOptions& option
     {
       throw InvalidInput("CellSize is " + std::to_string(options.CellSize) +
         ", which gives more than " + std::to_string(options.MaximumHexahedra) +
-        " hexahedra; use at least " + std::to_string(minimum));
+        " hexahedra; use a CellSize of at least " + std::to_string(minimum));
     }
     search.Refine(options.CellSize, 0.0, options.Rounds, progress.Part(0.05, 0.95));
     return search.Result(progress.Part(0.95, 1.0));

@@ -45,8 +45,9 @@ Eigen::MatrixXd EmbedByClassicalMds(
   if (topology.Components > 1)
   {
     throw InvalidInput("the surface has " + std::to_string(topology.Components) +
-      " components, but distances between components are undefined; give one of them, or use the "
-      "spectral embedding");
+      " components, but distances between components are undefined; give a single component, or "
+      "use "
+      "the spectral embedding");
   }
   const std::vector<int> points = SampleFarthestPoints(surface, samples, progress.Part(0.0, 0.2));
   // Outline (de Silva and Tenenbaum 2004, section 2):
