@@ -251,7 +251,7 @@ refused += [
     ('a landmark that is NaN', pebble, pebble, marks(broken[15:20], far[:5]), METHODS,
      ('the set of Landmarks has 1 point with a value that is not finite',)),
     ('no landmark', pebble, pebble, vtkPolyData(), METHODS, ("'Landmarks' has no points",)),
-    ('too many landmarks', pebble, pebble, some, METHODS[6:], ('8 landmarks', 'give 3 or 4'))]
+    ('too many landmarks', pebble, pebble, some, METHODS[6:], ('8 distinct landmarks', 'give 3 or 4'))]
 for what, a, b, landmarks, methods, words in refused:
     for method in methods:
         algorithm, messages = match(method, a, b, landmarks)

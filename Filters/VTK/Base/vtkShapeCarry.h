@@ -43,8 +43,8 @@ struct Source
   const shape::Provenance& From;
 };
 
-/// Carries the point data and cell data of one or several meshes. The field data are carried if there
-/// is only one mesh.
+/// Carries the point data and cell data of one or several meshes. The field data are carried if
+/// there is only one mesh.
 void Carry(const std::vector<Source>& sources, vtkDataSet* derived);
 
 /// Returns one carried array, without an attribute role. weights: number of new tuples x number of
