@@ -35,4 +35,7 @@ EXPECTED = tuple(
     (r'^ShapeTransferFields: ', r'^\d+: point (Giver)?(Colou?rs?|RGB)$', 'colours are interpolated'),
     (r'^Shape(PasteFeature|ExponentialMap): ', r'^\d+: (point|cell) active ',
      'the roles of arrays are kept'),
+    (r'^ShapeParameterize: cap', r'^\d+: point Outwards$',
+     'the cap is cut from a surface, and normals at the new points of the cut have unit length again'),
+    (r'', r'^\d+: field (HexRemesh|FillHoles)\.Reason$', 'reasons are in plainer words'),
 )
