@@ -12,7 +12,8 @@ Laplace Spectrum depend on the number of threads. Cases are in FilterCases.py, n
 differences that are meant in FilterChanges.py.
 
 `compare` prints the cases that differ (with --all: every case), then a row for each filter. Size is
-the diagonal of the box for points, the largest magnitude for other arrays. It exits with 1 if a
+the diagonal of the box for points, half a turn for angles that are small in a good result, and the
+largest magnitude for other arrays. It exits with 1 if a
 difference exceeds LIMIT of the size, if a number of points, a cell, a word or an array's type differs,
 if a case, array or fact is gone, or if only one of both is an error. New cases, arrays and facts, the
 wording of errors and what FilterChanges.EXPECTED names are reported only.
@@ -169,6 +170,8 @@ def array_difference(key, before, after):
     size = abs(finite).max() if finite.size else 0.0
     if key.endswith('points') and len(a):
         size = numpy.linalg.norm(numpy.ptp(a, axis=0))
+    if key in FilterChanges.DEGREES:
+        size = 180.0
     if math.isnan(difference):
         return math.inf, size, 'not a number'
     return difference, size, '%d of %d values' % ((~same).sum(), same.size)

@@ -5,6 +5,10 @@ FILTER_NAMES = {'ShapeShapeDifference': 'ShapeMapDifference'}
 PROPERTY_NAMES = {}
 ARRAY_NAMES = {'ShapeDifference.': 'MapDifference.'}  # beginnings of names, field data too
 
+# Angles in degrees that a filter makes as small as it can: rounding shows in them.
+DEGREES = tuple('0: field PasteFeature.Deviation%s' % which
+                for which in ('Before', 'After', '95Before', '95After'))
+
 # Arrays that are meant to be gone or to differ: regular expressions of "FILTER: CASE" and of the array
 # (as "0: cell ScaledJacobian", 0 being the output), and why. They are reported and fail nothing.
 _FACTS = ('facts describe the mesh on which they were computed, and are removed from outputs with points '

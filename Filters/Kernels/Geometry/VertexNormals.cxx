@@ -20,7 +20,8 @@ using Eigen::RowVector3d;
 RowVector3d WeightedNormal(const Eigen::MatrixXd& points, const Eigen::RowVector3i& triangle,
   int corner, NormalWeight weight)
 {
-  // The area does not depend on the corner; from the first one, it is the same to the last bit.
+  // Area and normal do not depend on the corner; from the first one, they are the same to the last
+  // bit.
   const int k = weight == NormalWeight::Area ? 0 : corner;
   const RowVector3d position = points.row(triangle(k));
   const RowVector3d next = points.row(triangle((k + 1) % 3)) - position;
@@ -29,7 +30,12 @@ RowVector3d WeightedNormal(const Eigen::MatrixXd& points, const Eigen::RowVector
   switch (weight)
   {
     case NormalWeight::Angle:
-      return std::atan2(across.norm(), next.dot(last)) * across.stableNormalized();
+    {
+      const RowVector3d a = points.row(triangle(0));
+      const RowVector3d normal =
+        (points.row(triangle(1)) - a).cross(points.row(triangle(2)) - a).stableNormalized();
+      return std::atan2(across.norm(), next.dot(last)) * normal;
+    }
     case NormalWeight::Max:
     {
       const double lengths = next.squaredNorm() * last.squaredNorm();
