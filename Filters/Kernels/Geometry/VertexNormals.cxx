@@ -31,10 +31,9 @@ RowVector3d WeightedNormal(const Eigen::MatrixXd& points, const Eigen::RowVector
   {
     case NormalWeight::Angle:
     {
-      const RowVector3d a = points.row(triangle(0));
-      const RowVector3d normal =
-        (points.row(triangle(1)) - a).cross(points.row(triangle(2)) - a).stableNormalized();
-      return std::atan2(across.norm(), next.dot(last)) * normal;
+      const RowVector3d first = points.row(triangle(1)) - points.row(triangle(0));
+      const RowVector3d second = points.row(triangle(2)) - points.row(triangle(0));
+      return std::atan2(across.norm(), next.dot(last)) * first.cross(second).stableNormalized();
     }
     case NormalWeight::Max:
     {
