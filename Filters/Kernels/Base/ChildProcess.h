@@ -28,7 +28,8 @@ public:
   ChildProcess& operator=(const ChildProcess&) = delete;
   ~ChildProcess(); ///< kills the child if it still runs
 
-  /// Sends `size` bytes. Called in the child. It ends the child if this process no longer receives.
+  /// Sends `size` bytes. Must be called in the child. Ends the child if the parent process no
+  /// longer receives.
   static void Send(int pipe, const void* data, std::size_t size);
 
   /// Receives `size` bytes from the child. Calls `waiting` about every 0.1 s until all bytes have

@@ -19,8 +19,9 @@ struct CorrespondenceResult
   Landmarks Used;                 ///< the given landmarks, or those found automatically
   bool Found = false;             ///< whether the landmarks were found automatically
   AutomaticLandmarksResult Start; ///< the result of FindLandmarks, if Found is true
-  SurfacePart Part;     ///< which surface is a part of the other one, and the scale between them
-  int CoarsePoints = 0; ///< number of points of the larger surface on which the method ran
+  SurfacePart Part; ///< which surface is a part of the other one, and the scale between them
+  /// Number of points of the larger one of the two surfaces on which the method ran.
+  int CoarsePoints = 0;
   /// ReversibleHarmonic: iterations on the coarse surfaces; 0 if it returned its initial maps.
   int Iterations = 0;
   double CouplingDistortion = -1.0; ///< GromovWasserstein: see GromovWassersteinResult::Distortion
@@ -31,8 +32,8 @@ struct CorrespondenceResult
 /**
  * Computes corresponding points of two surfaces, in both directions, by one of seven methods. The
  * header of each method says for which surfaces it is suitable. If no landmarks are given,
- * FindLandmarks finds them; each surface must then have one component. Landmarks that were found
- * are not pinned, and CommonOrbifold uses only the first four.
+ * FindLandmarks finds them; each surface must then have one component. Landmarks found in this way
+ * are not pinned, and CommonOrbifold uses only the first four of them.
  *
  * a, b: consistently oriented 2-manifolds, facing outwards if they are closed. Points that no
  * triangle uses are ignored. Throws InvalidInput if the method does not suit the surfaces or the

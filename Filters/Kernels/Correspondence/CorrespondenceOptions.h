@@ -9,11 +9,11 @@ struct CorrespondenceOptions
   {
     ReversibleHarmonic = 0, ///< shape::ComputeReversibleHarmonicMap: for different shapes
     FunctionalMap = 1,      ///< shape::ComputeFunctionalMap: for bent copies of one shape
-    GromovWasserstein = 2,  ///< shape::ComputeGromovWassersteinMap: compares distances of samples
+    GromovWasserstein = 2,  ///< shape::ComputeGromovWassersteinMap: compares sample distances
     HeatKernel = 3,         ///< shape::ComputeHeatKernelMap: needs only one landmark
     BlendedIntrinsic = 4,   ///< shape::ComputeBlendedIntrinsicMap: for genus 0
     CommonSphere = 5,       ///< shape::MapThroughSphere: one to one; for closed surfaces of genus 0
-    CommonOrbifold = 6      ///< shape::MapThroughOrbifold: likewise; three or four landmarks
+    CommonOrbifold = 6      ///< shape::MapThroughOrbifold: the same, with three or four landmarks
   };
   MethodType Method = MethodType::ReversibleHarmonic;
   /// The initial maps of ReversibleHarmonic.
@@ -25,26 +25,26 @@ struct CorrespondenceOptions
   StartType Start = StartType::FunctionalMap;
   /// ReversibleHarmonic: whether each given landmark is mapped exactly to its partner.
   bool PinLandmarks = true;
-  int MaximumIterations = 100;  ///< ReversibleHarmonic: maximum number; >= 1
+  int MaximumIterations = 100;  ///< ReversibleHarmonic: maximum number of iterations; >= 1
   int NumberOfEigenpairs = 120; ///< FunctionalMap: maximum number for each surface; >= 10
   int Samples = 500;            ///< GromovWasserstein: samples of each surface; >= 10
   /// Which surface is a part of the other one. FunctionalMap maps the part into the other surface.
-  /// If ReversibleHarmonic starts from this map, it returns it without iterations, which would
+  /// If ReversibleHarmonic starts from this map, it returns the map unchanged. Iterations would
   /// spread the part over the whole other surface. The other methods treat both surfaces as
   /// complete.
   enum class PartType
   {
-    Automatic = 0, ///< decided by FindPart from given landmarks, else by FindLandmarks
+    Automatic = 0, ///< decided by FindPart if landmarks are given, else by FindLandmarks
     None = 1,      ///< both surfaces are complete
     SurfaceA = 2,
     SurfaceB = 3
   };
   PartType Part = PartType::Automatic;
-  /// Surfaces with more points are matched on coarse copies (CoarsePair) with about this many
-  /// points, and the maps are transferred to the given surfaces. ReversibleHarmonic uses two fifths
-  /// of the larger surface's points, but at least 2000 and never more than CoarsePoints. It then
-  /// refines the maps on the given surfaces. CommonSphere and CommonOrbifold never coarsen. 0:
-  /// never coarsen; otherwise >= 100.
+  /// A surface with more points than this is matched on a coarse copy (CoarsePair) with about this
+  /// many points. The maps are then transferred to the given surfaces. ReversibleHarmonic uses two
+  /// fifths of the larger surface's points, but at least 2000 and never more than CoarsePoints. It
+  /// then refines the maps on the given surfaces. CommonSphere and CommonOrbifold never coarsen. If
+  /// CoarsePoints is 0, no surface is coarsened; otherwise it is >= 100.
   int CoarsePoints = 8000;
 };
 

@@ -19,11 +19,11 @@ struct TriangleAngles
 /**
  * Computes the cotangents of the corner angles and the areas of triangles, from their edge lengths.
  *
- * If a triangle is nearly degenerate, its three lengths are increased by the same minimum amount.
- * Then the sum of any two exceeds the third by 1e-6 of the longest (intrinsic mollification: Sharp
- * & Crane 2020, section 4.5, for each triangle). So each triangle's Dirichlet form is positive
- * semi-definite and finite even for needles, caps and triangles without area. A triangle whose
- * corners coincide is treated as equilateral.
+ * If a triangle is nearly degenerate, its three lengths are increased by the same amount: the
+ * smallest with which the sum of any two exceeds the third by 1e-6 of the longest (intrinsic
+ * mollification: Sharp & Crane 2020, section 4.5, for each triangle). So each triangle's Dirichlet
+ * form is positive semi-definite and finite even for needles, caps and triangles without area. A
+ * triangle whose corners coincide is treated as equilateral.
  */
 TriangleAngles ComputeTriangleAngles(const Mesh& mesh);
 

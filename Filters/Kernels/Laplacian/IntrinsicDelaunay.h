@@ -39,7 +39,7 @@ IntrinsicTriangles BuildIntrinsicDelaunay(const Surface& surface);
 /// The Laplacian of a surface on its intrinsic Delaunay triangulation.
 struct IntrinsicLaplacian
 {
-  IntrinsicTriangles Flat;               ///< BuildIntrinsicDelaunay
+  IntrinsicTriangles Flat;               ///< the result of BuildIntrinsicDelaunay
   TriangleAngles Angles;                 ///< ComputeAnglesFromLengths of Flat
   Eigen::SparseMatrix<double> Stiffness; ///< n x n: BuildCotangentStiffness of Flat
   Eigen::VectorXd Masses;                ///< n: ComputeLumpedMasses of Flat

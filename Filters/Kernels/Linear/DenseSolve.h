@@ -12,7 +12,7 @@ namespace shape
  * A QR factorisation reduces A to a triangular factor, which LAPACK's gesdd decomposes. If A is
  * wide, A^T is used. The singular vectors along the longer side are never formed. For a matrix with
  * twice as many rows as columns, this saves two fifths of gesdd's work and two thirds of its
- * memory. Both are library calls that cannot be interrupted.
+ * memory. Both steps are library calls that cannot be interrupted.
  */
 class SingularValues
 {

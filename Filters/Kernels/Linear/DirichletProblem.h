@@ -19,8 +19,8 @@ public:
   /// is not positive definite.
   DirichletProblem(const Eigen::SparseMatrix<double>& stiffness, const std::vector<int>& fixed);
 
-  /// values: n x d, given at the fixed points and 0 at the others. Sets the values at the others so
-  /// that stiffness * values = right holds there.
+  /// values: n x d, given at the fixed points and 0 at the others. Sets the values at the other
+  /// points so that stiffness * values = right holds at these points.
   void Solve(Eigen::MatrixXd& values, const Eigen::MatrixXd& right) const;
 
 private:

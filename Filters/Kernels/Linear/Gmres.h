@@ -38,8 +38,9 @@ using LinearMap = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>;
  * squares problems", 2010, AB-GMRES). A and B are applied to all columns of b together, but each
  * column has its own Krylov space. No residual ever increases.
  *
- * a: applies A, n x k to m x k. b: applies the preconditioner B, m x k to n x k. rightSide: b,
- * m x k. weights: m values, each >= 0, the weights of the rows in all norms. Throws Aborted.
+ * a: applies A to n x k values, giving m x k. b: applies the preconditioner B to m x k values,
+ * giving n x k. rightSide: the right side b of the equation, m x k. weights: the weights of the
+ * rows in all norms, m values, each >= 0. Throws Aborted.
  */
 GmresResult SolveGmres(const LinearMap& a, const LinearMap& b, const Eigen::MatrixXd& rightSide,
   const Eigen::VectorXd& weights, const GmresOptions& options = {}, const Progress& progress = {});

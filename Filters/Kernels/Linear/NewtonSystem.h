@@ -15,15 +15,15 @@ namespace shape
  * step -H^-1 g.
  *
  * The unknowns are grouped in blocks, such as the coordinates of a point. All elements have the
- * same number of corners, and each corner has a block or none. The pattern of H is computed once.
+ * same number of corners, and each corner has at most one block. The pattern of H is computed once.
  * For each step call Clear, then AddGradient and AddCurvature for all elements, then Solve.
  */
 class NewtonSystem
 {
 public:
-  /// widths: for each block, its number of unknowns, >= 0. elements: the blocks of the first
-  /// element's corners, then of the second's, and so on; -1 for a corner without unknowns. corners:
-  /// number of corners of an element.
+  /// widths: for each block, the number of its unknowns; each >= 0. elements: the blocks of the
+  /// first element's corners, then of the second's, and so on; -1 for a corner without unknowns.
+  /// corners: number of corners of an element.
   NewtonSystem(const std::vector<int>& widths, std::vector<int> elements, int corners);
 
   int Width(int block) const { return this->First[block + 1] - this->First[block]; }

@@ -26,7 +26,7 @@ public:
   /// SolveFailure if `a` is not positive definite.
   void Factorize(const Eigen::SparseMatrix<double>& a);
 
-  /// Returns x with a x = b; b: n x k.
+  /// Returns the solution x (n x k) of a x = b. b: n x k.
   Eigen::MatrixXd Solve(const Eigen::MatrixXd& b) const;
 
 private:

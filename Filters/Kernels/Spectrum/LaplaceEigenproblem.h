@@ -11,9 +11,9 @@ namespace shape
 /// The smallest eigenvalues of the Laplacian of a surface, and their eigenfunctions.
 struct LaplaceEigenpairs
 {
-  Eigen::VectorXd Eigenvalues;    ///< k: >= 0, ascending, in 1 / length^2
+  Eigen::VectorXd Eigenvalues;    ///< k values, each >= 0, ascending, in 1 / length^2
   Eigen::MatrixXd Eigenfunctions; ///< n x k, orthonormal with weights Masses; 0 at unused points
-  Eigen::VectorXd Masses;         ///< n: a third of the area of the triangles around each point
+  Eigen::VectorXd Masses;         ///< n values: a third of the triangle area around each point
 };
 
 /**
@@ -23,9 +23,9 @@ struct LaplaceEigenpairs
  *
  * Each component is solved separately. So each eigenfunction is nonzero on one component only, and
  * the first eigenfunction of each component is constant there. FindExtremeEigenpairs is applied to
- * (L + s M)^-1, by one sparse factorisation. If there are few points, a dense decomposition is used
- * instead. An eigenfunction's value of largest magnitude is positive. With another number of
- * threads, the result differs only by rounding.
+ * (L + s M)^-1, by one sparse factorisation, where s is 1 / the component's area. If there are few
+ * points, a dense decomposition is used instead. An eigenfunction's value of largest magnitude is
+ * positive. With another number of threads, the result differs only by rounding.
  *
  * surface: a consistently oriented 2-manifold, open or closed. pairs: number of eigenpairs, from 1
  * to the number of points that triangles use. tolerance: maximum residual of a pair, divided by its

@@ -18,7 +18,7 @@ struct SmacofOptions
   double Tolerance = 1e-4; ///< stops when the relative change of the stress is less than this; >= 0
 };
 
-/// Samples: points of a surface, with their positions in the embedding.
+/// Some points of a surface, called samples, and their positions in the embedding.
 struct EmbeddedSamples
 {
   std::vector<int> Points;
@@ -30,7 +30,7 @@ struct EmbeddedSamples
  * distances along the surface. The sum of squared differences is minimized by majorisation (SMACOF:
  * de Leeuw, "Applications of convex analysis to multidimensional scaling", 1977), starting from
  * classical scaling. EmbedByClassicalMds fits inner products instead. If no Euclidean space has the
- * given distances, it makes them too long.
+ * given distances, those of EmbedByClassicalMds are too long.
  *
  * surface: a consistently oriented 2-manifold of one component, open or closed. Throws InvalidInput
  * if it is not; SolveFailure and Aborted.

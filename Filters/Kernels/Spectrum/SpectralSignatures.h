@@ -22,14 +22,14 @@ namespace shape
 Eigen::MatrixXd ComputeHeatKernelSignature(const LaplaceEigenpairs& spectrum, int times = 100);
 
 /**
- * Computes the wave kernel signature: the probability density of a quantum particle of about a
- * given energy at each point (Aubry, Schlickewei and Cremers, "The wave kernel signature", 2011,
+ * Computes the wave kernel signature: the probability density, at each point, of a quantum particle
+ * with about a given energy (Aubry, Schlickewei and Cremers, "The wave kernel signature", 2011,
  * equation 6), times the area. Its area-weighted mean is 1.
  *
  * Returns n x energies; 0 at points without a triangle. The logarithms of the energies are evenly
- * spaced. With the logarithms a and b of the smallest nonzero and the largest eigenvalue, they
- * range from a + 2 s to b - 2 s, where the standard deviation s is 0.07 (b - a). energies: the
- * number of energies; >= 1. Throws InvalidInput if all eigenvalues are 0.
+ * spaced from a + 2 s to b - 2 s. Here a and b are the logarithms of the smallest nonzero
+ * eigenvalue and of the largest one. The standard deviation s is 0.07 (b - a). energies: the number
+ * of energies; >= 1. Throws InvalidInput if all eigenvalues are 0.
  */
 Eigen::MatrixXd ComputeWaveKernelSignature(const LaplaceEigenpairs& spectrum, int energies = 100);
 

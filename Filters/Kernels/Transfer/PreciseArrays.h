@@ -10,7 +10,7 @@
 namespace shape
 {
 
-/// A precise map as point arrays, which have the names of these members (n rows).
+/// A precise map, stored in point arrays (n rows each) that have the names of these members.
 struct PreciseArrays
 {
   Eigen::VectorXd TargetCell;
@@ -29,28 +29,28 @@ public:
 struct NumberedSurface
 {
   Mesh Surface;
-  int First = 0;         ///< the cell number of its first triangle; vertices and lines come before
+  int First = 0;         ///< the cell number of its first polygon; vertices and lines come before
   Eigen::VectorXi Cells; ///< m: the polygon that contains each triangle
 };
 
 /**
- * Returns the map given by the arrays, into the triangles of `target`. Where sheets lie close
- * together, the arrays determine the correct one. The point closest to TargetPosition may lie on
- * the wrong one.
+ * Returns the map given by the arrays, into the triangles of `target`. Where two sheets of the
+ * target lie close together, the arrays determine the correct sheet. The point closest to
+ * TargetPosition may lie on the wrong sheet.
  *
  * tolerance: the maximum distance between the mapped position and TargetPosition, relative to the
  * longest edge of the target's bounding box. pointsName, targetName: denote the points and the
  * target in messages, for example "the Input".
  *
- * Throws InvalidInput if a number is not finite, or if three barycentric coordinates are not all >=
- * 0 with the sum 1, up to single precision. Throws MapOfAnotherSurface if a cell is no triangle of
- * the target, or if the positions are farther apart than the tolerance.
+ * Throws InvalidInput if a number is not finite, or if the barycentric coordinates of a point
+ * include a negative one or do not sum to 1, up to single precision. Throws MapOfAnotherSurface if
+ * a cell is no triangle of the target, or if the positions are farther apart than the tolerance.
  */
 SurfacePoints RequirePreciseMap(const PreciseArrays& arrays, const NumberedSurface& target,
   double tolerance, const std::string& pointsName, const std::string& targetName);
 
-/// Returns the weights that interpolate values at the giver's points to points that `map` takes
-/// onto the giver's triangles. Outside is 0 for all points.
+/// Returns the weights that interpolate values from the giver's points to the positions in `map`,
+/// which lie on the giver's triangles. Outside is 0 for all points.
 TransferWeights LocateOnTriangles(const SurfacePoints& map, const NumberedSurface& giver);
 
 } // namespace shape

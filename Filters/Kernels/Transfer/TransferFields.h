@@ -19,8 +19,8 @@ struct TransferFieldsOptions
   };
   DirectionType Direction = DirectionType::Pull;
   /// A position farther than this from all cells of the giver is outside; >= 0, relative to the
-  /// longest edge of the giver's bounding box. It is not 0 because flat cells cut off curved
-  /// boundaries.
+  /// longest edge of the giver's bounding box. The default is not 0 because flat cells cut off
+  /// curved boundaries.
   double Tolerance = 0.01;
 };
 
@@ -30,28 +30,28 @@ struct TransferWeights
   /// r x n; each row sums to 1. A position outside all cells takes the value at the closest point
   /// of a cell.
   Eigen::SparseMatrix<double, Eigen::RowMajor> Weights;
-  Eigen::VectorXi Cells;   ///< r: the giver's cell, or the closest one if outside
-  Eigen::VectorXi Outside; ///< r: 1 if farther than the tolerance from every cell, else 0
+  Eigen::VectorXi Cells;   ///< r values: the giver's cell at the position, or the closest cell
+  Eigen::VectorXi Outside; ///< r values: 1 if every cell is farther than the tolerance, else 0
 };
 
 /**
  * Transfers values from one shape to another along a map between them.
  *
- * The value at x is interpolated at the position in the giver that corresponds to x. In a solid the
- * shape functions of the cell that contains the position interpolate; on a surface, barycentric
- * weights at the closest point.
+ * The value at x is interpolated at the position in the giver that corresponds to x. In a solid,
+ * the weights are the shape functions of the cell that contains the position. On a surface, they
+ * are the barycentric coordinates of the closest point.
  *
  * Pull can also compose maps: if a map t is given at the giver's points, the interpolated value is
- * t(f(x)). Push moves the giver's points by h and locates x in the moved giver. This inverts h, so
- * h should not fold the giver.
+ * t(f(x)). Push moves each point z of the giver to h(z) and locates x in the moved giver. This
+ * inverts h, so h should not fold the giver.
  */
 class TransferFields
 {
 public:
-  /// giver: a solid or a surface with finite coordinates. map: for Push, the images of its points
-  /// (n x 3), in the receiver's space; not used for Pull. Throws InvalidInput if the giver has no
-  /// polygon or solid cell, if Tolerance is negative, or if a point or its image is not finite;
-  /// Aborted.
+  /// giver: a solid or a surface with finite coordinates. map: for Push, the images of the giver's
+  /// points (n x 3), in the receiver's space; not used for Pull. Throws InvalidInput if the giver
+  /// has no polygon or solid cell, if Tolerance is negative, or if a point or its image is not
+  /// finite; Aborted.
   explicit TransferFields(Cells giver, const Eigen::MatrixXd& map = {},
     const TransferFieldsOptions& options = {}, const Progress& progress = {});
 

@@ -44,18 +44,19 @@ struct OrbifoldMap
 /**
  * Computes the seamless map between two closed surfaces of genus 0 through their images on one
  * orbifold (Aigerman and Lipman 2015, section 5). The map is one to one, keeps orientation, and
- * takes the cones of A to those of B in the given order. It does not depend on where the images are
- * cut. With three cones, the map is unique. With four, it depends on the shortest paths that join
- * the cones on each surface. If the meshes of a shape are refined, their images converge. At a cone
- * of order k and with edge length h, the error is of order h^(2 / k), so Rhombus and Rectangle
- * depend least on the mesh.
+ * takes each cone of A to the cone of B at the same place in the list. It does not depend on where
+ * the images are cut. With three cones, the map is unique. With four, it depends on the shortest
+ * paths that join the cones on each surface. As the mesh of a shape is refined, its image
+ * converges. At a cone of order k, the error for the edge length h is of order h^(2 / k). Rhombus
+ * and Rectangle therefore depend least on the mesh.
  *
- * Throws what MapToOrbifold throws, with the surface's name (A or B) in the message; Aborted.
+ * Throws the exceptions of MapToOrbifold, with the surface's name (A or B) in the message; Aborted.
  */
 OrbifoldMap MapThroughOrbifold(const Surface& a, const std::vector<int>& conesA, const Surface& b,
   const std::vector<int>& conesB, OrbifoldType type, const Progress& progress = {});
 
-/// Returns the position in the image (n x 2) of each point of the uncut surface. points: n.
+/// Returns the position of each point of the uncut surface in the image (n x 2). points: the number
+/// n of these points.
 Eigen::MatrixXd CollectUncutPositions(const OrbifoldImage& image, Eigen::Index points);
 
 } // namespace shape

@@ -25,8 +25,8 @@ struct DifferenceOperator
   /// scales the norms of functions around the point.
   Eigen::VectorXd Field;
   Eigen::VectorXd Eigenvalues; ///< in decreasing order of |log(eigenvalue)|
-  /// n x the number of Eigenvalues: each function is large where the surfaces differ by its
-  /// eigenvalue.
+  /// n rows, and one column for each of Eigenvalues. An eigenfunction is large where the surfaces
+  /// differ by its eigenvalue.
   Eigen::MatrixXd Eigenfunctions;
 };
 
@@ -51,13 +51,13 @@ inline constexpr int DifferenceEigenfunctions = 10;
  * Computes the differences between two surfaces as operators on the functions of the first one
  * (Rustamov et al., "Map-based exploration of intrinsic shape differences and variability", 2013).
  *
- * F takes functions on `first` to functions on `second`. F f is the combination of eigenfunctions
- * of `second` whose values at the images of points are nearest to f, in least squares weighted by
+ * F takes functions on `first` to functions on `second`. F f is a combination of eigenfunctions of
+ * `second`. Its values at the images of positions on `first` fit f by least squares, weighted by
  * the areas of `first`. The area operator V satisfies <f, V g> = <F f, F g> (equation 4 of the
  * paper). The conformal operator R satisfies the same equation for the products of gradients
  * (equation 6). In the eigenbases, with eigenvalues L1 and L2, V = F' F and R = L1^+ F' L2 F. V is
- * the identity if the map keeps areas, and R if it keeps angles. Constants have no gradient, so
- * their rows and columns of R are 0.
+ * the identity if the map keeps areas. R is the identity, except for constants, if the map keeps
+ * angles. Constants have no gradient, so their rows and columns of R are 0.
  *
  * Some combinations of eigenfunctions are concentrated outside the image of the map, such as on a
  * part of `second` without a partner. A combination is ignored if the share of its squared norm on

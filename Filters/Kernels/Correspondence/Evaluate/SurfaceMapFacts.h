@@ -15,10 +15,10 @@ struct SurfaceMapFacts
   /// and for any conformal map onto all of B. For a conformal map onto a part of B, it is that
   /// part's share of B's area.
   double DirichletEnergy = 0.0;
-  /// The mean over A's area of the straight distance between a point and its image under both maps
-  /// in turn.
+  /// The mean straight distance between a point of A and its image under both maps in turn,
+  /// weighted by area.
   double RoundTrip = 0.0;
-  /// The share of A's triangles that the map inverts, by weight. The weight of a triangle is the
+  /// The weighted share of A's triangles that the map inverts. The weight of a triangle is the
   /// smaller of its area and its image's area, times |cosine| of the angle between the normals of
   /// the image and of B. This suppresses noise.
   double ReversedArea = 0.0;
@@ -27,14 +27,14 @@ struct SurfaceMapFacts
   /// most 0.2. Functional maps from landmarks with left and right exchanged have at least 0.37.)
   bool Mirrored = false;
   /// The shares of A's and of B's area that have a partner. A point has a partner if both maps in
-  /// turn take it to a position at most a 50th of the root of the area away, in a straight line. If
-  /// A is a part of B, CoverageOfB is the share of B that A covers.
+  /// turn take it near itself: the straight distance is at most a 50th of the root of its surface's
+  /// area. If A is a part of B, CoverageOfB is the share of B that A covers.
   double CoverageOfA = 0.0, CoverageOfB = 0.0;
 };
 
 /// Evaluates a map between two surfaces that both face outwards. The image of a triangle of A is
 /// the plane triangle between the images of its corners, even if they are far apart. Its
-/// orientation is compared with that of B at the image of the first corner.
+/// orientation is compared with the orientation of B at the image of the first corner.
 SurfaceMapFacts EvaluateMaps(const Surface& a, const Surface& b, const SurfaceMaps& maps);
 
 } // namespace shape

@@ -18,7 +18,8 @@ struct FunctionalMapFitOptions
   double DescriptorWeight = 1e-1; ///< w_D: commutativity with multiplication by descriptors; >= 0
   /// w_O: commutativity with the descriptors' rotated gradients; >= 0.
   double OrientationWeight = 1e-2;
-  /// Only every n-th descriptor gives operators, since consecutive descriptors are similar; >= 1.
+  /// A number n >= 1: only every n-th descriptor gives operators, since consecutive descriptors are
+  /// similar.
   int OperatorStride = 5;
 };
 
@@ -32,7 +33,7 @@ struct SurfaceDescriptors
 
 /**
  * Computes the functional map that takes the descriptors of one surface to those of another one.
- * Its matrix C in the first eigenfunctions of both surfaces minimises
+ * Its matrix C, in the bases of the first eigenfunctions of both surfaces, minimises
  *
  *   |C A - B|^2 + w_L |C L1 - L2 C|^2 + w_D sum |C P1 - P2 C|^2 + w_O sum |C O1 - O2 C|^2
  *
@@ -40,7 +41,8 @@ struct SurfaceDescriptors
  *
  * - A and B are the descriptors' coefficients (Ovsjanikov et al., "Functional maps: a flexible
  *   representation of maps between shapes", 2012);
- * - L1 and L2 are the eigenvalues, divided by the largest one;
+ * - L1 and L2 are diagonal matrices of the eigenvalues, divided by the largest eigenvalue of the
+ *   two surfaces;
  * - P1 and P2 multiply a function by a descriptor (Nogneng and Ovsjanikov, "Informative descriptor
  *   preservation via commutativity for shape matching", 2017);
  * - O1 and O2 take f to <normal, grad(descriptor) x grad(f)>, which distinguishes a map from its
@@ -50,8 +52,8 @@ struct SurfaceDescriptors
  * Each descriptor is divided by its norm. Each sum over operators is divided by their number and by
  * the mean of their squared norms.
  *
- * Both surfaces have area 1 and q descriptors. Returns the Size x Size matrix from coefficients on
- * a to coefficients on b. Throws Aborted.
+ * a, b: surfaces of area 1, each with q descriptors. Returns the Size x Size matrix C, which takes
+ * coefficients on a to coefficients on b. Throws Aborted.
  */
 Eigen::MatrixXd FitFunctionalMap(const SurfaceDescriptors& a, const SurfaceDescriptors& b,
   const FunctionalMapFitOptions& options = {}, const Progress& progress = {});
@@ -67,8 +69,8 @@ struct FunctionalMapOptions
 /**
  * Computes corresponding points of two surfaces that differ mostly by bending. A functional map is
  * fitted to the wave and heat kernel signatures and to the wave kernels from landmarks
- * (FitFunctionalMap). RefineByZoomOut refines it. Then each point is mapped to the position with
- * the nearest values of all eigenfunctions, which may lie inside a triangle (Ezuz and Ben-Chen,
+ * (FitFunctionalMap). RefineByZoomOut refines it. Then each point is mapped to the position,
+ * possibly inside a triangle, with the nearest values of all eigenfunctions (Ezuz and Ben-Chen,
  * "Deblurring and denoising of maps between shapes", 2017).
  *
  * Both surfaces may have boundaries and several components. Their sizes may differ, since each is

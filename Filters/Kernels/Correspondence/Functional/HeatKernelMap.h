@@ -23,9 +23,9 @@ struct HeatKernelMapOptions
  * The heat at x from a landmark p at time t is the sum of exp(-lambda t) phi(p) phi(x) over the
  * non-constant eigenfunctions phi with eigenvalues lambda. It is divided by its L2 norm over the
  * surface. The times form a geometric sequence from 4 ln 10 / L to 4 ln 10 / l, for surfaces scaled
- * to area 1. L is the smaller of the surfaces' largest eigenvalues, l the larger of their smallest
- * non-zero ones. Each point is mapped to a position with nearly the same heat at all times
- * (FindNearestSurfacePoints).
+ * to area 1. Each surface has a largest computed eigenvalue and a smallest non-zero one. L is the
+ * smaller of the two largest ones; l is the larger of the two smallest ones. Each point is mapped
+ * to a position with nearly the same heat at all times (FindNearestSurfacePoints).
  *
  * a, b: consistently oriented 2-manifolds, open or closed, with a triangle at each point and a
  * landmark on each component. If no landmarks are given, FindLandmarks finds them; each surface

@@ -18,21 +18,22 @@ struct PartialFunctionalMapOptions
 /**
  * Computes the map from a bent part of a surface to the full surface, and the map back.
  *
- * Both are brought to one scale. By Weyl's law, the number of eigenvalues below a bound is about
- * proportional to the area, so the part has fewer of them than the full surface. Functional maps
- * from the full surface to the part are therefore rectangular: their rows and columns belong to the
- * eigenvalues of the two surfaces below the same bound (Rodola, Cosmo, Bronstein, Torsello and
- * Cremers, "Partial functional correspondence", 2017, section 3). The first map takes each sample
- * of the part to the point of the full surface with the nearest row of EmbedByLandmarks. This map
- * is refined as RefineByZoomOut does (Melzi and others 2019, section on partial shapes). Only
- * samples of the part are used, since points of the full surface need not have a partner.
+ * Both surfaces are first brought to the same scale. By Weyl's law, the number of eigenvalues below
+ * a bound is about proportional to the area, so the part has fewer of them than the full surface.
+ * Functional maps from the full surface to the part are therefore rectangular: their rows and
+ * columns belong to the eigenvalues of the two surfaces below the same bound (Rodola, Cosmo,
+ * Bronstein, Torsello and Cremers, "Partial functional correspondence", 2017, section 3). The first
+ * map takes each sample of the part to the point of the full surface with the nearest row of
+ * EmbedByLandmarks. This map is refined by the method of RefineByZoomOut (Melzi and others 2019,
+ * section on partial shapes). Only samples of the part are used, since points of the full surface
+ * need not have a partner.
  *
  * The map back takes each point of the full surface to the position on the part whose image is
  * nearest to it. Distances are measured in the full surface's ComputeSpectralEmbedding: its
- * eigenfunctions divided by the roots of their eigenvalues. Points inside the part's image return
- * to the points that are mapped there; others go near the cut.
+ * eigenfunctions divided by the roots of their eigenvalues. A point inside the part's image returns
+ * to the point that is mapped there; other points go near the cut.
  *
- * part, whole: the part and the full surface, as RequireConnected requires them. landmarks: at
+ * part, whole: the part and the full surface; RequireConnected must accept both. landmarks: at
  * least three pairs {point of the part, point of the full surface}. scale: lengths on the full
  * surface divided by those on the part. In the result, AToB maps the part to the full surface, and
  * BToA maps the full surface to the part. Throws InvalidInput, SolveFailure, Aborted.

@@ -13,7 +13,7 @@ namespace shape
 
 struct ZoomOutOptions
 {
-  int Last = 120; ///< eigenfunctions of each surface at the end; at most its eigenpairs
+  int Last = 120; ///< eigenfunctions of each surface at the end; at most its number of eigenpairs
   int Step = 6;   ///< eigenfunctions added in each step; >= 1
 };
 
@@ -33,8 +33,8 @@ struct SampledSpectrum
  */
 Eigen::MatrixXd FitCoefficients(const Eigen::MatrixXd& from, const Eigen::MatrixXd& to);
 
-/// Two functional maps. Each takes the coefficients of a function on one surface to those of its
-/// image on the other surface.
+/// Two functional maps. Each takes the coefficients of a function on one surface to the
+/// coefficients of the function's image on the other surface.
 struct FunctionalMaps
 {
   Eigen::MatrixXd AToB, BToA; ///< k x k
@@ -51,7 +51,7 @@ struct FunctionalMaps
  * 2020, section 5).
  *
  * map: the initial functional map from a to b (k x k), for surfaces scaled to area 1. landmarks:
- * pairs that each enter the fits with the weight of a thousandth of the samples. Throws Aborted.
+ * each pair has the weight of a thousandth of all samples in the fits. Throws Aborted.
  */
 FunctionalMaps RefineByZoomOut(const SampledSpectrum& a, const SampledSpectrum& b,
   const Eigen::MatrixXd& map, const Landmarks& landmarks, const ZoomOutOptions& options = {},

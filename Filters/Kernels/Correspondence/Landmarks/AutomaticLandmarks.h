@@ -35,11 +35,11 @@ struct AutomaticLandmarksResult
   double MirroredDistortion = 0.0;
   /// Whether MirroredDistortion is less than 0.85 times Distortion, so that B is probably a mirror
   /// image of A. (None of 18 pairs of real shapes is reported as mirrored. If B is mirrored, three
-  /// are; two of these are shapes without a mirror symmetry.)
+  /// pairs are reported; two of them show shapes without a mirror symmetry.)
   bool MirrorImage = false;
   /// The distortion of the rival: the best map that keeps orientation but contradicts Pairs;
   /// infinite if there is none. A map contradicts Pairs if at least half of the features that both
-  /// assign go to different points.
+  /// it and Pairs assign go to different points.
   double RivalDistortion = 0.0;
   Landmarks Rival; ///< the pairs of the rival map
   /// 1 - Distortion / RivalDistortion, in [0, 1]; near 0 if the rival map is about as good.
@@ -68,9 +68,9 @@ struct AutomaticLandmarksResult
  * Then only the features away from its boundary are used, and only its own samples are mapped. It
  * is accepted as a part if this gives less than 0.7 times the distortion of two complete surfaces.
  * (Of 12 bent parts of eight models, 11 were recognised. Their distortion was 0.38 to 0.58 times
- * that of complete surfaces, and their scale was correct within 3 %. The last part had too few tips
- * left. In ten further pairs, both surfaces were cut in the same way; all of these were treated as
- * complete.)
+ * that of complete surfaces, and their scale was correct within 3 %. The twelfth part had too few
+ * tips left to be recognised. In ten further pairs, both surfaces were cut in the same way; all of
+ * these were treated as complete.)
  *
  * Throws InvalidInput if the surfaces are not as required, or if no three features agree;
  * SolveFailure, Aborted.

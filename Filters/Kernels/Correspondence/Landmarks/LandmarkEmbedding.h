@@ -40,9 +40,9 @@ Eigen::MatrixXd EmbedByLandmarks(
 Eigen::MatrixXd EmbedByLandmarks(const Surface& surface, const std::vector<int>& landmarks,
   double length, const Progress& progress = {});
 
-/// Does the same for known distances (s x k) and known ComputeGradientOrientations `turns` of the
-/// first landmarks or of all. chosen: indices of the landmarks to use. turnSign: 1, or -1 for the
-/// mirror image.
+/// Does the same for known distances (s x k) and known orientations `turns`
+/// (ComputeGradientOrientations), which may cover only the first landmarks. chosen: indices of the
+/// landmarks to use. turnSign: 1, or -1 for the mirror image.
 Eigen::MatrixXd EmbedByDistances(const Eigen::MatrixXd& distances, const Eigen::MatrixXd& turns,
   const std::vector<int>& chosen, double turnSign);
 

@@ -18,13 +18,14 @@ struct SampledSurface
   Eigen::MatrixXd Distances;
   /// s values: for each sample, the share of the area that is nearest to it; > 0, with sum 1.
   Eigen::VectorXd Weights;
-  double Length = 0.0;             ///< the root of the area, in the model's units
-  Eigen::MatrixXd Between() const; ///< s x s: distances of the samples, made symmetric
+  double Length = 0.0; ///< the root of the area, in the model's units
+  /// Returns the distances between the samples (s x s), made symmetric.
+  Eigen::MatrixXd Between() const;
 };
 
 /// Samples a surface at the distinct points `first`, then at those of its `count` farthest points
 /// (SampleFarthestPoints) that are not in `first`. Computes the distances of all points from the
-/// samples (ComputeHeatDistances). surface: as RequireConnected requires. Throws SolveFailure,
+/// samples (ComputeHeatDistances). surface: one that RequireConnected accepts. Throws SolveFailure,
 /// Aborted.
 SampledSurface SampleSurface(const Surface& surface, int count, const Progress& progress = {},
   const std::vector<int>& first = {});

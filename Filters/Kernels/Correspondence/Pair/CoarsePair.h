@@ -16,9 +16,9 @@ namespace shape
 class CoarsePair
 {
 public:
-  /// a, b: as CoarsenSurface requires them. landmarks: their points are kept. maximum: the
-  /// approximate number of points of the coarse surfaces; 0: no coarsening. Throws InvalidInput,
-  /// Aborted.
+  /// a, b: surfaces that CoarsenSurface accepts. landmarks: pairs whose points are kept. maximum:
+  /// the approximate number of points of a coarse surface; if 0, no surface is coarsened. Throws
+  /// InvalidInput, Aborted.
   CoarsePair(const Surface& a, const Surface& b, const Landmarks& landmarks, int maximum,
     const Progress& progress = {});
 

@@ -7,7 +7,8 @@
 namespace shape
 {
 
-/// Which of two surfaces, if any, is a part of the other one, and what share of its area.
+/// Which of two surfaces, if any, is a part of the other one, and the part's share of the other
+/// surface's area.
 struct SurfacePart
 {
   enum class WhichType
@@ -29,20 +30,21 @@ struct SurfacePart
  *
  * - it has a boundary;
  * - it has less than 85 % of the other one's area;
- * - half of the ratios, divided by the scale, are nearer to 1 than the root of that share is.
+ * - half of the ratios, divided by the scale, are nearer to 1 than the root of (its area / the
+ *   other one's).
  *
  * If there are fewer than three landmarks, no boundaries or several components, neither surface is
- * a part. If neither is a part, the scale is the root of B's area divided by A's.
+ * a part. If neither is a part, the scale is the root of (B's area / A's area).
  *
- * a, b: as RequireWhole requires. landmarks: as RequireLandmarks requires. Throws InvalidInput if
- * landmarks are needed but no two of them are distinct points on both surfaces; SolveFailure;
- * Aborted.
+ * a, b: surfaces that RequireWhole accepts. landmarks: pairs that RequireLandmarks accepts. Throws
+ * InvalidInput if landmarks are needed but no two of them are distinct points on both surfaces;
+ * SolveFailure; Aborted.
  */
 SurfacePart FindPart(
   const Surface& a, const Surface& b, const Landmarks& landmarks, const Progress& progress = {});
 
-/// Computes the scale and the share if it is known which surface is the part. a, b: as
-/// RequireConnected requires. Throws InvalidInput if the part would have more area than the other
+/// Computes the scale and the share if it is known which surface is the part. a, b: surfaces that
+/// RequireConnected accepts. Throws InvalidInput if the part would have more area than the other
 /// surface, or if no two landmarks are distinct points on both surfaces; SolveFailure; Aborted.
 SurfacePart MeasurePart(const Surface& a, const Surface& b, const Landmarks& landmarks,
   SurfacePart::WhichType which, const Progress& progress = {});

@@ -9,7 +9,7 @@ namespace shape
 
 /**
  * Throws InvalidInput if the method of `options` cannot match the surfaces with the given
- * landmarks, which may be none. The message names a method that can. Requirements:
+ * landmarks, which may be none. The message names a suitable method. Requirements:
  *
  * - each surface has a positive area; two closed surfaces both face outwards or both inwards;
  * - surfaces with several components: only FunctionalMap and HeatKernel, and only with landmarks;

@@ -19,8 +19,8 @@ struct ReversibleHarmonicOptions
   int AlphaSteps = 40;    ///< number of iterations from FirstAlpha to Alpha; >= 0
   double BetaStep = 5e-3; ///< increase of the penalty's weight in each iteration; > 0
   int BetaSteps = 100;    ///< number of iterations in which the penalty increases; >= 1
-  /// The number of the first iteration, on which its weights depend; >= 1. A number above 1
-  /// continues earlier iterations.
+  /// The number of the first iteration; >= 1. The weights of an iteration depend on its number. A
+  /// number above 1 continues earlier iterations.
   int FirstIteration = 1;
   int MaximumIterations = 100; ///< maximum number of iterations; >= 1
   double Tolerance = 1e-4;     ///< relative change of the energy at which the iteration stops; >= 0
@@ -56,14 +56,14 @@ struct ReversibleHarmonicResult
  * positions of the surfaces, W1 and W2 their stiffness matrices. P12 maps the points of the first
  * surface to the second one. X12 is a variable for the images of these points; the penalty beta
  * keeps it near P12 X2. P21 and X21 are the same for the other direction. P21, X21, P12 and X12 are
- * updated in turn (half-quadratic splitting, section 5 of the paper). Each P is an exact projection
- * onto triangles in twice as many dimensions (TriangleTree). Each X is the solution of one linear
- * system. Negative cotangent weights are raised to 0.
+ * updated in turn (half-quadratic splitting, section 5 of the paper). Each P is found by exact
+ * projection onto triangles, in twice as many dimensions as the embedding has (TriangleTree). Each
+ * X is the solution of one linear system. Negative cotangent weights are raised to 0.
  *
- * Alpha is larger at first because smoother maps move farther in an iteration. The smaller its
- * final value, the closer the maps are to inverses of each other. On the pairs of
- * CorrespondencePairs.py, the round-trip errors for a final value of 2e-5 are a fifth of those for
- * 5e-4, and the maps are equally smooth.
+ * Alpha is larger at first because smoother maps move farther in an iteration. The smaller the
+ * final alpha, the closer the maps are to inverses of each other. On the pairs of
+ * CorrespondencePairs.py, the round-trip errors for a final alpha of 2e-5 are a fifth of the errors
+ * for 5e-4, and the maps are equally smooth.
  *
  * a, b: consistently oriented 2-manifolds of one component, open or closed, of any genus. start:
  * initial maps, such as those of MapByLandmarkCells or ComputeFunctionalMap; if they are mirrored,
@@ -82,11 +82,12 @@ ReversibleHarmonicResult ComputeReversibleHarmonicMap(const EmbeddedSurface& a,
 /**
  * Computes the maps on the coarse surfaces of a pair. If these have fewer points than the fine
  * ones, it then repeats the last quarter of the alpha steps on the fine surfaces, starting from the
- * coarse maps. The smooth part of the maps, which takes most iterations, is known by then. The
- * embeddings use the samples of the coarse surfaces.
+ * coarse maps. By then, the smooth part of the maps is known, which takes most of the iterations.
+ * The embeddings use the samples of the coarse surfaces.
  *
  * start, landmarks: maps and landmarks of the coarse surfaces. Returns the maps of the fine
- * surfaces; Energies are those of the coarse ones. Throws InvalidInput, SolveFailure, Aborted.
+ * surfaces, but the Energies of the iterations on the coarse surfaces. Throws InvalidInput,
+ * SolveFailure, Aborted.
  */
 ReversibleHarmonicResult RefineReversibleHarmonicMap(const CoarsePair& pair,
   const SurfaceMaps& start, const Landmarks& landmarks,

@@ -15,8 +15,8 @@ struct GromovWassersteinOptions
   int Samples = 500;   ///< samples of each surface; >= 10
   int Eigenpairs = 60; ///< eigenpairs of each surface, to extend the map to all points; >= 2
   EntropicCouplingOptions Coupling;
-  /// Used if no landmarks are given: sets of landmarks, each of which starts one coupling. If
-  /// empty, FindLandmarks gives two sets, its Pairs and its Rival.
+  /// Sets of landmarks, each of which starts one coupling; not used if landmarks are given. If
+  /// there are no sets, FindLandmarks gives two: its Pairs and its Rival.
   std::vector<Landmarks> Starts;
 };
 
@@ -36,12 +36,12 @@ struct GromovWassersteinResult
  * alignment for correspondence problems", 2016). The coupling may be one to many if the shapes
  * differ.
  *
- * The weight of a sample is the area nearest to it. The entropy is first decreased on a quarter of
- * the samples, and then again, from eight times its last value, on all of them. The two points of a
- * landmark are samples that are coupled only to each other. The start is the similarity of the
+ * The weight of a sample is the area nearest to it. The entropy is decreased twice: first on a
+ * quarter of the samples; then, from eight times its final value, on all samples. The two points of
+ * a landmark are samples that are coupled only to each other. The start is the similarity of the
  * samples' positions relative to the landmarks (EmbedByLandmarks). Without landmarks, no samples
- * are fixed. Each start then gives a coupling on a quarter of the samples, and the coupling with
- * the smallest distortion is used.
+ * are fixed. Each set of Starts then gives a coupling on a quarter of the samples, and the coupling
+ * with the smallest distortion is used.
  *
  * The map of samples is extended to all points by "soft" functional maps (section 4 of the paper).
  * The image of a sample is the mean of B's eigenfunctions over the samples coupled to it. The

@@ -11,8 +11,8 @@ namespace shape
 {
 
 /// Two sets of samples. Each has the distances between its samples (s x s, symmetric) and their
-/// weights (s values, positive, with sum 1). The unit of length is the longest distance in either
-/// set.
+/// weights (s values, positive, with sum 1). The unit of length is the longest distance in the two
+/// sets.
 struct MetricSpaces
 {
   Eigen::MatrixXd DistancesA, DistancesB;
@@ -56,10 +56,11 @@ struct EntropicCoupling
  * is undone and repeated with damping: a weighted geometric mean of the last and the new masses is
  * used (the paper's eta).
  *
- * start: sA x sB, the logarithms of the similarity of A's samples to B's; the first masses are
- * proportional to their exponentials. fixed: pairs of samples that are coupled only to each other.
- * Both samples of a pair have equal weight, and no sample occurs twice. Throws InvalidInput;
- * SolveFailure if the masses remain far from the weights; Aborted.
+ * start: sA x sB, the logarithms of the similarity of A's samples to B's. Sinkhorn's iteration
+ * scales the rows and columns of their exponentials to the first masses. fixed: pairs of samples
+ * that are coupled only to each other. Both samples of a pair have equal weight, and no sample
+ * occurs twice. Throws InvalidInput; SolveFailure if the masses remain far from the weights;
+ * Aborted.
  */
 EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd& start,
   const Landmarks& fixed = {}, const EntropicCouplingOptions& options = {},

@@ -22,9 +22,9 @@ Eigen::MatrixXd ToSphere(const ComplexPoints& points);
 /**
  * Computes the Moebius map of the sphere that takes three given points to three other given points.
  * It is the unique orientation-preserving conformal map that does so (Lipman and Funkhouser,
- * "Moebius voting for surface correspondence", 2009, section 3). The map multiplies a point, as a
- * column, by the returned matrix. from, to: three distinct points each. If two nearly coincide, the
- * result is not finite.
+ * "Moebius voting for surface correspondence", 2009, section 3). The image of a point, written as a
+ * column, is the returned matrix times this column. from, to: three distinct points each. If two
+ * nearly coincide, the result is not finite.
  */
 Eigen::Matrix2cd SolveMoebiusTransform(const ComplexPoints& from, const ComplexPoints& to);
 

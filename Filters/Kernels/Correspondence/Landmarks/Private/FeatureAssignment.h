@@ -18,15 +18,16 @@ struct FeatureAssignment
 };
 
 /**
- * Finds the assignments between two sets of features that agree best on the distances between them,
- * the best first. Three pairs are a seed if every two of them agree by more than 1/2. The pair that
- * raises the score the most is added to the seed, until no pair raises it.
+ * Finds the assignments between two sets of features that agree best on the distances between
+ * features, the best first. Three pairs are a seed if every two of them agree by more than 1/2. The
+ * pair that raises the score the most is added to the seed, until no pair raises it.
  *
- * The agreement of two pairs is exp(-(difference / tolerance)^2 / 2). Here, difference is that
- * between the distance of the two features of A and the distance of the two features of B, divided
- * by the longer distance. distancesA, distancesB: square, symmetric matrices. levelsA, levelsB: one
- * positive value for each feature. Two features are paired only if the ratio of their levels is
- * between 1 / 1.65 and 1.65. At most `count` assignments are returned. Throws Aborted.
+ * The agreement of two pairs is exp(-(difference / tolerance)^2 / 2). Each pair of pairs has two
+ * distances: between its two features of A, and between its two features of B. `difference` is the
+ * difference of these two, divided by the longer one. distancesA, distancesB: square, symmetric
+ * matrices. levelsA, levelsB: one positive value for each feature. Two features are paired only if
+ * the ratio of their levels is between 1 / 1.65 and 1.65. At most `count` assignments are returned.
+ * Throws Aborted.
  */
 std::vector<FeatureAssignment> AssignFeatures(const Eigen::MatrixXd& distancesA,
   const Eigen::MatrixXd& distancesB, const Eigen::VectorXd& levelsA, const Eigen::VectorXd& levelsB,

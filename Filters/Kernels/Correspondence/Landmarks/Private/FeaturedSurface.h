@@ -29,13 +29,13 @@ struct FeaturedSurface
 };
 
 /**
- * Finds at most `features` features of a surface: the FindPersistentMaxima of the mean distance
- * from the surface's points (Hilaga, Shinagawa, Kohmura and Kunii, "Topology matching for fully
- * automatic similarity estimation of 3D shapes", 2001, section 3.1). If there are fewer than 6,
- * farthest points are added until there are 6. Distances are along the surface, divided by the root
- * of its area.
+ * Finds at most `features` features of a surface: the persistent maxima (FindPersistentMaxima) of
+ * the mean distance from the surface's points (Hilaga, Shinagawa, Kohmura and Kunii, "Topology
+ * matching for fully automatic similarity estimation of 3D shapes", 2001, section 3.1). If there
+ * are fewer than 6, farthest points are added until there are 6. Distances are along the surface,
+ * divided by the root of its area.
  *
- * surface: as RequireConnected requires. samples, features: both >= 6. Throws SolveFailure,
+ * surface: one that RequireConnected accepts. samples, features: both >= 6. Throws SolveFailure,
  * Aborted.
  */
 FeaturedSurface FindFeatures(

@@ -10,7 +10,7 @@ namespace shape
 {
 
 /**
- * Finds the persistent maxima of a function on a surface (n values). The persistence of a maximum
+ * Finds the persistent maxima of a function (n values) on a surface. The persistence of a maximum
  * is its height above the highest saddle that connects it to a higher maximum (Edelsbrunner,
  * Letscher and Zomorodian, "Topological persistence and simplification", 2002). The persistence of
  * the highest maximum is the range of the function. Returns at most `count` maxima, the most
