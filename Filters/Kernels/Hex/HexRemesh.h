@@ -39,8 +39,7 @@ struct HexRemeshGuides
   Eigen::VectorXd Sizes;
   /// Closed surfaces inside the solid that separate its regions; they may be nested.
   std::vector<Surface> InnerSurfaces;
-  /// A polycube of the surface, whose cells become the hexahedra. If it has no triangles, no
-  /// polycube is given.
+  /// A polycube of the surface, whose cells become the hexahedra. Without triangles, it is ignored.
   GivenPolycube Polycube;
 };
 
@@ -63,9 +62,9 @@ struct HexRemeshResult
  * topology. The mesh follows the surface's creases and corners, unless hexahedra would become too
  * bad (FitHexahedra).
  *
- * Automatic first tries a polycube. The result is accepted if it keeps the creases, its minimum
- * scaled Jacobian is at least 0.3, and its distance to the surface is at most 1 % of the box
- * diagonal. Otherwise the better of polycube and grid is taken.
+ * Automatic first tries a polycube. The result is accepted if it keeps the creases and its minimum
+ * scaled Jacobian is at least 0.3. Its distance to the surface must also be at most 1 % of the
+ * bounding box's diagonal. Otherwise the better of polycube and grid is taken.
  *
  * `Sizes` prescribes the size of the grid's cells along the surface (BuildSizedHexahedra). If
  * `Sizes` is given, the options must not give a size. Inner surfaces divide the solid into regions

@@ -17,8 +17,8 @@ struct TetrahedralizeOptions
   double MaximumRadiusEdgeRatio = 2.0;
 
   /// Upper bound on each tetrahedron's volume, in the model's units cubed; 0 for no bound. Along a
-  /// preserved boundary, the volume may exceed the bound. Elsewhere it may do so by a few percent,
-  /// because of flips after refinement.
+  /// preserved boundary, the volume may exceed the bound. Elsewhere it may exceed the bound by a
+  /// few percent, because of flips after refinement.
   double MaximumVolume = 0.0;
 
   /// Whether every triangle of the surfaces stays unchanged. If false, points may be added on the
@@ -33,13 +33,15 @@ struct TetrahedralizeResult
   Eigen::MatrixXd Points;
   Eigen::MatrixXi Tetrahedra; ///< m x 4: (b - a) x (c - a) . (d - a) > 0
   Eigen::VectorXi RegionId;   ///< m: the region of each tetrahedron, see Tetrahedralize
-  /// From the surface. Only points of the surface have a source; see TraceClosestPositions.
+  /// The origin of the points in the surface. Only points of the surface have a source; see
+  /// TraceClosestPositions.
   shape::Provenance Provenance;
   int SteinerPoints = 0; ///< number of points that belong to no surface
   int Regions = 0;       ///< number of regions that contain tetrahedra
   double Volume = 0.0;   ///< total volume of the tetrahedra
-  /// The minimum scaled Jacobian. For one tetrahedron it is 6 sqrt(2) times the volume, over the
-  /// largest product of the three edges at a corner: 1 if regular, near 0 if flat.
+  /// The minimum scaled Jacobian. For one tetrahedron, it is 6 sqrt(2) V / P, where V is the volume
+  /// and P the largest product of the three edge lengths at a corner. It is 1 for a regular
+  /// tetrahedron and near 0 for a flat one.
   double MinimumScaledJacobian = 0.0;
 };
 
@@ -71,8 +73,8 @@ TetrahedralizeResult Tetrahedralize(const Surface& surface,
   const std::vector<Surface>& innerSurfaces = {}, const TetrahedralizeOptions& options = {},
   const Progress& progress = {});
 
-/// The solid's provenance in which the points that are none of the surface's have the values at the
-/// closest positions on it. Throws Aborted.
+/// Returns the solid's provenance, with a source for every point. A point that is not a point of
+/// the surface gets the values at the closest position on the surface. Throws Aborted.
 Provenance TraceClosestPositions(
   const Surface& surface, const TetrahedralizeResult& solid, const Progress& progress = {});
 

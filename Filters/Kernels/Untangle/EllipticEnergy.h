@@ -40,8 +40,8 @@ public:
   /// Returns chi, the regularised determinant. It is positive if epsilon is positive.
   static double Chi(double determinant, double epsilon);
 
-  /// Returns the epsilon for which Chi(determinant, epsilon) = chi, or `minimum` if this epsilon is
-  /// smaller.
+  /// Returns the epsilon for which Chi(determinant, epsilon) = chi, or `minimum` if that is
+  /// greater.
   static double EpsilonFor(double determinant, double chi, double minimum);
 
   EllipticEnergy(const Eigen::Matrix3d& jacobian, double epsilon);
@@ -54,9 +54,9 @@ public:
 
   /**
    * A positive semi-definite part of the second derivative. It treats D as a linear function of J,
-   * and chi as a linear function of D. It is positive semi-definite because the energy is convex in
-   * J, D and chi jointly. It equals Identity * I + Mixed (j c^T + c j^T) + Rank * c c^T. The
-   * vectors j and c hold the entries of J and of its cofactor matrix.
+   * and chi as a linear function of D. This part is positive semi-definite because the energy is
+   * convex in J, D and chi jointly. It equals Identity * I + Mixed (j c^T + c j^T) + Rank * c c^T.
+   * The vectors j and c hold the entries of J and of its cofactor matrix.
    */
   struct Curvature
   {

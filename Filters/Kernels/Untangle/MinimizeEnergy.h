@@ -39,9 +39,10 @@ struct SimplexPatch
 
 struct PatchOptions
 {
-  int MaximumSteps = 100;    ///< maximum number of Newton steps
-  int FurtherSteps = 3;      ///< number of steps that follow once all simplices are positive
-  double LeastGain = 1e-3;   ///< further steps end when one lowers the energy by a smaller fraction
+  int MaximumSteps = 100; ///< maximum number of Newton steps
+  int FurtherSteps = 3;   ///< number of steps that follow once all simplices are positive
+  /// The further steps end early when one lowers the energy by less than this fraction of it.
+  double LeastGain = 1e-3;
   double FirstEpsilon = 1.0; ///< the initial epsilon if a simplex is not positive
   /// Whether to start from the minimiser of the sum of |J|^2 if a simplex is not positive and the
   /// minimiser has less energy. Set it to false if no point is fixed, because all points of this

@@ -20,9 +20,9 @@ struct UntangleOptions
 
 struct UntangleResult
 {
-  Cells Solid; ///< one part of a split cell has its index, the other parts are appended
-  /// From the input, whose points come first. A new point is the centroid of the points that it was
-  /// inserted between.
+  Cells Solid; ///< one part of a split cell keeps its index; the others are appended
+  /// The origin of points and cells in the input, whose points come first. A new point is the
+  /// centroid of the points that it was inserted between.
   shape::Provenance Provenance;
   Eigen::VectorXi Inverted; ///< for each cell: 1 if it stays inverted, else 0
   int InvertedBefore = 0;   ///< number of inverted cells in the input
@@ -58,7 +58,7 @@ struct UntangleResult
  * neighbours, and the better result is returned. Cells that stay inverted, for example because the
  * boundary itself is inverted, are counted and marked.
  *
- * Throws InvalidInput if a cell is of another kind, repeats a point or uses one that does not
+ * Throws InvalidInput if a cell is of another kind, repeats a point or uses a point that does not
  * exist. Throws it also if there is no cell, a coordinate is not finite, an option is out of range,
  * or `rest` has another number of points. Throws Aborted.
  */
@@ -67,15 +67,15 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest = {},
 
 /**
  * Untangles a solid that a map has moved, and enforces the map's boundary values. A boundary point
- * of the solid lies on the map's boundary surface if its distance is at most 1e-6 times the longest
- * edge of the surface's bounding box. Such a point is put exactly on the surface's image. The other
- * boundary points keep their images. The interior is then untangled with a fixed boundary
- * (Untangle). The result is a mesh, not a map that could be evaluated elsewhere.
+ * of the solid counts as lying on the map's boundary surface if their distance is at most 1e-6
+ * times the longest edge of the surface's bounding box. Such a point is put exactly on the
+ * surface's image. The other boundary points keep their images. The interior is then untangled with
+ * a fixed boundary (Untangle). The result is a mesh, not a map that could be evaluated elsewhere.
  *
- * domain: the solid's cells before the map. moved (n x 3): the images of their points. boundary:
- * the map's boundary surface, in the space of the domain. targets: the images of the points of
- * `boundary`. In the result, InvertedBefore counts the cells that the map inverts. Throws whatever
- * Untangle throws.
+ * domain: the solid's cells before the map. moved (n x 3): the images of the solid's points.
+ * boundary: the map's boundary surface, in the space of the domain. targets: the images of the
+ * points of `boundary`. In the result, InvertedBefore counts the cells that the map inverts. Throws
+ * whatever Untangle throws.
  */
 UntangleResult ComputeFoldFreeMap(const Cells& domain, const Eigen::MatrixXd& moved,
   const Mesh& boundary, const Eigen::MatrixXd& targets, const Progress& progress = {});

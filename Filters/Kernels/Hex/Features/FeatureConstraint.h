@@ -41,7 +41,7 @@ private:
   mutable std::vector<int> Guesses;      ///< for each point: the triangle found last, or -1
 };
 
-/// A copy of another constraint in which single points can be held or released.
+/// Acts like another constraint, but single points can be held or released.
 class OverridableConstraint : public PointConstraint
 {
 public:

@@ -30,9 +30,9 @@ using DistanceToPatch = std::function<double(int quad, int patch)>;
 /**
  * Removes pinches: points at which a patch of quads touches itself, so that the quads have a corner
  * that the surface lacks. One arc of quads around the point is moved to the patch before or after
- * it. Among the arcs that remove the pinch, the one with the smallest sum of distances to its new
- * patch is moved. A point is left unchanged if its ring equals the ring of a corner, or if no
- * single arc removes the pinch.
+ * it. If several arcs would remove the pinch, the arc whose quads have the smallest sum of
+ * distances to their new patch is moved. A point is left unchanged if its ring equals the ring of a
+ * corner, or if no single arc removes the pinch.
  *
  * corners: from FindCornerRings. patchOf: the patch of each quad.
  */

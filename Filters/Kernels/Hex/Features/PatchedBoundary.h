@@ -21,9 +21,8 @@ struct PatchedBoundary
   Eigen::MatrixXi Quads;     ///< q x 4, counter-clockwise seen from outside
   Eigen::VectorXi PatchOf;   ///< q: the patch that each quad lies on
   std::vector<int> CurveOf;  ///< for each point of the hexahedra: its curve, or -1
-  std::vector<int> CornerOf; ///< for each point: its corner (an index into Corners), or -1
-  /// The points of layers, in the order of creation: pairs of a boundary point and a copy of it in
-  /// a layer below.
+  std::vector<int> CornerOf; ///< for each point: the index of its corner in the features, or -1
+  /// Pairs of a boundary point and its copy in a layer below, in the order of creation.
   std::vector<std::pair<int, int>> Copies;
   /// Initial positions of the points on curves and corners: pairs of a point and its position.
   std::vector<std::pair<int, Eigen::RowVector3d>> Starts;
@@ -35,8 +34,8 @@ struct PatchedBoundary
  * Assigns the boundary of hexahedra near a surface to the surface's features. Each quad is assigned
  * to a patch, and the quads of a patch form one connected piece with the patch's Euler number. Each
  * curve becomes a chain of edges between quads of the curve's two patches. Each corner becomes a
- * point around which the corner's patches meet. Returns nothing if this fails, as it does if the
- * hexahedra are too coarse for the features.
+ * point around which the corner's patches meet. Returns nothing if this fails, for example because
+ * the hexahedra are too coarse for the features.
  *
  * mesh: hexahedra whose boundary is a manifold close to the surface.
  */
@@ -44,7 +43,8 @@ std::optional<PatchedBoundary> MatchFeatures(
   const HexMesh& mesh, const Surface& surface, const SurfaceFeatures& features);
 
 /// Assigns points of the boundary to curves and corners, given the patch of each quad. Returns
-/// false if the curves and corners between these patches do not match the surface's.
+/// false if the curves and corners between these patches do not match the curves and corners of the
+/// surface.
 bool MatchCurves(const HexMesh& mesh, const Surface& surface, const SurfaceFeatures& features,
   PatchedBoundary& boundary);
 

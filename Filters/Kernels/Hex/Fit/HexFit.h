@@ -63,13 +63,14 @@ SurfaceFeatures FindFeatures(
 struct HexFitOptions
 {
   int PaddingLayers = 1; ///< layers of hexahedra around the core; >= 1
-  /// Creases are dropped if the layers that they need raise the number of hexahedra above this.
+  /// Creases are dropped if the layers that they need raise the number of hexahedra above this
+  /// number.
   int MaximumHexahedra = std::numeric_limits<int>::max();
   /// Creases are dropped if the minimum scaled Jacobian with them is below this value and is better
   /// without them.
   double MinimumWithFeatures = 0.2;
-  /// If the minimum scaled Jacobian is below this value, no further sweeps are spent on raising it;
-  /// ImproveWorst can do so later.
+  /// If the minimum scaled Jacobian is below this value, no further sweeps try to raise it.
+  /// ImproveWorst can raise it later.
   double RaisedFrom = 0.0;
 };
 
@@ -133,11 +134,11 @@ void SnapToSurface(HexFit& fit, const Surface& surface, const SnappingOptions& o
 void ImproveWorst(HexFit& fit, const Surface& surface, const Progress& progress = {});
 
 /**
- * Lets points around bad hexahedra leave the surface. The first step does so around inverted
- * hexahedra (RelaxBoundaryOfInverted). If none stays inverted, the second step does so around
- * hexahedra with a scaled Jacobian below 0.55 (RelaxBoundaryOfWorst). The second step lets the
- * distance between boundary and surface grow to maximumDistance or to 1.05 times its previous
- * value, whichever is larger.
+ * Lets points around bad hexahedra leave the surface. The first step releases points around
+ * inverted hexahedra (RelaxBoundaryOfInverted). If none stays inverted, the second step releases
+ * points around hexahedra with a scaled Jacobian below 0.55 (RelaxBoundaryOfWorst). The second step
+ * lets the distance between boundary and surface grow to maximumDistance or to 1.05 times its
+ * previous value, whichever is larger.
  *
  * fit: from FitHexahedra with the same surface. Throws Aborted.
  */

@@ -36,7 +36,7 @@ public:
   InterfaceLayers(HexMesh& mesh, const InnerInterfaces& interfaces, int layers);
 
   /// Returns the region of each hexahedron. hexahedra: the number of hexahedra that the mesh has
-  /// now. Those that were added after construction get region 0.
+  /// now. Hexahedra that were added after construction get region 0.
   Eigen::VectorXi Regions(Eigen::Index hexahedra) const;
 
   /// Distributes the points of the layers evenly between the interface and the deepest points of
@@ -73,7 +73,7 @@ private:
 };
 
 /// Returns the largest Hausdorff distance between an interface and its inner surface, or 0 if there
-/// is no interface. interfaces: the quads of each.
+/// is no interface. interfaces: the quads of each interface.
 double ComputeInterfaceDistance(const Eigen::MatrixXd& points,
   const std::vector<Eigen::MatrixXi>& interfaces, const std::vector<Surface>& surfaces,
   const Progress& progress = {});

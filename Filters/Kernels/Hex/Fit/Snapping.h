@@ -15,9 +15,9 @@ struct SnappingOptions
   /// Points are moved to parts of the surface that are farther than this from the boundary; in the
   /// surface's units, >= 0.
   double WantedDistance = 0.0;
-  /// Lower bounds on the minimum scaled Jacobian after a round, the stricter first. The bound for a
-  /// round is the first that the minimum before the round reaches. If the minimum reaches neither,
-  /// it must not fall.
+  /// Lower bounds on the minimum scaled Jacobian after a round, the stricter one first. A round has
+  /// to satisfy the first bound that was satisfied before the round. If neither was, the minimum
+  /// must not fall.
   std::array<double, 2> ScaledJacobians = { 0.62, 0.55 };
   int Rounds = 6; ///< the maximum number of rounds
 };

@@ -16,11 +16,12 @@ namespace shape
 /// cells, because every grid has them.
 struct GridHexesOptions : HexMeshOptions
 {
-  double FirstHexahedra = 16500.0; ///< approximate number of cells of the first automatic grid
+  /// The approximate number of hexahedra that the first grid gives if CellSize is 0.
+  double FirstHexahedra = 16500.0;
   /// The target for the minimum scaled Jacobian.
   double WantedScaledJacobian = 0.62;
-  /// The length that the target distances are fractions of, in the surface's units. 0: the diagonal
-  /// of the surface's bounding box.
+  /// The length of which WantedDistance and WantedCreaseDistance are fractions, in the surface's
+  /// units. If it is 0, the diagonal of the surface's bounding box is used.
   double Diagonal = 0.0;
   /// The target distance between the surface and the boundary, as a fraction of Diagonal; > 0.
   double WantedDistance = 0.0045;
@@ -56,8 +57,8 @@ struct GridHexesResult
  *
  * Where the result is too far from the surface or has bad hexahedra, the next grid has smaller
  * cells: space is magnified there before the grid is laid (GridDensity). The connectivity stays
- * that of a regular grid. The best result is kept. The best result, and results close to the wanted
- * distance, are snapped to the surface where they are too far from it (SnapToSurface).
+ * that of a regular grid. The best result is kept. This result, like other results close to the
+ * wanted distance, is snapped to the surface where it is too far away (SnapToSurface).
  *
  * The boundary of the result is a manifold. It has the Euler number and the number of components of
  * the surface. Cells are made smaller until this holds, because thin parts and narrow gaps need
@@ -66,8 +67,9 @@ struct GridHexesResult
  * around them may leave the surface (RelaxBoundaryAroundBad).
  *
  * Each of several disjoint solids (SplitSolids) gets a grid of its own, so that the gaps between
- * them need no small cells. The hexahedra are shared among the solids by volume, with a minimum
- * share (ComputeVolumeShares). The result concatenates the features of their surfaces.
+ * them need no small cells. Each solid may have a share of MaximumHexahedra that is proportional to
+ * its volume, but not below a minimum (ComputeVolumeShares). The result concatenates the features
+ * of their surfaces.
  *
  * Inner surfaces separate regions (MultiMaterialVoxels). Hexahedra of adjacent regions meet at
  * these surfaces.

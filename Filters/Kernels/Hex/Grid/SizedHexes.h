@@ -17,8 +17,8 @@ struct SizedGrid
 {
   std::vector<RefinementSeed> Seeds; ///< magnify the space that the grid is laid in
   double CellSize = 0.0;             ///< the size of a cell in the magnified space
-  /// NotTooLarge: the fraction of the surface's area where cells are at most 1.2 times as large as
-  /// wanted. NotTooSmall: the fraction where they are at least 1 / 1.2 times as large.
+  /// Fractions of the positions sampled on the surface. NotTooLarge: where the cell size is at most
+  /// 1.2 times the wanted size. NotTooSmall: where it is at least 1 / 1.2 times the wanted size.
   double NotTooLarge = 0.0, NotTooSmall = 0.0;
 };
 
@@ -28,10 +28,10 @@ struct SizedGrid
  * are optimised.
  *
  * The cell size at x is CellSize / det(DF(x))^(1/3), where F is the flow of the seeds
- * (GridDensity). Its logarithm depends almost linearly on the strengths of the seeds, so a
- * Gauss-Newton method finds the strengths and CellSize. The first seeds are as wide as the surface.
- * Where an error of more than a tenth remains, seeds of half the width are added, down to a width
- * of a few cells.
+ * (GridDensity). The logarithm of this size depends almost linearly on the strengths of the seeds,
+ * so a Gauss-Newton method finds the strengths and CellSize. The first seeds are as wide as the
+ * surface. Where the size is still wrong by more than a tenth, seeds of half the width are added,
+ * down to a width of a few cells.
  *
  * surface: a surface without unused points. sizes: the wanted cell size at each point, > 0, in the
  * surface's units; interpolated linearly between the points. Throws Aborted.
@@ -57,7 +57,8 @@ struct SizedHexesResult
 /**
  * Builds hexahedra from a grid (BuildGridHexahedra) with prescribed sizes along the surface. The
  * grid is laid in a space that is magnified where hexahedra should be small (BuildSizedGrid). A
- * second grid corrects the local mean error of the sizes that the first one gives.
+ * first grid shows by how much the sizes are wrong. A second grid corrects the local mean of these
+ * errors.
  *
  * Smaller hexahedra are used where the solid's topology or a good fit needs them.
  *

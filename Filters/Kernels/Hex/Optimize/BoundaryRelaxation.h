@@ -11,9 +11,9 @@ namespace shape
 
 /**
  * Repairs hexahedra that cannot become positive while all boundary points stay on the surface, for
- * example in a groove between two touching parts. Points around them, and around hexahedra with a
- * scaled Jacobian below 0.2, are released from the surface and moved (OptimizeHexahedra). The
- * neighbourhood of released points grows to a few rings of hexahedra.
+ * example in a groove between two touching parts. Points of hexahedra with a scaled Jacobian below
+ * 0.2 are released from the surface and moved (OptimizeHexahedra). Each further round also releases
+ * the points of one more ring of hexahedra around them.
  *
  * mesh: the hexahedra whose points are moved. freedoms: the freedom of released points becomes 3.
  * If a hexahedron stays inverted, all points and freedoms are restored. Does nothing if no

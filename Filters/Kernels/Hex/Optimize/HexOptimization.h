@@ -21,7 +21,8 @@ struct HexOptimizationOptions
   /// they help too little, or if more than a tenth of the points are near hexahedra below this
   /// value.
   double RaiseTo = 0.0;
-  double RaiseAgainFrom = 0.0; ///< further sweeps follow only if the minimum is at least this value
+  /// Further sweeps (RaiseTo) follow only if the minimum scaled Jacobian is at least this value.
+  double RaiseAgainFrom = 0.0;
   /// For each point, whether it may move. If empty, all points may. Ignored while hexahedra are
   /// untangled.
   std::vector<char> Marked = {};
@@ -47,17 +48,17 @@ struct HexOptimizationResult
  * The rest are untangled (UntangleHexahedra) before the sharpness rises. If some stay inverted, all
  * sweeps up to k = 20 are repeated once.
  *
- * mesh: the hexahedra whose points are moved. The constraint holds throughout, so the result
- * describes the returned points. Points are moved in sets that share no hexahedron, so any number
- * of threads gives the same bits. Throws InvalidInput if an index is out of range or an option is
- * negative; Aborted.
+ * mesh: the hexahedra whose points are moved. Every position satisfies the constraint, and the
+ * result describes the returned points. Points are moved in sets that share no hexahedron, so any
+ * number of threads gives the same bits. Throws InvalidInput if an index is out of range or an
+ * option is negative; Aborted.
  */
 HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& constraint,
   const HexOptimizationOptions& options = {}, const Progress& progress = {});
 
 /// Smooths the positions of the points in the given number of sweeps. A sweep moves each point half
-/// way to the mean of its neighbours of the same or less freedom. Every point is kept within the
-/// constraint. Throws InvalidInput if an index is out of range; Aborted.
+/// way to the mean of those neighbours that have no more freedom than the point. Every point is
+/// kept within the constraint. Throws InvalidInput if an index is out of range; Aborted.
 void SmoothHexahedra(
   HexMesh& mesh, const PointConstraint& constraint, int sweeps, const Progress& progress = {});
 

@@ -16,22 +16,22 @@ struct GivenPolycube
   /// A closed surface whose faces are perpendicular to the axes. Along each axis, the distances
   /// between faces are integer multiples of one length, the same for all axes.
   Mesh Surface{};
-  Eigen::MatrixXd Sources{}; ///< n x 3: the position on the surface that each point maps to
+  Eigen::MatrixXd Sources{}; ///< n x 3: for each point, the position on the surface it maps to
 };
 
 struct GivenPolycubeCells
 {
   HexMesh Solid; ///< the cells, close to the surface
-  /// The size of a cell of the polycube, if the polycube is scaled to the solid's volume; in the
-  /// surface's units.
+  /// The edge length of a cell once the polycube is scaled to the solid's volume, in the surface's
+  /// units.
   double CellSize = 0.0;
 };
 
 /**
  * Maps the cells of a regular grid in a polycube into the solid inside a surface. The map is
  * harmonic and extends the polycube's boundary map (ComputeHarmonicVolumeMap). The polycube's unit
- * is the greatest length of which all distances between parallel faces are multiples. The unit is
- * divided into the number of cells that brings the cell size closest to cellSize.
+ * is the greatest length such that all distances between parallel faces are integer multiples. The
+ * unit is divided into the number of cells that brings the cell size closest to cellSize.
  *
  * surface: closed. cellSize: in the surface's units; 0: a size that gives about 12,000 cells, or
  * more if the unit requires it. maximum: upper bound on the number of cells.

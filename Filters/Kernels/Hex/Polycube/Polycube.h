@@ -35,8 +35,9 @@ struct PolycubeResult
  * is found for a coarse solid close to the surface (FindPolycubeMap). Its labels and positions are
  * then transferred to the triangles and points of the surface.
  *
- * Each triangle lies exactly in the plane of its chart. If that inverts a triangle, the points of
- * this triangle and of the triangles around it are moved within their planes (MinimizeEnergy).
+ * Each triangle lies exactly in the plane of its chart. If moving it there inverts a triangle, the
+ * points of this triangle and of the triangles around it are moved within their planes
+ * (MinimizeEnergy).
  *
  * Throws whatever FindPolycubeMap throws. Throws SolveFailure if triangles stay inverted, for
  * example because they are larger than the polycube's faces.

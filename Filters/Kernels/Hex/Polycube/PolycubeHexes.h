@@ -48,7 +48,7 @@ struct PolycubeHexesResult
  * One of two maps carries the cells into the solid. The first is the harmonic map that extends the
  * map of the polycube's boundary onto the surface (ComputeHarmonicVolumeMap). The second is the
  * inverse of the deformation of the tetrahedra, which also works if the polycube overlaps itself.
- * The second map is used if the first inverts more hexahedra. If there is no such polycube, or the
+ * The second map is used if the first inverts more hexahedra. If no polycube is found, or the
  * hexahedra are bad, the cells of a grid in the deformed solid are tried (FindVoxelPolycube).
  *
  * The boundary has the Euler number and the number of components of the surface. Throws

@@ -67,8 +67,8 @@ public:
   void Add(const Eigen::RowVector3d& centre, double times = 1.0);
 
   /// Adds the positions whose distance is at least 0.9 times `wanted`, the farthest first. For
-  /// distances above 4 times `wanted`, the strength of the seed grows with the distance. It is
-  /// twice the usual strength from 8 times on.
+  /// distances above 4 times `wanted`, the strength of the seed grows with the distance. From 8
+  /// times `wanted` on, it is twice the usual strength.
   void AddDistant(const SampledDistances& far, double wanted);
 
   /// Adds the centroids of the hexahedra whose scaled Jacobian is below `accepted`.

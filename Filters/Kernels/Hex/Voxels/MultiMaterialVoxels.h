@@ -30,8 +30,8 @@ struct RegionCells
 /**
  * Fills a solid with cells of a grid (TopologyPreservingVoxels). Inner surfaces, which are the
  * borders between materials, divide the cells into regions. The cells inside each inner surface
- * have the surface's topology. The boundaries of these cells share no point with each other or with
- * the boundary of the solid, so the boundary of each region is a manifold.
+ * have the topology of this inner surface. The boundaries of these cells share no point with each
+ * other or with the boundary of the solid, so the boundary of each region is a manifold.
  */
 class MultiMaterialVoxels
 {
@@ -46,8 +46,9 @@ public:
   const TopologyPreservingVoxels& Outer() const { return this->Whole; }
   std::vector<Surface> InnerSurfaces() const; ///< the inner surfaces, facing outwards
 
-  /// Returns the cells of a uniform grid in the warped space, mapped back. Returns nothing if the
-  /// cells are too coarse for the surfaces. Throws whatever TopologyPreservingVoxels::Fill throws.
+  /// Returns cells of a grid that is uniform in the warped space, mapped back into the solid.
+  /// Returns nothing if the cells are too coarse for the surfaces. Throws whatever
+  /// TopologyPreservingVoxels::Fill throws.
   std::optional<RegionCells> Fill(
     double size, const GridDensity& warp, const Progress& progress = {});
 

@@ -17,7 +17,7 @@
 namespace shape
 {
 
-/// The distance from the surface, in cells, up to which a level equals the distance.
+/// Levels (SampleDistances) equal the signed distance up to this number of cells from the surface.
 inline constexpr double LevelBand = 2.0;
 
 /// Returns a grid of cubic cells around points (n x 3), without values. Its outermost cells lie
@@ -60,28 +60,29 @@ public:
   const Surface& GetSurface() const { return this->Whole; }
   /// The part of the surface that bounds the solid, and the number of the surface's self-crossings.
   const SolidBoundaryResult& Boundary() const { return this->Bounding; }
-  /// The topology of the surface. Unless the surface crosses itself, the cells must have it, too.
+  /// The topology of the surface. Unless the surface crosses itself, the cells must have the same
+  /// topology.
   const Topology& SurfaceTopology() const { return this->Wanted; }
 
   /// From now on, if the surface crosses itself, cells of any topology with a manifold boundary are
   /// accepted.
   void TakeAnyTopology() { this->TakesAny = true; }
 
-  /// Returns the cell size in the warped space at which the cells and one layer of hexahedra around
+  /// Returns a cell size in the warped space. Cells of this size and one layer of hexahedra around
   /// them are about `hexahedra` in number.
   double CellSizeFor(double hexahedra, const GridDensity& warp) const;
 
-  /// Returns the cells of a uniform grid in the warped space, mapped back. Returns nothing if no
-  /// tried choice of the cells at the boundary gives the solid's topology. Throws whatever
-  /// SampleSolidDistances throws.
+  /// Returns cells of a grid that is uniform in the warped space, mapped back into the solid.
+  /// Returns nothing if no tried choice of the cells at the boundary gives the solid's topology.
+  /// Throws whatever SampleSolidDistances throws.
   std::optional<HexMesh> Fill(double size, const GridDensity& warp, const Progress& progress = {});
 
   /// Returns the grid that Fill uses, in the warped space, without values.
   SampledGrid Grid(double size, const GridDensity& warp) const;
 
   /// Marks the cells of a grid in the warped space that are inside the solid. Several choices of
-  /// the cells at the boundary are tried. Returns nothing if none both has the solid's topology and
-  /// is accepted by `accepts`.
+  /// the cells at the boundary are tried. Returns the first choice that has the solid's topology
+  /// and that `accepts` accepts, or nothing if there is none.
   std::optional<std::vector<char>> CellsInside(const SampledGrid& grid, const GridDensity& warp,
     const std::function<bool(const std::vector<char>& inside)>& accepts,
     const Progress& progress = {});

@@ -9,7 +9,7 @@ namespace shape
 /// The input of TetGen.
 struct TetGenInput
 {
-  const Mesh& Surfaces;          ///< triangles that do not cross; points distinct and all used
+  const Mesh& Surfaces;          ///< triangles that do not cross; all points are distinct and used
   const Eigen::MatrixXd& Holes;  ///< n x 3: a position in each void
   double MaximumRadiusEdgeRatio; ///< > 1, or 0 for no bound
   double MaximumVolume;          ///< upper bound on the volume of a tetrahedron; 0 for no bound

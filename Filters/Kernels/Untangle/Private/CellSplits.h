@@ -8,11 +8,11 @@
 namespace shape
 {
 
-/// Splits tetrahedra of a solid that cannot become positive by moving their points.
+/// Splits tetrahedra that cannot be made positive by moving their points.
 class CellSplits
 {
 public:
-  /// movable: whether a point may move.
+  /// movable: returns whether a point may move.
   CellSplits(SolidCells& solid, std::function<bool(int point)> movable);
 
   /// Splits inverted tetrahedra without a movable point. A new point is inserted into an edge or,
@@ -22,13 +22,14 @@ public:
 
   /// Splits edges at tetrahedra that stay inverted. All inner edges from a fixed point of such a
   /// tetrahedron are split, at most `allowed` times for each point. The cells around one fixed
-  /// point can then move independently of the cells around another. A tetrahedron without such a
-  /// point is split at its longest edge or, failing that, at a face. bad: inverted cells.
+  /// point can then move independently of the cells around another. A tetrahedron without a point
+  /// treated in this way is split at its longest edge or, failing that, at a face. bad: inverted
+  /// cells.
   void Stubborn(const std::vector<int>& bad, int allowed);
 
 private:
   /// Splits the longest edge of a tetrahedron. Edges with two fixed ends are preferred, then edges
-  /// with one. Returns false if no edge can be split.
+  /// with one fixed end. Returns false if no edge can be split.
   bool SplitLongest(const std::vector<int>& points);
   /// Splits a face of a tetrahedron. Returns false if no face can be split.
   bool SplitFace(const std::vector<int>& points);

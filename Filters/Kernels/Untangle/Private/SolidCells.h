@@ -42,13 +42,14 @@ public:
   /// Whether a corner tetrahedron of a cell is not positive, by exact predicates.
   bool Inverted(int cell);
 
-  /// Returns the edges (columns) of the reference shape of simplex k of a cell: its rest shape,
-  /// scaled by `size`. A rest shape that is inverted is reflected. A rest shape with a stretch
-  /// below 1/20 of its largest stretch, relative to the regular shape, is thickened.
+  /// Returns the edges (columns) of the reference shape for simplex k of a cell. The reference
+  /// shape is the rest shape of the simplex, scaled by `size`. A rest shape that is inverted is
+  /// reflected. A rest shape is thickened if its least stretch relative to the regular shape is
+  /// below 1/20 of its largest.
   Eigen::Matrix3d Reference(int cell, int k, double size);
 
-  /// Whether an edge or a face (two or three points) can be split. It can if it exists, has only
-  /// tetrahedra around it and does not lie on the boundary.
+  /// Whether an edge or a face (two or three points) can be split. It has to exist, have only
+  /// tetrahedra around it and not lie on the boundary.
   bool CanSplit(const std::vector<int>& simplex) const;
 
   /// Inserts a point at the centroid of an edge, a face or a tetrahedron, both in Points and in
@@ -61,7 +62,8 @@ public:
   Cells Result() const;
 
   std::vector<int> OriginalCells; ///< for each cell: the original cell that contains it
-  /// For each new point: the points at whose centroid it was inserted, padded with -1 to four.
+  /// For each new point: the points at whose centroid it was inserted, padded to four entries with
+  /// -1.
   std::vector<std::array<int, 4>> Parents;
   int OriginalPointCount = 0;
 

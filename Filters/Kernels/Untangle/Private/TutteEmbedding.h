@@ -13,10 +13,10 @@ namespace shape
 Eigen::MatrixXd SolveTutteEmbedding(const SolidCells& solid);
 
 /**
- * Returns the logarithm of the target size of the cells around each point. The size is a length
- * divided by the same length at rest, or by 1 if there is no rest shape. At a boundary point, the
- * logarithm is the mean over the point's boundary edges. At an inner point, it is the mean of the
- * values at the neighbours, so inverted cells do not affect it.
+ * Returns the logarithm of the target size of the cells around each point. The size is the ratio of
+ * a length to the same length at rest, or the length itself if there is no rest shape. At a
+ * boundary point, the logarithm is the mean over the point's boundary edges. At an inner point, it
+ * is the mean of the values at the neighbours, so inverted cells do not affect it.
  *
  * Returns one value for each point. Points that are not connected to a boundary get the mean of the
  * values at the boundary.

@@ -17,11 +17,11 @@ namespace shape
  * curve in common.
  *
  * First a point with as many edges as the corner has patches is chosen near the corner. A disk of
- * quads around it is grown until its boundary loop has the corner's patches in their order.
- * Wherever the patch changes along the loop, a chain of edges leads to the point. The chains share
- * no other point. A minimum-cost flow makes them as short and as close to the curves as possible.
- * The quads between two consecutive chains get the patch that the loop has there. A
- * corner without such a disk is left unchanged.
+ * quads around it is grown until the disk's boundary loop passes through the corner's patches in
+ * their order. Wherever the patch changes along the loop, a chain of edges leads to the chosen
+ * point. The chains share no other point. A minimum-cost flow makes them as short and as close to
+ * the curves as possible. The quads between two consecutive chains get the patch that the loop has
+ * there. A corner without such a disk is left unchanged.
  *
  * points: n x 3. patchOf: the patch of each quad.
  */

@@ -22,10 +22,10 @@ struct CurvePositions
 };
 
 /**
- * Distributes the points of a chain (n x 3, n >= 2) along a curve. Each point is put at the same
- * fraction of the curve's length as it has along the chain. If there are enough points, one is
- * fixed at each sharp bend of the curve, and the points between fixed ones are adjusted. On a
- * closed curve the chain may begin anywhere.
+ * Distributes the points of a chain (n x 3, n >= 2) along a curve. A point at a certain fraction of
+ * the chain's length is put at the same fraction of the curve's length. If there are enough points,
+ * one is fixed at each sharp bend of the curve, and the points between fixed ones are adjusted. On
+ * a closed curve the chain may begin anywhere.
  */
 CurvePositions DistributeAlongCurve(
   const Eigen::MatrixXd& chain, const Mesh& surface, const FeatureCurve& curve);

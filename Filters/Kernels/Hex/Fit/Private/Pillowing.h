@@ -24,13 +24,13 @@ std::vector<int> PadQuads(HexMesh& mesh, const Eigen::MatrixXi& quads);
 
 /**
  * Inserts a layer of hexahedra under some patches. At the border of the patches, the layer ends in
- * a row of quads, which belong to the adjacent patches. No quad there then has two consecutive
- * edges on a curve. Each surface and each curve thus has sheets of its own, as Ledoux and Shepherd
- * require ("Topological and geometrical properties of hexahedral meshes", 2010). Each new point has
- * the position of the point that it copies.
+ * a row of quads, which belong to the adjacent patches. As a result, no quad there has two
+ * consecutive edges on a curve. Each surface and each curve thus has sheets of its own, as Ledoux
+ * and Shepherd require ("Topological and geometrical properties of hexahedral meshes", 2010). Each
+ * new point has the position of the point that it copies.
  *
- * Updates PatchOf, Quads and Copies of `boundary`. Its curves and corners have to be found again
- * (MatchCurves).
+ * Updates PatchOf, Quads and Copies of `boundary`. Afterwards, the curves and corners of `boundary`
+ * have to be found again (MatchCurves).
  */
 void PillowPatches(HexMesh& mesh, const std::vector<int>& patches, PatchedBoundary& boundary);
 

@@ -20,8 +20,8 @@ namespace shape
  */
 std::vector<Surface> SplitSolids(const Surface& surface, const Progress& progress = {});
 
-/// Concatenates the hexahedra of several solids without interfaces. The patches of each solid are
-/// numbered after those of the previous solids.
+/// Concatenates the hexahedra of several solids, none of which may have interfaces. The patches of
+/// each solid are numbered after those of the previous solids.
 HexFit JoinFits(const std::vector<HexFit>& fits);
 
 /// Concatenates the features of several surfaces. The result indexes the concatenated points and
@@ -29,8 +29,8 @@ HexFit JoinFits(const std::vector<HexFit>& fits);
 SurfaceFeatures JoinFeatures(
   const std::vector<SurfaceFeatures>& features, const std::vector<Surface>& solids);
 
-/// Returns the fraction of the hexahedra that each solid may have: in proportion to its volume, but
-/// not below a minimum. The fractions add up to 1.
+/// Shares the hexahedra among solids. Returns the fraction for each solid, which is proportional to
+/// its volume but not below a minimum. The fractions add up to 1.
 std::vector<double> ComputeVolumeShares(const std::vector<Surface>& solids);
 
 } // namespace shape

@@ -23,9 +23,9 @@ namespace shape
  * edges could shrink to nothing at no cost. If the determinant is negative, lengths are not
  * changed, so that shrinking does not lower the energy.
  *
- * minimum is 0.05 times the mean edge length of the hexahedron. It is fixed while points move.
- * Otherwise the energies around the points would not be parts of one energy, and lowering them in
- * turn would not converge.
+ * minimum is 0.05 times the mean edge length of the hexahedron. It is not updated while points
+ * move. Otherwise the energies around different points would not be parts of one total energy, and
+ * lowering one after another would not converge.
  *
  * The energy is defined for any position, even if hexahedra are inverted. The greater the
  * sharpness, the more the worst corner dominates: log(E) / sharpness tends to 1 - min s.
@@ -61,8 +61,8 @@ public:
 
 private:
   /// A hexahedron seen from one of its corners. Ends: the ends of the three edges from the corner.
-  /// Across: for each face at the corner, the corner of the face diagonally opposite; first the
-  /// face of edges 2 and 3, then in cyclic order.
+  /// Across: for each of the three faces at the corner, the diagonally opposite corner of the face.
+  /// The face of edges 2 and 3 comes first, and the others follow in cyclic order.
   struct View
   {
     std::array<Eigen::Vector3d, 3> Ends, Across;
@@ -86,9 +86,9 @@ public:
   /// update.
   void Lower(double sharpness, const std::vector<char>& marked = {}, const Progress& progress = {});
 
-  /// Moves each point, or each marked point, half way to the mean of its neighbours of the same or
-  /// less freedom, within the constraint. A point on the surface thus follows its neighbours on the
-  /// surface only.
+  /// Moves each point, or each marked point, half way to the mean of those neighbours that have no
+  /// more freedom than the point, within the constraint. A point on the surface thus follows its
+  /// neighbours on the surface only.
   void Smooth(const std::vector<char>& marked = {}, const Progress& progress = {});
 
   /// Projects every point to the nearest position that the constraint allows.
@@ -103,8 +103,8 @@ private:
   void MoveTowardsMean(int point);
   void Move(int point, double sharpness);
 
-  /// Whether no point of the hexahedra around a point has moved since the point's last update at
-  /// this sharpness.
+  /// Whether a point was updated at this sharpness, and no point of the hexahedra around it has
+  /// moved since then.
   bool IsAtRest(int point) const;
 
   const StarEnergy::Corners Hexahedra;
@@ -113,9 +113,10 @@ private:
   const PointConstraint& Constraint;
   std::vector<std::vector<std::array<int, 2>>> Around;
   std::vector<std::vector<int>> IndependentSets;
-  double Sharpness = 0.0;             ///< the sharpness of the last sweep
-  int Now = 0;                        ///< number of independent sets processed so far
-  std::vector<int> MovedAt, LookedAt; ///< Now at each point's last move, and at its last update
+  double Sharpness = 0.0; ///< the sharpness of the last sweep
+  int Now = 0;            ///< number of independent sets processed so far
+  /// For each point: the value of Now when it last moved, and when it was last updated.
+  std::vector<int> MovedAt, LookedAt;
 };
 
 } // namespace shape

@@ -11,9 +11,9 @@ namespace shape
 /// Returns the unit vector of a label: 0..5 = +x, -x, +y, -y, +z, -z.
 Eigen::RowVector3d GetLabelAxis(int label);
 
-/// Returns the rotation that brings the normals of a surface closest to the axes. It minimises the
-/// integral of |nx| + |ny| + |nz| over the surface's area. Returns the identity if no rotation
-/// lowers the integral by more than 1 %.
+/// Returns the rotation that brings the normals of a surface closest to the axes. The rotation
+/// minimises the integral of |nx| + |ny| + |nz| over the surface's area. Returns the identity if no
+/// rotation lowers the integral by more than 1 %.
 Eigen::Matrix3d FindAxisRotation(const Mesh& surface);
 
 /**
@@ -28,8 +28,8 @@ Eigen::MatrixXd AlignWithAxes(const WorkingSolid& solid, const Progress& progres
 
 /**
  * Deforms a solid until each triangle of its surface is nearly perpendicular to a given axis. The
- * tetrahedra stay as rigid as possible, while the weight of the flatness of the triangles grows
- * from round to round. Returns the new positions of the points (n x 3). Throws Aborted.
+ * tetrahedra stay as rigid as possible. The weight that turns the triangles' normals towards the
+ * axes grows from round to round. Returns the new positions of the points (n x 3). Throws Aborted.
  *
  * labels: for each triangle, the label of its axis (GetLabelAxis). start: the initial positions of
  * the points (n x 3).

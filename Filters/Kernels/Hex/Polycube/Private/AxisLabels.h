@@ -17,10 +17,11 @@ struct LabelEdge
 };
 
 /**
- * Assigns one of six labels (+x, -x, +y, -y, +z, -z) to each of n sites. The sum of the costs of
- * the chosen labels and of the weights of edges between different labels is approximately minimal.
- * It is lowered by alpha-expansion with graph cuts (Boykov, Veksler and Zabih, "Fast approximate
- * energy minimization via graph cuts", 2001). Adjacent sites never have opposite labels.
+ * Assigns one of six labels (+x, -x, +y, -y, +z, -z) to each of n sites. The labels approximately
+ * minimise a sum: their costs, plus the weights of the edges whose two sites have different labels.
+ * The sum is lowered by alpha-expansion with graph cuts (Boykov, Veksler and Zabih, "Fast
+ * approximate energy minimization via graph cuts", 2001). Adjacent sites never have opposite
+ * labels.
  *
  * costs (n x 6): the cost of each label at each site, finite. All sites start with the same label.
  */

@@ -27,7 +27,7 @@ struct Charts
   struct Border
   {
     int First, Second;
-    std::vector<int> Points; ///< along the border; a closed one repeats its first point at the end
+    std::vector<int> Points; ///< a closed border repeats its first point at the end
   };
   std::vector<Border> Borders;
 
@@ -44,8 +44,8 @@ struct ChartFault
   {
     FewNeighbours, ///< a chart has fewer than four neighbours
     Opposite,      ///< two charts of opposite labels share an edge
-    Corner,        ///< a point has more than three charts, or three with fewer than three axes
-    Turn           ///< a border of two charts reverses its direction along the third axis
+    Corner,        ///< a point has more than three charts, or three charts on fewer than three axes
+    Turn           ///< a border reverses its direction along the axis that neither chart has
   };
   Kind What;
   int Chart;      ///< the chart concerned

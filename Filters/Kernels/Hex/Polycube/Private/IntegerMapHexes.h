@@ -11,9 +11,9 @@ namespace shape
 {
 
 /**
- * Walks along straight lines through tetrahedra, from each to the next across their common face.
- * All tetrahedra must be positive. Tetrahedra that are not adjacent may overlap, because the walk
- * only enters adjacent ones.
+ * Walks along straight lines through tetrahedra. Each step leads from a tetrahedron to the next
+ * across their common face. All tetrahedra must be positive. Tetrahedra that are not adjacent may
+ * overlap, because the walk only enters adjacent ones.
  */
 class TetrahedralWalk
 {
@@ -26,7 +26,8 @@ public:
     int Tetrahedron;
     Eigen::Vector4d Weights; ///< barycentric coordinates: >= 0, their sum is 1
     bool Arrived;            ///< false if the walk ended at the boundary
-    int Face = -1;           ///< the corner opposite the boundary face where it ended, or -1
+    /// The corner opposite the boundary face where the walk ended, or -1 if it ended elsewhere.
+    int Face = -1;
   };
 
   /// Walks from a position in a tetrahedron to another position. Returns where the walk ends.
@@ -47,7 +48,7 @@ struct IntegerMapHexesResult
   HexMesh Solid;
   Eigen::MatrixXd Positions;  ///< n x 3: integer positions on the polycube
   Eigen::VectorXi Tetrahedra; ///< n: the tetrahedron that contains each point
-  Eigen::MatrixXd Weights;    ///< n x 4: the point's barycentric coordinates in it
+  Eigen::MatrixXd Weights;    ///< n x 4: barycentric coordinates in this tetrahedron
   bool Overlaps = false;      ///< whether a cell of the grid occurs several times
 };
 

@@ -27,13 +27,13 @@ struct PolycubeMapOptions
   bool Facing = false;
 };
 
-/// Marks the triangles of a polycube that face away from the axis of their label, or have no area.
+/// Marks the triangles of a polycube that face away from the axis of their label or have no area.
 std::vector<char> FindInvertedTriangles(const Mesh& polycube, const Eigen::VectorXi& labels);
 
 /// A solid and the polycube it is mapped to.
 struct PolycubeMap
 {
-  WorkingSolid Solid;        ///< a coarse solid close to the surface's, undeformed
+  WorkingSolid Solid;        ///< a coarse solid with almost the same surface, undeformed
   Eigen::MatrixXd Positions; ///< n x 3: on the polycube, in units of cells; charts lie at integers
   Eigen::VectorXi Labels;    ///< for each triangle of the solid: 0..5 = +x, -x, +y, -y, +z, -z
   shape::Charts Charts;
@@ -42,13 +42,14 @@ struct PolycubeMap
 };
 
 /**
- * Finds a polycube of the solid inside a closed surface. Also finds a map of a coarse solid, close
- * to this one, onto the polycube. The map is positive on every tetrahedron of the coarse solid.
+ * Finds a polycube of the solid inside a closed surface. Also finds a map onto the polycube from a
+ * coarse solid with almost the same surface. The map is positive on every tetrahedron of the coarse
+ * solid.
  *
  * The coarse solid is deformed until its normals are close to the axes (AlignWithAxes). Its
- * triangles are labelled (FindAxisLabels), and it is deformed further with one coordinate for each
- * chart (MinimizeConstrainedEnergy). If tetrahedra stay negative, the labels around them and the
- * labels of small faulty charts (FindChartFaults) get higher costs, and the labels are computed
+ * triangles are labelled (FindAxisLabels). The solid is then deformed further, so that each chart
+ * becomes flat (MinimizeConstrainedEnergy). If tetrahedra stay negative, the labels around them and
+ * the labels of small faulty charts (FindChartFaults) get higher costs, and the labels are computed
  * again. If that fails, other values of the compactness are tried. Finally, the coordinates of the
  * charts are rounded to integers (RoundCharts). Smaller cells are used if there is no such
  * rounding.

@@ -10,7 +10,8 @@
 namespace shape
 {
 
-/// Hexahedra inside a surface, and the positions of their points in the grid whose cells they are.
+/// Hexahedra inside a surface, each from a cell of a grid, and the positions of their points in
+/// this grid.
 struct VoxelPolycube
 {
   HexMesh Solid;

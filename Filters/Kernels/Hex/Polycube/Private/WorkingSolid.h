@@ -21,13 +21,13 @@ struct WorkingSolid
   int SurfacePointCount = 0;
 
   Mesh Surface() const;
-  Mesh Surface(const Eigen::MatrixXd& points) const; ///< with its points at other positions
+  Mesh Surface(const Eigen::MatrixXd& points) const; ///< with the points at other positions
 };
 
 /**
  * Builds a coarse tetrahedralisation of the solid inside a closed surface. The surface of the
- * result is close to the given one and keeps its creases. It has about the given number of
- * triangles, of nearly uniform size. Every tetrahedron and every inner edge has at least one point
+ * result is close to the given one and keeps its creases. This surface has about `triangles`
+ * triangles of nearly uniform size. Every tetrahedron and every inner edge has at least one point
  * off the boundary, so the boundary can be flattened.
  *
  * If the coarse surface crosses itself, a finer one is used. Throws whatever Tetrahedralize throws.
@@ -36,8 +36,8 @@ WorkingSolid BuildWorkingSolid(
   const Surface& surface, int triangles, const Progress& progress = {});
 
 /// Splits edges of the surface at their midpoints. edges: pairs of points, each edge once.
-/// positions (n x 3): other positions of the points, to which the new points are added, too.
-/// labels: the labels of the triangles, which the parts of a split triangle inherit.
+/// positions (n x 3): a second set of positions; midpoints are added to it, too. labels: the label
+/// of each triangle; the parts of a split triangle inherit its label.
 void SplitSurfaceEdges(WorkingSolid& solid, const std::vector<std::pair<int, int>>& edges,
   Eigen::MatrixXd& positions, Eigen::VectorXi& labels);
 
