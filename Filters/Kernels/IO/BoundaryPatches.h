@@ -24,16 +24,16 @@ struct SolidFaces
 /// boundary.
 SolidFaces FindBoundaryFaces(const Cells& cells);
 
-/// The faces between two regions. They are oriented out of the lower region, and are in the order
-/// of its cells.
+/// The faces between two regions. They face out of the region with the lower number, and are in the
+/// order of that region's cells.
 struct RegionInterface
 {
   int Lower, Upper; ///< regions
   SolidFaces Faces;
 };
 
-/// Finds the faces between solid cells of different regions, for each pair of regions in ascending
-/// order. regions: m, the region of each cell.
+/// Finds the faces between solid cells of different regions. Returns one interface for each pair of
+/// regions, in ascending order. regions: m, the region of each cell.
 std::vector<RegionInterface> FindRegionInterfaces(
   const Cells& cells, const Eigen::VectorXi& regions);
 

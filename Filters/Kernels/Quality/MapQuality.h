@@ -14,13 +14,13 @@ namespace shape
  */
 enum class MapMeasure
 {
-  /// area or volume of the image, divided by that of the source; negative if flipped
+  /// area or volume of the image, divided by the area or volume of the source; negative if flipped
   JacobianDeterminant,
   Dirichlet, ///< |J|^2 / 2 (Pinkall & Polthier 1993); d / 2 for an isometry
-  /// |J|^2 + |J^-1|^2 (Smith & Schaefer 2015); its minimum, 2 d, is that of an isometry
+  /// |J|^2 + |J^-1|^2 (Smith & Schaefer 2015); minimum 2 d, for an isometry
   SymmetricDirichlet,
-  /// |J|^2 / (d |det J|^(2/d)), the inverse mean ratio (Knupp 2001); its minimum, 1, is that of a
-  /// similarity. On surfaces it equals (s_1 / s_2 + s_2 / s_1) / 2.
+  /// |J|^2 / (d |det J|^(2/d)), the inverse mean ratio (Knupp 2001); minimum 1, for a similarity.
+  /// On surfaces it equals (s_1 / s_2 + s_2 / s_1) / 2.
   ConformalDistortion,
   /// sum of (s_i - 1)^2 (Liu et al. 2008); 0 for an isometry. If the map flips, the smallest s_i is
   /// taken as negative.
@@ -80,8 +80,8 @@ struct MapQualityResult
 MapQualityResult EvaluateMapQuality(const Eigen::MatrixXd& points, const Eigen::MatrixXd& images,
   const CellSimplices& cells, const MapExtent& extent, const Progress& progress = {});
 
-/// Sums, minima and maxima of the measures over cells. Those of several parts of the data can be
-/// combined.
+/// Sums, minima and maxima of the measures over cells. The summaries of several parts of the data
+/// can be combined.
 struct MapQualitySums
 {
   Eigen::Array<double, MapMeasureCount, 1> Minima; ///< LargestMeasure if there are no cells

@@ -9,8 +9,8 @@
 namespace shape
 {
 
-/// Several surfaces as one mesh. No two points have the same position, and a triangle uses every
-/// point.
+/// Several surfaces as one mesh. No two points have the same position, and each point belongs to a
+/// triangle.
 struct SurfaceComplex
 {
   Mesh Surfaces;                  ///< the triangles of the first surface, then those of the others

@@ -32,8 +32,8 @@ Mesh BuildOffsetSurface(const SignedDistance& field, double distance,
   const OffsetSurfaceOptions& options = {}, const Progress& progress = {});
 
 /// Moves points (n x 3) near a surface to the given distances (n) from it, along the lines from
-/// their closest points. If another part of the surface is nearer than that, the final distance is
-/// smaller.
+/// their closest points. If another part of the surface is nearer to the moved point, its final
+/// distance is smaller.
 void MoveToDistance(Eigen::MatrixXd& points, const SignedDistance& field,
   const Eigen::VectorXd& distances, const Progress& progress = {});
 
