@@ -60,10 +60,10 @@ struct PiecewiseVolumeMapResult
  *
  * A single harmonic map cannot do this. By the maximum principle, a harmonic map that moves an
  * inner point by some distance moves a boundary point at least as far. The layers are solved from
- * the outside inwards by ComputeHarmonicVolumeMap, with charges on both sides of each layer. At its
- * outer border an inner layer takes the values of the map around it. In a thin skin inside the
- * border one map blends into the other (PiecewiseHarmonicMap), so the result is continuous to
- * rounding.
+ * the outside inwards by ComputeHarmonicVolumeMap, with charges on both sides of each layer. On its
+ * outer border, an inner layer takes its boundary values from the map of the surrounding layer. In
+ * a thin skin inside the border one map blends into the other (PiecewiseHarmonicMap), so the result
+ * is continuous to rounding.
  *
  * At the edges of a border two smooth maps cannot agree exactly. Their difference there is the
  * difference of their derivatives times the height of the facets over a smooth surface. The jumps

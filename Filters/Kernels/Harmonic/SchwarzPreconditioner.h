@@ -25,10 +25,10 @@ struct SchwarzOptions
   int Own = 64;     ///< maximum number of sites of a block; >= 1
   int Around = 100; ///< number of surrounding sites in the local system of a block; >= 0
   /// Maximum amplification of a block's averaged system. A block with a larger amplification is
-  /// ill-conditioned, and its error would dominate for many iterations. It is solved by regularized
-  /// least squares over the rows instead. For evenly sized triangles the amplification is 100 to
-  /// 600. With 0 all blocks are solved by least squares. This takes three times the time and
-  /// memory, but also works if charges are crowded.
+  /// ill-conditioned, and its error would dominate for many iterations. Such a block is solved by
+  /// regularized least squares over the rows instead. For evenly sized triangles the amplification
+  /// is 100 to 600. With 0 all blocks are solved by least squares. This takes three times the time
+  /// and memory, but also works if charges are crowded.
   double MaximumAmplification = 1e3;
 };
 

@@ -39,9 +39,9 @@ std::vector<RegionInterface> FindRegionInterfaces(
 
 /**
  * Returns the patch of each face (f values). Patches are numbered 0, 1, ... in the order of their
- * first faces. Two faces belong to the same patch if they share an edge that no other face has and
- * the angle between their normals is at most `featureAngle`. The patches of a cube are its six
- * faces.
+ * first faces. Two faces belong to the same patch if they share an edge that belongs to no other
+ * face, and the angle between their normals is at most `featureAngle`. The patches of a cube are
+ * its six faces.
  *
  * points: n x 3. faces: f x 4 point indices, consistently oriented; the last is -1 in triangles.
  * The normal of a quadrilateral is the cross product of its diagonals. A face without area belongs

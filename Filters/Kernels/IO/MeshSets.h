@@ -32,8 +32,8 @@ struct MeshSets
  * makes most wedges positive is used for all. regions: m values, one for each cell; empty if all
  * cells are in region 0. featureAngle: see FindBoundaryPatches.
  *
- * Throws InvalidInput if there is no cell, a cell has another kind, a corner is not a point of the
- * mesh, a coordinate is not finite, or a region is negative. Throws the exceptions of
+ * Throws InvalidInput if there is no cell, a cell is of another kind, a corner is not a point of
+ * the mesh, a coordinate is not finite, or a region is negative. Throws the exceptions of
  * FindBoundaryPatches, and Aborted.
  */
 MeshSets FindMeshSets(const Cells& cells, const Eigen::VectorXi& regions, double featureAngle,

@@ -68,14 +68,14 @@ struct MapQualityResult
  * longest edge squared (triangles) or cubed (tetrahedra).
  *
  * Sign on surfaces: a triangle is flipped if it faces different sides before and after the map. Its
- * side is the sign of the dot product of its normal and a reference. The reference is +z if all
- * points lie in the plane z = 0, and the radius vector if all points lie on the unit sphere.
+ * side is the sign of the dot product of its normal and a reference vector. The reference is +z if
+ * all points lie in the plane z = 0, and the radius vector if all points lie on the unit sphere.
  * Otherwise it is the sum of the area vectors of the other triangles around its corners. This
  * detects folds, but not the interior of a region that is flipped as a whole. If the source and the
  * image do not use the same kind of reference, the source is assumed to face outwards.
  *
- * extent: ComputeMapExtent of the complete data, of which the given cells may be a part. Throws
- * Aborted.
+ * extent: the result of ComputeMapExtent for the complete data; the given cells may be only a part
+ * of these. Throws Aborted.
  */
 MapQualityResult EvaluateMapQuality(const Eigen::MatrixXd& points, const Eigen::MatrixXd& images,
   const CellSimplices& cells, const MapExtent& extent, const Progress& progress = {});

@@ -23,7 +23,7 @@ struct FreeBoundaryResult
 
 /**
  * Reduces the distortion of a volume map by letting the images of the boundary's points slide on
- * the target surface. The solid's tetrahedra are carried by the harmonic map and untangled. Then
+ * the target surface. The solid's tetrahedra are moved by the harmonic map and untangled. Then
  * their elliptic energy (EllipticEnergy) is minimized while the boundary points stay on the target.
  * Finally the harmonic map with the new boundary values is solved. Points may slide across creases
  * of the target.

@@ -15,8 +15,8 @@ struct OffsetSurfaceOptions
 };
 
 /**
- * Returns the surface, facing outwards, of the points at the distance `distance` outside a closed
- * surface. It enters hollows of the surface if they are wide enough.
+ * Returns the outward-facing surface formed by the points that lie outside a closed surface at the
+ * distance `distance`. It enters hollows of the surface if they are wide enough.
  *
  * The signed distance is sampled on a grid, only where it is close to `distance`. Blocks of the
  * grid are divided into eight recursively. A block is skipped if the signed distance at its centre
