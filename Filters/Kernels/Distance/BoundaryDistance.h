@@ -17,9 +17,9 @@ struct BoundaryDistanceOptions
 /**
  * The Euclidean distance to a triangulated surface.
  *
- * With Signed, the components of the surface may face either way. A component inside another bounds
- * a void in the other's solid (see OrientByNesting). The angle-weighted pseudonormal determines the
- * sign (see SignedDistance).
+ * If Signed is true, each component of the surface may face inwards or outwards. A component inside
+ * another one bounds a void in that component's solid (see OrientByNesting). The angle-weighted
+ * pseudonormal determines the sign (see SignedDistance).
  */
 class BoundaryDistance
 {

@@ -11,9 +11,9 @@ namespace shape
  * The distance to a closed surface, negative inside it.
  *
  * The angle-weighted pseudonormal at the closest point determines the sign (Baerentzen and Aanaes,
- * "Signed distance computation using the angle weighted pseudonormal", 2005). It is correct if the
- * surface is closed, faces outwards and does not cross itself. If a triangle at the closest point
- * is degenerate and has no normal, the winding number decides.
+ * "Signed distance computation using the angle weighted pseudonormal", 2005). The sign is correct
+ * if the surface is closed, faces outwards and does not cross itself. If a triangle at the closest
+ * point is degenerate and has no normal, the winding number decides.
  */
 class SignedDistance
 {
@@ -52,10 +52,10 @@ Eigen::VectorXd ComputeDomainTolerances(
  * Returns 1 for a point outside, and 0 for a point inside or within the tolerance (n values).
  *
  * The tolerance is a quarter of the longest edge of the closest triangle. It is at most `farthest`,
- * and at least 1e-6 of the longest edge of the surface's bounding box. A solid that was meshed from
- * the smooth surface protrudes from the facets by less than that, so its points belong to the
- * domain. `farthest` is half the distance of the charges of a harmonic map, because close to them
- * the map is meaningless.
+ * and at least 1e-6 of the longest edge of the surface's bounding box. The points of a solid that
+ * was meshed from the smooth surface lie outside the facets by less than this, so they count as
+ * inside. For a harmonic map, `farthest` is half the distance of its charges from the boundary,
+ * because the map is meaningless close to a charge.
  *
  * Throws Aborted.
  */

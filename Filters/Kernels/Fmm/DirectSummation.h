@@ -13,11 +13,11 @@ namespace shape
  * summation.
  *
  * sources: m x 3, the x_j. charges: m x k; each column gives one potential. points: n x 3, the y_i.
- * Returns n x k potentials. Each term is accurate to rounding (1e-15) on any processor, or to the
- * given `error`. The cost is O(m n). The values at a point have the same bits for any number of
- * threads and for any set of other points. They are not finite if the point is closer to a source
- * than 1e-18 of the sources' largest coordinate. Throws InvalidInput if the numbers of rows or
- * columns do not match, and Aborted.
+ * Returns n x k potentials. On any processor, the relative error of each term is about 1e-15
+ * (rounding), unless `error` allows more. The cost is O(m n). The values at a point have the same
+ * bits for any number of threads and for any set of other points. They are not finite if the
+ * distance of the point from a source is less than 1e-18 times the sources' largest coordinate.
+ * Throws InvalidInput if the numbers of rows or columns do not match, and Aborted.
  */
 Eigen::MatrixXd SumPotentialsDirectly(const Eigen::MatrixXd& sources,
   const Eigen::MatrixXd& charges, const Eigen::MatrixXd& points,

@@ -21,8 +21,8 @@ struct FmmSummationOptions
   /// square error of the potential over the points, divided by the root mean square of the
   /// potential of the absolute charges. At a single point, the error divided by the potential of
   /// the absolute charges there is at most a hundred times Tolerance. For gradients, the root mean
-  /// square error is at most fifty times Tolerance, relative to the root mean square of the sums of
-  /// |q| / (4 pi r^2).
+  /// square error is divided by the root mean square of the sums of |q| / (4 pi r^2). This ratio is
+  /// at most fifty times Tolerance.
   double Tolerance = 1e-6;
   static constexpr double MinimumTolerance = 2e-12;
 };
@@ -39,11 +39,11 @@ struct FmmSummationOptions
  *     const shape::FmmSummation sum(sources, points);             // m x 3 and n x 3 coordinates
  *     const Eigen::MatrixXd potentials = sum.Potentials(charges); // of m x k charges: n x k
  *
- * Construction takes about a third of the time of a sum for tolerances down to 1e-6, and at least
- * the time of a sum for smaller tolerances. With Direct and with Multipole, the values at a point
- * have the same bits for any number of threads and for any set of other points. So points may be
- * distributed over processes. The values at a point that coincides with a source are not finite.
- * Points and sources may lie anywhere.
+ * For tolerances of 1e-6 or more, the constructor takes about a third of the time of a sum. For
+ * smaller tolerances, it takes at least as long as a sum. With the methods Direct and Multipole,
+ * the values at a point have the same bits for any number of threads and for any set of other
+ * points. The points may therefore be distributed over processes. The values at a point that
+ * coincides with a source are not finite. Points and sources may lie anywhere.
  */
 class FmmSummation
 {

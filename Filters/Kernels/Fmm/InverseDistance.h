@@ -11,7 +11,8 @@ struct SourceSpan
   int Begin = 0, End = 0;
 };
 
-/// The relative error of each 1/r. Rounding: rounding error. Small: at most 1e-8, at half the cost.
+/// The relative error of each 1/r. Rounding: only rounding errors. Small: at most 1e-8, in half the
+/// time.
 enum class RootError
 {
   Rounding,
@@ -23,11 +24,11 @@ enum class RootError
  * r = |y_i - x_j|.
  *
  * The lanes of a vector are points; each source is read once for one or two vectors of points. The
- * instruction set is chosen at run time (Highway). 1/r is computed from the processor's
- * approximation by Newton steps. On processors whose approximation is in single precision, squared
- * distances must lie between 1e-37 and 1e37. So callers scale the coordinates to about one. The
- * sums at a point that coincides with a source are not finite. The sum at a point has the same bits
- * for any set of other points.
+ * instruction set is chosen at run time (Highway). Newton steps improve the processor's
+ * approximation of 1/r. On processors where this approximation is in single precision, squared
+ * distances must lie between 1e-37 and 1e37. Callers therefore scale the coordinates to about one.
+ * The sums at a point that coincides with a source are not finite. The sum at a point has the same
+ * bits for any set of other points.
  */
 struct InverseDistanceSum
 {
@@ -38,7 +39,7 @@ struct InverseDistanceSum
   const double* Points = nullptr; ///< coordinate c of point i is Points[i + c * PointStride]
   std::ptrdiff_t PointStride = 0;
   int PointCount = 0;
-  double* Values = nullptr; ///< the sum c at point i is added to Values[i + c * ValueStride]
+  double* Values = nullptr; ///< sum number c at point i is added to Values[i + c * ValueStride]
   std::ptrdiff_t ValueStride = 0;
   RootError Error = RootError::Rounding;
 };

@@ -12,13 +12,15 @@ namespace shape
 /// polyline are equal.
 using Curve = Eigen::MatrixXd;
 
-/// Points of curves, each with the point at the same fraction of the length of the paired curve.
+/// Points on curves. The target of each is the point at the same fraction of the paired curve's
+/// length.
 struct MatchedCurves
 {
   Eigen::MatrixXd Points;  ///< k x 3
   Eigen::MatrixXd Targets; ///< k x 3
   Eigen::VectorXi Curves;  ///< k: the index of each point's curve
-  /// k: i + t if the point lies at the fraction t of the segment from point i to point i + 1
+  /// k: where each point lies on its curve: i + t stands for the fraction t of the segment from
+  /// point i to point i + 1
   Eigen::VectorXd Positions;
 };
 
@@ -32,8 +34,8 @@ struct MatchedCurves
  * `longestStep` (> 0) apart, it also contains evenly spaced points.
  *
  * `name` denotes the curves in messages. Throws InvalidInput if the numbers of curves differ, or if
- * a curve has no length or a coordinate that is not finite. Throws InvalidInput also if two
- * consecutive points of `sources` are more than 10,000 `longestStep` apart.
+ * a curve has no length or a coordinate that is not finite. Also throws InvalidInput if two
+ * consecutive points of `sources` are more than 10,000 times `longestStep` apart.
  */
 MatchedCurves MatchCurves(const std::vector<Curve>& sources, const std::vector<Curve>& targets,
   double longestStep, const std::string& name);

@@ -15,8 +15,8 @@ Eigen::Matrix3d FitRotation(const Eigen::Matrix3d& matrix);
 /// rotation that takes the estimated image of v to the direction of u.
 Eigen::Matrix3d FitRotation(const Eigen::Matrix3d& matrix, const Eigen::Matrix3d& estimate);
 
-/// Returns FitRotation(mean) for a mean of rotations, to 1e-9. It is ten times as fast if the
-/// rotations do not differ too much.
+/// Returns FitRotation(mean) for a mean of rotations, with an error of at most 1e-9. It is ten
+/// times as fast as FitRotation if the rotations do not differ too much.
 Eigen::Matrix3d FitBlendedRotation(const Eigen::Matrix3d& mean);
 
 } // namespace shape

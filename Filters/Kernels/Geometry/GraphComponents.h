@@ -8,9 +8,9 @@ namespace shape
 {
 
 /**
- * Adds links until the graph is connected. Each component without a node in `mainland`, such as a
- * part of a soup or a loose point, is linked to the nearest node of another component. Returns the
- * original number of components.
+ * Adds links until the graph is connected. Each component without a node in `mainland` is linked to
+ * the nearest node of another component. Such a component may be a part of a soup or a loose point.
+ * Returns the original number of components.
  *
  * mainland: at least one node. Throws Aborted.
  */

@@ -38,17 +38,17 @@ struct PointGraph : Graph
   Eigen::MatrixXd Points;    ///< all points of the shape, before welding
   Eigen::MatrixXd Positions; ///< n x 3
   /// n values: how much of the shape a node represents (equation 8 of Schmidt and Singh,
-  /// "Drag-and-drop surface composition"), so that dense regions do not dominate. It is the area of
-  /// the triangles, volume of the tetrahedra or length of the lines around the node. Volumes are
-  /// divided, and lengths multiplied, by the mean length of a link, so every weight is an area.
-  /// Without elements it is the squared distance to the nearest neighbour. It is 0 if all elements
-  /// of the node are degenerate.
+  /// "Drag-and-drop surface composition"), so that dense regions do not dominate. A weight is the
+  /// area of the triangles, the volume of the tetrahedra or the length of the lines around the
+  /// node. Volumes are divided, and lengths multiplied, by the mean length of a link, so every
+  /// weight is an area. The weight of a node without elements is the squared distance to its
+  /// nearest neighbour. A weight is 0 if all elements of the node are degenerate.
   Eigen::VectorXd Weights;
   /// n values: the absolute Gaussian curvature at each node. It is the angle defect of the
   /// triangles around the node, divided by a third of their area; 0 on boundaries and at
   /// non-manifold nodes, where it is undefined.
   Eigen::VectorXd Curvatures;
-  Eigen::MatrixXd Normals;  ///< n x 3: the unit normal at each node, or 0 if there is none
+  Eigen::MatrixXd Normals;  ///< n x 3: the unit normal at each node; a zero row if it has none
   Eigen::VectorXi NodeOf;   ///< for each point of the shape, its node
   std::vector<int> PointOf; ///< n: the first point of each node
   double MeanLength = 0.0;  ///< see ComputeMeanLinkLength

@@ -20,15 +20,16 @@ enum class SamplingMode
  * sets", 2015).
  *
  * Uniform: maximises the distances between points. GeometryAdaptive: the density follows the
- * curvature of the surface, measured within one spacing. Facets between the points would then
- * deviate from the surface by the same amount everywhere. The density stays within [0.5, 4] times
- * its mean.
+ * curvature of the surface, measured within one spacing. If the points were joined by facets, these
+ * would deviate from the surface by the same amount everywhere. The density stays within [0.5, 4]
+ * times its mean.
  *
  * Li et al. 2010, section 4.1.1, use the points that remain after quadric simplification, which
- * leaves flat parts empty. RMSEInside of the harmonic map with samples of this function, against
- * samples of vtkQuadricDecimation: dented spheres of 3k and 10k points to the ball 3.2e-3 against
- * 3.6e-3 and 3.4e-4 against 3.7e-4; two-torus to its polycube 1.6e-3 against 1.7e-3; twisted bar to
- * its box 3.3e-5 against 1.6e-3. This function also takes less time.
+ * leaves flat parts empty. RMSEInside of the harmonic map was measured with samples of this
+ * function (first value) and of vtkQuadricDecimation (second value). Dented sphere of 3k points to
+ * the ball: 3.2e-3 and 3.6e-3. Dented sphere of 10k points to the ball: 3.4e-4 and 3.7e-4.
+ * Two-torus to its polycube: 1.6e-3 and 1.7e-3. Twisted bar to its box: 3.3e-5 and 1.6e-3. This
+ * function also takes less time.
  *
  * Throws InvalidInput if count < 4 or the surface has no area; Aborted.
  */
@@ -50,15 +51,15 @@ Eigen::VectorXi EliminateSamples(const Eigen::MatrixXd& points, const Eigen::Vec
   int count, const Progress& progress = {});
 
 /**
- * Estimates the area that each of n points spread over a surface represents, divided by the mean (n
- * values). The estimate is the square of the mean distance to the 6 nearest neighbours, clamped to
- * within a factor of 10.
+ * Estimates the area that each of n points on a surface represents, divided by the mean of these
+ * areas (n values). The estimate is the square of the mean distance to the 6 nearest neighbours,
+ * divided by its mean and clamped to between 0.1 and 10.
  *
  * With these weights a sum over the points approximates an integral over the surface, whatever the
  * density. Without them dense regions dominate the least squares of the harmonic map. RMSEVertices
- * / RMSEInside of MultiLevel with adaptive samples, without and with weights: dented sphere of 3k
- * points 3.06e-3 / 2.93e-3 and 3.01e-3 / 2.33e-3; two-torus to its polycube 5.18e-3 / 4.70e-3 and
- * 4.96e-3 / 4.34e-3.
+ * and RMSEInside of MultiLevel were measured with adaptive samples. Dented sphere of 3k points:
+ * 3.06e-3 and 2.93e-3 without weights, 3.01e-3 and 2.33e-3 with weights. Two-torus to its polycube:
+ * 5.18e-3 and 4.70e-3 without weights, 4.96e-3 and 4.34e-3 with weights.
  */
 Eigen::VectorXd ComputeSampledAreas(const Eigen::MatrixXd& points);
 

@@ -19,9 +19,9 @@ struct Crossing
 
 /**
  * Whether two triangles intersect beyond their shared corners and edge, decided by exact
- * orientations (Geometry/Orientation.h). Two triangles share a point if they have the same index. A
- * degenerate triangle that shares no point is replaced by its edges, and never intersects another
- * degenerate triangle.
+ * orientations (Geometry/Orientation.h). Two triangles share a corner if both use the same point
+ * index. A degenerate triangle that shares no corner with the other triangle is replaced by its
+ * edges. It never intersects another degenerate triangle.
  */
 bool DoTrianglesIntersect(const Mesh& mesh, int first, int second);
 
@@ -33,9 +33,10 @@ std::vector<int> FindDegenerateTriangles(const Mesh& mesh);
  * shared corners and edge. The pairs are sorted by First, then by Second.
  *
  * A hierarchy of boxes (GetTriangleBoxes) finds the candidates, and exact orientations
- * (Geometry/Orientation.h) decide: a pair is listed if and only if the triangles intersect. Points
- * are shared by index, so coincident points must be joined first. surface: any triangles except
- * degenerate ones (FindDegenerateTriangles). Throws Aborted.
+ * (Geometry/Orientation.h) decide: a pair is listed if and only if the triangles intersect.
+ * Triangles share a corner only if both use the same point index, so coincident points must be
+ * joined first. surface: any triangles except degenerate ones (FindDegenerateTriangles). Throws
+ * Aborted.
  */
 std::vector<Crossing> FindSelfIntersections(const Surface& surface, const Progress& progress = {});
 

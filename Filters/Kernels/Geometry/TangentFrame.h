@@ -12,8 +12,8 @@ struct TangentFrame
 };
 
 /// Applies to `vector` the smallest rotation that takes the unit vector `from` to the unit vector
-/// `to`. If `from` and `to` are opposite, it is a half turn around the x axis, or around the y axis
-/// if they are parallel to x.
+/// `to`. If `from` and `to` are opposite, the rotation is a half turn around the x axis, projected
+/// onto the plane perpendicular to `from`. If `from` is parallel to x, the y axis is taken instead.
 Eigen::RowVector3d RotateBetweenNormals(
   const Eigen::RowVector3d& vector, const Eigen::RowVector3d& from, const Eigen::RowVector3d& to);
 

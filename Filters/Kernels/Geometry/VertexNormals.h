@@ -33,8 +33,9 @@ Eigen::MatrixXd ComputeVertexNormals(const Eigen::MatrixXd& points,
   NormalWeight weight);
 ///@}
 
-/// Returns the normals of a surface weighted by angle (n x 3). They are computed once and cached in
-/// the surface. The reference is valid as long as the surface or a copy of it exists.
+/// Returns the vertex normals of a surface (n x 3), weighted by angle (NormalWeight::Angle). They
+/// are computed once and cached in the surface. The reference is valid as long as the surface or a
+/// copy of it exists.
 const Eigen::MatrixXd& GetVertexNormals(const Surface& surface);
 
 /**
@@ -43,9 +44,10 @@ const Eigen::MatrixXd& GetVertexNormals(const Surface& surface);
  *
  * A paraboloid is fitted to the two rings of vertices around each vertex, weighted by the area
  * around them (Cazals and Pouget, "Estimating differential quantities using polynomial fitting of
- * osculating jets", 2005). Vertices of triangles that face the other way are ignored. If there are
- * too few vertices, or if the paraboloid turns the normal by more than 60 degrees, the result is
- * the normal weighted by area. It is zero if the triangles have no area.
+ * osculating jets", 2005). Vertices whose normals (weighted by area) differ from the normal of the
+ * fitted vertex by more than 73 degrees are ignored. If there are too few vertices, or if the
+ * paraboloid turns the normal by more than 60 degrees, the result is the normal weighted by area.
+ * It is zero if the triangles have no area.
  *
  * The normals are exact on planes. On spheres their error is of third order in the edge length.
  * fans: the fans of the surface's triangles.

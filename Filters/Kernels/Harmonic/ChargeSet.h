@@ -22,10 +22,10 @@ struct ChargeSet
   Eigen::Matrix<double, 3, 4> Affine = Eigen::Matrix<double, 3, 4>::Identity(); ///< [A b]
 };
 
-/// Returns the values of f at `points`, both n x 3. A large sum is computed by the fast multipole
-/// method (FmmSummation.h) if this is faster. Its root mean square error is then at most `error`
-/// times the size of the image. The result has the same bits for any number of threads. It is not
-/// finite at the position of a charge. Throws Aborted.
+/// Returns the values of f (n x 3) at `points` (n x 3). A large sum is computed by the fast
+/// multipole method (FmmSummation.h) if this is faster. Its root mean square error is then at most
+/// `error` times the size of the image. The result has the same bits for any number of threads. It
+/// is not finite at the position of a charge. Throws Aborted.
 Eigen::MatrixXd Evaluate(const ChargeSet& set, const Eigen::MatrixXd& points,
   const Progress& progress = {}, double error = 1e-10);
 

@@ -27,21 +27,21 @@ struct HarmonicVolumeMapOptions
   double Tolerance = 1e-4; ///< stop when RMSEInside is at most this; >= 0
   int MaximumLevels = 12;  ///< maximum number of maps in the sum; >= 1
   /// Accelerated: limits the refinement of the boundary. The refined boundary has at most
-  /// MostRefined times as many points as the boundary, or as 2500 if the boundary has fewer. > 0.
+  /// MostRefined times max(2500, number of boundary points) points. > 0.
   double MostRefined = 4.0;
-  /// MultiLevel: number of subsets into which the sources are divided; >= 1. There are fewer
-  /// subsets if one would otherwise have fewer than 16 sources.
+  /// MultiLevel: number of subsets into which the sources are divided; >= 1. The number is reduced
+  /// if a subset would otherwise have fewer than 16 sources.
   int SourceSubsets = 8;
   /// Minimum relative decrease of the residual; >= 0, < 1. MultiLevel stops when two levels in a
-  /// row gain less. Accelerated stops when a level after the first gains less. This is also
-  /// GmresOptions::LeastGain of Accelerated.
+  /// row decrease it by less than this. Accelerated stops when one level after the first does. This
+  /// is also GmresOptions::LeastGain of Accelerated.
   double LeastGain = 0.02;
   double FeatureWeight = 20.0;   ///< weight of features that are given without weights; > 0
   double CollocationRatio = 0.4; ///< number of collocation points / number of boundary points; > 0
   double SourceRatio = 0.8;      ///< initial number of charges / number of boundary points; > 0
   /// Distance of the farthest charges from the boundary / longest side of the boundary's box; >= 0.
-  /// The last subset of MultiLevel is sqrt(SourceSubsets) times nearer. With 0 the spacing of the
-  /// collocation points determines the distance of the nearest charges.
+  /// The last subset of MultiLevel is sqrt(SourceSubsets) times nearer. If OffsetDistance is 0, the
+  /// distance of the nearest charges follows from the spacing of the collocation points.
   double OffsetDistance = 0.0;
   SamplingMode CollocationSampling = SamplingMode::GeometryAdaptive;
   SamplingMode SourceSampling = SamplingMode::GeometryAdaptive;
@@ -55,7 +55,7 @@ struct VolumeFeatures
 {
   Eigen::MatrixXd Points = Eigen::MatrixXd(0, 3);  ///< k x 3
   Eigen::MatrixXd Targets = Eigen::MatrixXd(0, 3); ///< k x 3
-  /// k values, each > 0: a weight w has the effect of w equal rows; empty = FeatureWeight for all
+  /// k values, each > 0: a weight w has the effect of w equal rows. Empty: all are FeatureWeight.
   Eigen::VectorXd Weights;
 };
 
@@ -77,7 +77,7 @@ struct HarmonicVolumeMapResult
     int Collocations = 0;      ///< number of rows of the system, features included
     double RMSEVertices = 0.0; ///< at the boundary's points
     double RMSEInside = 0.0;   ///< at one position inside each triangle (ComputeOffCentres)
-    double Maximum = 0.0;      ///< maximum over both
+    double Maximum = 0.0;      ///< maximum error at both
     double Seconds = 0.0;
     /// false: no positive factor of this map lowers the residual, so it is left out
     bool Kept = true;
@@ -96,7 +96,8 @@ struct HarmonicVolumeMapResult
   int Iterations = 0; ///< total number of iterations of all levels
   /// number of points added to the boundary by refinement, at the last level
   int RefinedPoints = 0;
-  /// number of boundary points without a charge: in a gap too narrow for one, or without a normal
+  /// number of boundary points without a charge, because a gap is too narrow or the point has no
+  /// normal
   int PointsWithoutCharge = 0;
 };
 

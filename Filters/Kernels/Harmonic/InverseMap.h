@@ -10,7 +10,7 @@ namespace shape
 
 struct InverseMapOptions
 {
-  double Tolerance = 1e-11;   ///< maximum of |f(x) - y| / the longest side of the image; > 0
+  double Tolerance = 1e-11;   ///< maximum of |f(x) - y| / longest side of the image's box; > 0
   int MaximumIterations = 50; ///< maximum number of Newton steps from one start; >= 1
   int SeedsAcross = 16;       ///< number of seeds along the longest side of the domain; >= 1
 };
@@ -21,11 +21,11 @@ struct InverseMapOptions
  * step is halved until it decreases |f(x) - y|.
  *
  * The seeds are the points of a lattice inside the domain. The first start is the seed or the
- * boundary position whose image is nearest to y. If Newton's method fails, x is continued along a
- * path: its image moves from f(start) to y on a straight line. The first path starts at the
- * boundary position whose image is nearest to y, so no other boundary image lies on the line. The
- * second path starts at the nearest seed. Finally, Newton's method is tried from further seeds.
- * Where f folds, a point has several preimages. Find returns one of them, always the same.
+ * boundary position whose image is nearest to y. If Newton's method fails, x follows a path whose
+ * image is the straight line from f(start) to y. The first path starts at the boundary position
+ * whose image is nearest to y, so no other boundary image lies on the line. The second path starts
+ * at the nearest seed. Finally, Newton's method is tried from further seeds. Where f folds, a point
+ * has several preimages. Find returns only one of them, the same one in each call.
  *
  * A point is Outside without a search if two conditions hold. First, it lies outside the boundary's
  * image by more than 4 times the tolerance of ComputeDomainTolerances. Second, the determinant of
@@ -56,8 +56,8 @@ public:
   /// Finds the preimages of points (n x 3, finite). Throws Aborted.
   Result Find(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
 
-  /// Returns the position where the search for the preimage of a point starts. Returns nothing if
-  /// the point is Outside without a search.
+  /// Returns the position where the search for the preimage of `point` starts, or nothing if the
+  /// point is found to be Outside without a search.
   std::optional<Eigen::RowVector3d> Start(const Eigen::RowVector3d& point) const;
 
   /// Whether the determinant of the derivative changes sign or vanishes among the sampled
@@ -69,7 +69,7 @@ private:
   InverseMapOptions Options;
   double Farthest;
   SignedDistance Domain;
-  SignedDistance Image; ///< to the image of the domain's boundary
+  SignedDistance Image; ///< distance to the image of the domain's boundary
   Eigen::MatrixXd Seeds;
   Eigen::MatrixXd SeedImages;
   bool DeterminantChangesSign = false;

@@ -20,10 +20,10 @@ struct NearSurfaceCharges
 
 /**
  * Places one charge on the normal of each site, at the given offset. In a narrow gap the offset is
- * reduced until the distance from every part of the surface is at least 0.6 of the reduced offset.
- * A site gets no charge if the offset would have to be less than 0.24 of the given one. The field
- * of a charge so close to the surface is a spike between the surface's points. A site also gets no
- * charge if its normal or its offset is zero.
+ * reduced until the charge's distance from every part of the surface is at least 0.6 of the reduced
+ * offset. A site gets no charge if the offset would have to be less than 0.24 of the given one. The
+ * field of a charge so close to the surface is a spike between the surface's points. A site also
+ * gets no charge if its normal or its offset is zero.
  *
  * boundary: closed, facing out of the solid. sites: n x 3, on or near the boundary. normals: n x 3,
  * each a unit vector or zero. offsets: n values, each >= 0. Throws Aborted.
@@ -34,8 +34,8 @@ NearSurfaceCharges InsertNearSurfaceCharges(const SignedDistance& boundary,
 
 /**
  * The linear system for charges close to a surface. One charge lies outside each surface point, at
- * 0.9 times the spacing of the points. A few coarse charges lie farther out. It is set up once for
- * a surface and solves for any number of boundary values.
+ * 0.9 times the spacing of the points. A few coarse charges lie farther out. The system is set up
+ * once for a surface, and can then be solved for any number of sets of boundary values.
  */
 class NearSurfaceChargeSystem
 {
@@ -57,9 +57,10 @@ public:
   const Eigen::MatrixXd& Rows() const { return this->System.Rows; }
   /// Positions of all charges, k x 3; the coarse charges come last.
   const Eigen::MatrixXd& Sources() const { return this->AllSources; }
-  /// Number of surface points without a charge: in a gap too narrow, or without a normal.
+  /// Number of surface points without a charge, because a gap is too narrow or the point has no
+  /// normal.
   int PointsWithoutCharge() const { return this->WithoutCharge; }
-  /// Minimum offset of the charges, without the smallest 1 % of the offsets.
+  /// Minimum offset of the charges after the smallest 1 % of the offsets are left out.
   double Offset() const { return this->NearOffset; }
 
   /// Returns the charges (Solution: k x 3) whose potentials approximate `values` (m x 3) at Rows().
@@ -79,7 +80,7 @@ private:
   std::unique_ptr<FmmSummation> Sums;
 };
 
-/// The system of a boundary, which further targets of the same boundary reuse.
+/// A boundary and its system, which can be reused for other targets of the same boundary.
 struct AcceleratedSetup
 {
   Surface Boundary;

@@ -18,18 +18,19 @@ struct PiecewiseCharges
   std::vector<ChargeSet> Maps = std::vector<ChargeSet>(1); ///< one for each region; at least 1
   /// closed surfaces around the solid, its voids and its inner regions, facing either way
   shape::Surface Surface;
-  /// For each triangle (m), the region that its component encloses: 0 for the component around the
-  /// solid, Void for the wall of a void. May be empty if there is one region.
+  /// m values: for each triangle, the region that its component encloses. It is 0 for the component
+  /// around the solid, and Void for the wall of a void. May be empty if there is one region.
   Eigen::VectorXi Regions;
   double Farthest = 0.0; ///< maximum distance outside the solid at which the map is valid
   /// For each region, the thickness (>= 0) of the skin inside its border. In the skin the map of
-  /// the surrounding region blends into the region's map. Empty = 0 for all.
+  /// the surrounding region blends into the region's map. Empty: all are 0.
   Eigen::VectorXd Skins;
 };
 
 /// Returns the maximum distance outside its domain at which a map is valid
-/// (PiecewiseCharges::Farthest). This is half the distance of its charges, which is
-/// `offsetDistance` times the longest side of the bounding box of the boundary's `points` (n x 3).
+/// (PiecewiseCharges::Farthest). This is half the distance of the map's charges from the boundary.
+/// The charges' distance is `offsetDistance` times the longest side of the bounding box of the
+/// boundary's `points` (n x 3).
 double ComputeFarthest(double offsetDistance, const Eigen::MatrixXd& points);
 
 /**
@@ -38,9 +39,9 @@ double ComputeFarthest(double offsetDistance, const Eigen::MatrixXd& points);
  *   f(y) = (1 - s(d / t)) f_r(y) + s(d / t) f_p(y)
  *
  * Here r is the region of y, p the region around it, d the distance to the border between them, and
- * t the skin of r. The share s(u) is (1 - u)^2 (1 + 2 u) for u < 1, else 0. So f equals f_r except
- * in the skin. f and its first derivative are continuous across borders, even if the two fitted
- * maps differ there.
+ * t the skin of r. The share s(u) is (1 - u)^2 (1 + 2 u) for u < 1, else 0. Outside the skin, f
+ * therefore equals f_r. f and its first derivative are continuous across borders, even if the two
+ * fitted maps differ there.
  *
  * Region r > 0 is the space inside the components with number r, except the regions inside it. A
  * position on a border belongs to the outer region.
@@ -58,7 +59,7 @@ public:
 
   /// The surface of the solid and its voids, facing out of the solid.
   const SignedDistance& Domain() const { return *this->Solid; }
-  /// Returns all surfaces that bound a region.
+  /// Returns one mesh of all surfaces that bound `region`.
   Mesh BoundaryOf(int region) const;
 
   /// Returns the region of each of `points` (n x 3, finite), 0 for points outside the solid.
@@ -67,8 +68,8 @@ public:
   /// Returns f at the points: n x 3. Throws Aborted.
   Eigen::MatrixXd Evaluate(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
 
-  /// Returns the derivative of f at the points: n x 9, ordered as by EvaluateJacobians. Throws
-  /// Aborted.
+  /// Returns the derivative of f at the points: n x 9, with the columns in the order of
+  /// EvaluateJacobians. Throws Aborted.
   Eigen::MatrixXd Jacobians(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
 
   /// The regions of points, and how the maps are blended there.
@@ -80,7 +81,7 @@ public:
   };
   Positions Locate(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
 
-  /// Returns the region around a region > 0.
+  /// Returns the region that surrounds `region`, which must be > 0.
   int Parent(int region) const { return this->Parents[region]; }
 
 private:

@@ -12,10 +12,10 @@ namespace shape
 /**
  * Inverts a map f with several regions: for each point y it finds a preimage x, f(x) = y.
  *
- * Each region is searched separately (InverseMap), the outermost first. Its preimage may lie beyond
- * a border or in the skin, where the complete map f differs. So Newton's method continues from
- * there with f. The first position whose image is within the tolerance of y is returned. Can be
- * used from several threads.
+ * Each region is searched separately (InverseMap), the outermost first. The preimage found may lie
+ * beyond a border or in the skin, where the complete map f differs from the region's map. Newton's
+ * method therefore continues from there with f. The first position whose image is within the
+ * tolerance of y is returned. Can be used from several threads.
  */
 class PiecewiseInverseMap
 {

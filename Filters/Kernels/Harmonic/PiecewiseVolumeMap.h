@@ -14,15 +14,15 @@ struct ExactSurface
 {
   shape::Surface Surface;
   Eigen::MatrixXd Targets; ///< n x 3: the images of its points
-  std::string Name;        ///< name in error messages: "feature 2"
+  std::string Name;        ///< name in error messages, such as "feature 2"
 };
 
 struct PiecewiseVolumeMapOptions
 {
-  /// Number of times that each triangle of a border is divided into four for the layer inside; >=
-  /// 0. The values of the outer map are curved inside a triangle, and the inner map has to match
-  /// them. With 1 instead of 0, the jumps of MultiLevel are 2 to 3 times smaller at 6 times the
-  /// cost.
+  /// Number of times that the triangles of a border are divided into four before the layer inside
+  /// is solved; >= 0. The values of the outer map are not linear inside a triangle, and the inner
+  /// map has to match them. With 1 instead of 0, the jumps of MultiLevel are 2 to 3 times smaller
+  /// at 6 times the cost.
   int InterfaceRefinement = 1;
   /// Ratio (>= 0) of the thickness of a skin to the maximum jump at its border. The thickness is
   /// relative to the longest side of the boundary, the jump to the longest side of the targets. In
@@ -40,7 +40,7 @@ struct PiecewiseVolumeMapResult
   {
     double RMSEVertices = 0.0; ///< at its points
     double RMSEInside = 0.0;   ///< at one position in each of its triangles (ComputeOffCentres)
-    double Maximum = 0.0;      ///< maximum over both
+    double Maximum = 0.0;      ///< maximum error at both
     /// Distance between the fitted maps of the two layers at random positions of the border, before
     /// blending in the skin; 0 for the boundary.
     double JumpRMS = 0.0, JumpMaximum = 0.0;
@@ -51,7 +51,7 @@ struct PiecewiseVolumeMapResult
   /// walls of voids in region 0
   std::vector<Border> Borders;
   double RMSEFeatures = 0.0;   ///< see HarmonicVolumeMapResult
-  double OffsetDistance = 0.0; ///< minimum over the layers / the boundary's longest side
+  double OffsetDistance = 0.0; ///< minimum over layers, relative to the boundary's longest side
 };
 
 /**
@@ -60,10 +60,10 @@ struct PiecewiseVolumeMapResult
  *
  * A single harmonic map cannot do this. By the maximum principle, a harmonic map that moves an
  * inner point by some distance moves a boundary point at least as far. The layers are solved from
- * the outside inwards by ComputeHarmonicVolumeMap, with charges on both sides of each layer. At its
- * outer border an inner layer takes the values of the map around it. In a thin skin inside the
- * border one map blends into the other (PiecewiseHarmonicMap), so the result is continuous to
- * rounding.
+ * the outside inwards by ComputeHarmonicVolumeMap, with charges on both sides of each layer. On its
+ * outer border, an inner layer takes its boundary values from the map of the surrounding layer. In
+ * a thin skin inside the border one map blends into the other (PiecewiseHarmonicMap), so the result
+ * is continuous to rounding.
  *
  * At the edges of a border two smooth maps cannot agree exactly. Their difference there is the
  * difference of their derivatives times the height of the facets over a smooth surface. The jumps

@@ -25,10 +25,10 @@ struct SchwarzOptions
   int Own = 64;     ///< maximum number of sites of a block; >= 1
   int Around = 100; ///< number of surrounding sites in the local system of a block; >= 0
   /// Maximum amplification of a block's averaged system. A block with a larger amplification is
-  /// ill-conditioned, and its error would dominate for many iterations. It is solved by regularized
-  /// least squares over the rows instead. For evenly sized triangles the amplification is 100 to
-  /// 600. With 0 all blocks are solved by least squares. This takes three times the time and
-  /// memory, but also works if charges are crowded.
+  /// ill-conditioned, and its error would dominate for many iterations. Such a block is solved by
+  /// regularized least squares over the rows instead. For evenly sized triangles the amplification
+  /// is 100 to 600. With 0 all blocks are solved by least squares. This takes three times the time
+  /// and memory, but also works if charges are crowded.
   double MaximumAmplification = 1e3;
 };
 
@@ -58,7 +58,7 @@ private:
     std::vector<int> Own;    ///< the sites whose charges the block solves for
     std::vector<int> Inputs; ///< rows of Positions whose residuals the block reads
     bool TakesRows = false;  ///< true: the inputs are rows of the system, not averages
-    Eigen::MatrixXf Inverse; ///< own sites x inputs: from the inputs to the charges
+    Eigen::MatrixXf Inverse; ///< own sites x inputs: computes the charges from the inputs
   };
   static Block MakeBlock(const TestedSystem& system, const std::vector<int>& own,
     const std::vector<int>& around, double maximumAmplification);
@@ -70,11 +70,11 @@ private:
   /// Positions where blocks read the residual: first the weighted mean position of each site's
   /// average, then the positions of the rows in Rows.
   Eigen::MatrixXd Positions;
-  std::vector<int> Rows; ///< the rows of the system that some block reads
+  std::vector<int> Rows; ///< the rows of the system that at least one block reads
   Eigen::MatrixXd CoarseSources;
   /// c x n: mean over the sites of each cluster
   Eigen::SparseMatrix<double, Eigen::RowMajor> ClusterMeans;
-  Eigen::MatrixXd CoarseInverse; ///< c x c: from the cluster means to the coarse charges
+  Eigen::MatrixXd CoarseInverse; ///< c x c: computes the coarse charges from the cluster means
 };
 
 /// Splits points (n x 3) recursively into parts of at most `maximum` points. Each split is at the

@@ -38,7 +38,7 @@ struct VolumeMapOptions
 struct VolumeMapResult
 {
   PiecewiseVolumeMapResult Map; ///< without Exact: a map of one region
-  Eigen::MatrixXd Targets; ///< n x 3: the images of the boundary's points, given or after sliding
+  Eigen::MatrixXd Targets; ///< n x 3: images of the boundary's points, as given or after sliding
   /// Distance between the given Targets and the Target (ComputeTargetDistance); 0 without a Target.
   double TargetDistance = 0.0;
   // With FreeBoundary: see FreeBoundaryResult.

@@ -38,8 +38,8 @@ struct AbaqusWriterOptions
  *   regions.
  *
  * Abaqus and CalculiX read at most 20 columns of a number. Coordinates that fit in 20 columns are
- * written exactly. Coordinates with absolute values from 0.01 to 1e17 always fit. The relative
- * error of others is less than 1e-12.
+ * written exactly. Coordinates with absolute values from 0.01 to 1e17 always fit. Other coordinates
+ * are written with a relative error of less than 1e-12.
  *
  * Throws Aborted. The caller checks `file` for write errors.
  */

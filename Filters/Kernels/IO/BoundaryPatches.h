@@ -24,24 +24,24 @@ struct SolidFaces
 /// boundary.
 SolidFaces FindBoundaryFaces(const Cells& cells);
 
-/// The faces between two regions. They are oriented out of the lower region, and are in the order
-/// of its cells.
+/// The faces between two regions. They face out of the region with the lower number, and are in the
+/// order of that region's cells.
 struct RegionInterface
 {
   int Lower, Upper; ///< regions
   SolidFaces Faces;
 };
 
-/// Finds the faces between solid cells of different regions, for each pair of regions in ascending
-/// order. regions: m, the region of each cell.
+/// Finds the faces between solid cells of different regions. Returns one interface for each pair of
+/// regions, in ascending order. regions: m, the region of each cell.
 std::vector<RegionInterface> FindRegionInterfaces(
   const Cells& cells, const Eigen::VectorXi& regions);
 
 /**
  * Returns the patch of each face (f values). Patches are numbered 0, 1, ... in the order of their
- * first faces. Two faces belong to the same patch if they share an edge that no other face has and
- * the angle between their normals is at most `featureAngle`. The patches of a cube are its six
- * faces.
+ * first faces. Two faces belong to the same patch if they share an edge that belongs to no other
+ * face, and the angle between their normals is at most `featureAngle`. The patches of a cube are
+ * its six faces.
  *
  * points: n x 3. faces: f x 4 point indices, consistently oriented; the last is -1 in triangles.
  * The normal of a quadrilateral is the cross product of its diagonals. A face without area belongs

@@ -17,7 +17,8 @@ namespace shape
  *   is the region + 1. Gmsh 4.8 does not read Prisms and Pyramids. Vertex cells become Corners.
  * - If the mesh has solid cells but no surface cells, its boundary faces are written, too. They are
  *   oriented outwards, and their reference is the patch + 1. The faces between regions follow,
- *   oriented out of the lower region. Each pair of regions has the next reference.
+ *   oriented out of the region with the lower number. Their references continue those of the
+ *   patches, with one reference for each pair of regions.
  *
  * Throws Aborted. The caller checks `file` for write errors.
  */

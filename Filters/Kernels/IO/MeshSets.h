@@ -15,7 +15,7 @@ namespace shape
 /// in patches.
 struct MeshSets
 {
-  Cells Mesh; ///< with the points of wedges in the order that makes most wedges positive
+  Cells Mesh;              ///< its wedges are numbered so that most of them have positive volume
   Eigen::VectorXi Regions; ///< m values, each >= 0: the region of each cell
   int Dimension = 0;       ///< highest dimension of the cells
   SolidFaces Boundary;     ///< boundary of the solid cells
@@ -29,11 +29,11 @@ struct MeshSets
  *
  * cells: their kinds are constants of cell_kind, and their points are finite. The points of wedges
  * may be numbered in either orientation, because VTK's own sources use both. The orientation that
- * makes most wedges positive is used for all. regions: m values, or empty if all cells are in
- * region 0. featureAngle: see FindBoundaryPatches.
+ * makes most wedges positive is used for all. regions: m values, one for each cell; empty if all
+ * cells are in region 0. featureAngle: see FindBoundaryPatches.
  *
- * Throws InvalidInput if there is no cell, a cell has another kind, a corner is not a point of the
- * mesh, a coordinate is not finite, or a region is negative. Throws the exceptions of
+ * Throws InvalidInput if there is no cell, a cell is of another kind, a corner is not a point of
+ * the mesh, a coordinate is not finite, or a region is negative. Throws the exceptions of
  * FindBoundaryPatches, and Aborted.
  */
 MeshSets FindMeshSets(const Cells& cells, const Eigen::VectorXi& regions, double featureAngle,

@@ -15,12 +15,13 @@ struct PlanarDelaunayOptions
     Wound  ///< the regions with nonzero winding number
   };
   KeepType Keep = KeepType::All;
-  /// number of segments, at the start of the list, that are outlines; -1: all
+  /// the first Outlines segments are the outlines; -1: all segments are
   int Outlines = -1;
   bool AddCrossings = false; ///< whether segments may cross; a point is added at each crossing
-  /// Circumcircles are tested after this linear map, p -> p Metric, with determinant >= 0. So a
-  /// triangle in space can be given in barycentric coordinates, with corners (0, 0), (1, 0) and (0,
-  /// 1). Positions on its edges are then exact, and it is still split into well-shaped triangles.
+  /// The linear map p -> p Metric is applied to the points before circumcircles are tested; its
+  /// determinant is >= 0. With it, a triangle in space can be given in barycentric coordinates,
+  /// with corners (0, 0), (1, 0) and (0, 1). Positions on its edges are then exact, but it is still
+  /// split into triangles that are well-shaped in space.
   Eigen::Matrix2d Metric = Eigen::Matrix2d::Identity();
 };
 

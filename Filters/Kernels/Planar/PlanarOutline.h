@@ -33,7 +33,8 @@ public:
   bool Covers(const Eigen::Matrix<double, 3, 2>& triangle) const;
 
   /// Calls body(i) for each edge i, from corner i to the next, if the box of the edge intersects
-  /// the box from low to high. Stops when body returns false. Returns whether it never stopped.
+  /// the box from low to high. Stops when body returns false. Returns false if it stopped, else
+  /// true.
   template <typename Body>
   bool ForEachNear(
     const Eigen::RowVector2d& low, const Eigen::RowVector2d& high, const Body& body) const

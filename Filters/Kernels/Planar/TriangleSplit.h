@@ -12,7 +12,7 @@ namespace shape
 /// points follow.
 struct TriangleSplit
 {
-  Eigen::MatrixXi Triangles; ///< m x 3, with the orientation of the split triangle
+  Eigen::MatrixXi Triangles; ///< m x 3, oriented like the triangle that is split
   /// a x 3: barycentric coordinates of the points added where chords cross
   Eigen::MatrixXd Added;
   std::vector<std::vector<int>> Chords; ///< for each chord, the points along it, from end to end

@@ -26,9 +26,9 @@ struct CellSimplices
 {
   /// for each simplex, its corners; the last entry of a triangle is -1
   std::vector<std::array<int, 4>> Corners;
-  /// For each simplex, the factor from its determinant (of the edges from its first corner) to its
-  /// share of the cell's area or volume. Exact for triangles and for affine images of the regular
-  /// cells.
+  /// A factor for each simplex. Multiplied by the determinant of the edges from the simplex's first
+  /// corner, it gives the simplex's share of the cell's area or volume. The share is exact for
+  /// triangles and for affine images of the regular cells.
   std::vector<double> Shares;
   /// the first simplex of each cell, then the number of simplices
   std::vector<int> Offsets = { 0 };

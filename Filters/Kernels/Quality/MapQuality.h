@@ -14,13 +14,13 @@ namespace shape
  */
 enum class MapMeasure
 {
-  /// area or volume of the image, divided by that of the source; negative if flipped
+  /// area or volume of the image, divided by the area or volume of the source; negative if flipped
   JacobianDeterminant,
   Dirichlet, ///< |J|^2 / 2 (Pinkall & Polthier 1993); d / 2 for an isometry
-  /// |J|^2 + |J^-1|^2 (Smith & Schaefer 2015); its minimum, 2 d, is that of an isometry
+  /// |J|^2 + |J^-1|^2 (Smith & Schaefer 2015); minimum 2 d, for an isometry
   SymmetricDirichlet,
-  /// |J|^2 / (d |det J|^(2/d)), the inverse mean ratio (Knupp 2001); its minimum, 1, is that of a
-  /// similarity. On surfaces it equals (s_1 / s_2 + s_2 / s_1) / 2.
+  /// |J|^2 / (d |det J|^(2/d)), the inverse mean ratio (Knupp 2001); minimum 1, for a similarity.
+  /// On surfaces it equals (s_1 / s_2 + s_2 / s_1) / 2.
   ConformalDistortion,
   /// sum of (s_i - 1)^2 (Liu et al. 2008); 0 for an isometry. If the map flips, the smallest s_i is
   /// taken as negative.
@@ -68,20 +68,20 @@ struct MapQualityResult
  * longest edge squared (triangles) or cubed (tetrahedra).
  *
  * Sign on surfaces: a triangle is flipped if it faces different sides before and after the map. Its
- * side is the sign of the dot product of its normal and a reference. The reference is +z if all
- * points lie in the plane z = 0, and the radius vector if all points lie on the unit sphere.
+ * side is the sign of the dot product of its normal and a reference vector. The reference is +z if
+ * all points lie in the plane z = 0, and the radius vector if all points lie on the unit sphere.
  * Otherwise it is the sum of the area vectors of the other triangles around its corners. This
  * detects folds, but not the interior of a region that is flipped as a whole. If the source and the
  * image do not use the same kind of reference, the source is assumed to face outwards.
  *
- * extent: ComputeMapExtent of the complete data, of which the given cells may be a part. Throws
- * Aborted.
+ * extent: the result of ComputeMapExtent for the complete data; the given cells may be only a part
+ * of these. Throws Aborted.
  */
 MapQualityResult EvaluateMapQuality(const Eigen::MatrixXd& points, const Eigen::MatrixXd& images,
   const CellSimplices& cells, const MapExtent& extent, const Progress& progress = {});
 
-/// Sums, minima and maxima of the measures over cells. Those of several parts of the data can be
-/// combined.
+/// Sums, minima and maxima of the measures over cells. The summaries of several parts of the data
+/// can be combined.
 struct MapQualitySums
 {
   Eigen::Array<double, MapMeasureCount, 1> Minima; ///< LargestMeasure if there are no cells

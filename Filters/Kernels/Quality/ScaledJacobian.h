@@ -28,8 +28,8 @@ Eigen::VectorXd ComputeScaledJacobians(const HexMesh& mesh);
 /// are no such hexahedra.
 double FindMinimumScaledJacobianAwayFrom(const std::vector<int>& points, const HexMesh& mesh);
 
-/// Marks the points of hexahedra with a scaled Jacobian below `bad`. Returns 1 or 0 for each of the
-/// n points; empty if there are no such hexahedra.
+/// Marks the points of hexahedra with a scaled Jacobian below `bad`. Returns 1 for each marked
+/// point and 0 for each other point (n values), or no values if there are no such hexahedra.
 std::vector<char> MarkPointsOfBadHexahedra(const HexMesh& mesh, double bad);
 
 } // namespace shape

@@ -14,9 +14,9 @@ namespace shape
 struct CellPoints
 {
   Eigen::VectorXi Ids; ///< n: the cell of each position
-  /// n x number of points: the weights that interpolate values at the points of the cells to the
-  /// positions. A row has entries at the corners of the cell, or of one of its triangles, and sums
-  /// to 1.
+  /// n x number of points of the cells: each row has the weights that interpolate point values to
+  /// one position. A row has entries at the corners of the cell, or of one of its triangles, and
+  /// sums to 1.
   Eigen::SparseMatrix<double, Eigen::RowMajor> Weights;
   /// n: 0 inside the cell, else the distance to the closest point of the cell
   Eigen::VectorXd Distances;

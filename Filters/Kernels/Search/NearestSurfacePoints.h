@@ -20,8 +20,8 @@ Eigen::VectorXi FindNearestRows(
  * vertices are the rows of `points` (n x d). The search starts at the nearest vertex
  * (FindNearestRows) and takes the nearest point in its triangles. Then it walks to triangles that
  * share a corner while the distance decreases. In many dimensions this is a fast approximation of
- * the nearest point. The start is chosen among all vertices: with a subset, walks on thin parts
- * would end on the wrong side.
+ * the nearest point. The start is chosen among all vertices, because walks from a subset of them
+ * could end on the wrong side of thin parts.
  *
  * triangles: m x 3; a vertex without a triangle is never a result. Throws Aborted.
  */

@@ -22,8 +22,8 @@ public:
   /// at equal distance are ordered by index.
   std::vector<int> Nearest(const Eigen::RowVector3d& position, int count) const;
 
-  /// Returns the nearest of the points that `accepts` returns true for, if it is closer than
-  /// `within`, or -1.
+  /// Returns the nearest point for which `accepts` returns true, or -1 if no such point is closer
+  /// than `within`.
   int NearestOf(const Eigen::RowVector3d& position, const std::function<bool(int)>& accepts,
     double within) const;
 

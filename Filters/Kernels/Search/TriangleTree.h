@@ -31,7 +31,7 @@ struct TriangleBlocks
 
   int Dimension = 0;
   std::vector<float> Corners, FirstEdges, SecondEdges; ///< both edges start at the corner
-  std::vector<float> Products;                         ///< edge products: 3, not Dimension, values
+  std::vector<float> Products; ///< edge products: 3 values per entry, not Dimension
   std::vector<Level> Levels;
   float Rounding = 0.0F; ///< the largest error of a distance
 };

@@ -11,11 +11,11 @@ namespace shape
 /**
  * Orients the surface of a solid with voids so that it faces out of the solid.
  *
- * Each component of a closed surface bounds the solid from outside, or a void in the solid, or a
- * solid in this void, and so on. A component inside an even number of other components is oriented
- * outwards, a component inside an odd number inwards, whatever its previous orientation. Winding
- * numbers around one point of a component decide which other components are around it
- * (Mesh/Mesh.h). Exact orientations decide whether two components meet
+ * Each component of a closed surface is the outside of the solid, or bounds a void in the solid, or
+ * a solid in this void, and so on. A component inside an even number of other components is
+ * oriented outwards. A component inside an odd number of them is oriented inwards. The previous
+ * orientations do not matter. Winding numbers around one point of a component decide which other
+ * components are around it (Mesh/Mesh.h). Exact orientations decide whether two components meet
  * (Geometry/SelfIntersections.h).
  *
  * surface: see RequireClosedSurface; `name` denotes it in messages. If every component is already

@@ -14,11 +14,11 @@ namespace shape
  *
  * Each surface may have several components; no two components cross. The first surface is the
  * boundary. A component of the boundary bounds region 0 if it lies inside an even number of the
- * boundary's other components, and a void if inside an odd number. The other surfaces, i = 0, 1,
- * ..., are material borders in the solid. A component of border i bounds region i + 1 if it lies
- * inside an even number of the border's other components. If inside an odd number, it bounds a hole
- * in region i + 1, where the region around that border continues. The innermost component around a
- * position determines its region.
+ * boundary's other components. It bounds a void if it lies inside an odd number of them. The other
+ * surfaces, i = 0, 1, ..., are material borders in the solid. A component of border i bounds region
+ * i + 1 if it lies inside an even number of the border's other components. If it lies inside an odd
+ * number of them, it bounds a hole in region i + 1, where the region around that border continues.
+ * The innermost component around a position determines its region.
  *
  * Winding numbers decide which component contains which (Mesh/Mesh.h; Jacobson et al., "Robust
  * inside-outside segmentation", 2013).
@@ -37,7 +37,7 @@ public:
   /// Returns the region at a position that lies on no surface.
   int RegionAt(const Eigen::RowVector3d& position) const;
 
-  /// The volumes of the regions: 1 + number of borders values.
+  /// The volumes of the regions, one more than there are borders.
   const Eigen::VectorXd& Volumes() const { return this->RegionVolumes; }
 
   /// A connected piece of a surface.

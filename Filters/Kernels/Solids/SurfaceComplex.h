@@ -9,8 +9,8 @@
 namespace shape
 {
 
-/// Several surfaces as one mesh. No two points have the same position, and a triangle uses every
-/// point.
+/// Several surfaces as one mesh. No two points have the same position, and each point belongs to a
+/// triangle.
 struct SurfaceComplex
 {
   Mesh Surfaces;                  ///< the triangles of the first surface, then those of the others
@@ -26,9 +26,9 @@ void RequireClosed(const Surface& surface, const std::string& name);
 /// triangle uses are removed. The first surface's points come first; all points keep their order.
 SurfaceComplex JoinSurfaces(const std::vector<Surface>& surfaces);
 
-/// Throws InvalidInput if triangles are degenerate, cross or coincide; Aborted. The message
-/// contains the number of such triangles or pairs, and the first ones with their positions,
-/// multiplied by `unit`. names: denote the surfaces in messages.
+/// Throws InvalidInput if triangles are degenerate, cross or coincide; Aborted. The message gives
+/// the number of such triangles or pairs, and lists the first of them with their positions, which
+/// are multiplied by `unit`. names: denote the surfaces in messages.
 void RequireConformingComplex(const SurfaceComplex& complex, const std::vector<std::string>& names,
   double unit, const Progress& progress = {});
 

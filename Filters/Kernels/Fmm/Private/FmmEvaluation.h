@@ -11,7 +11,7 @@ struct FmmEffort
 {
   FmmAccuracy Boxes;
   RootError BoxError = RootError::Small;  ///< error of 1/r between a box and its charges or points
-  RootError NearError = RootError::Small; ///< error of 1/r between points and near sources
+  RootError NearError = RootError::Small; ///< error of 1/r between near points and sources
   int Leaf = 64;                          ///< maximum number of sources in a box that is not split
 };
 

@@ -17,7 +17,7 @@ struct FmmAccuracy
   /// number of Gauss points along an edge of the inner and of the outer cube of a box; even
   int InnerNodes = 6, OuterNodes = 6;
   double MinimumSingularValue = 1e-5; ///< smaller singular values are dropped
-  /// trailing rows and columns of an operator with only smaller entries are skipped
+  /// trailing rows and columns of an operator are skipped if all their entries are smaller
   double MinimumEntry = 1e-5;
 };
 
@@ -39,16 +39,16 @@ struct FmmAccuracy
  *   incoming  v = V^T (potentials on the inner cube); Expansion v = charges on the outer cube that
  *             have this field in the box
  *
- * Each singular vector is even or odd in x, y and z. So the operators of mirrored offsets differ
- * only in signs, and 56 instead of 316 are stored. 1/r is homogeneous, so one set serves boxes of
- * all sizes.
+ * Each singular vector is even or odd in x, y and z. Operators for mirrored offsets therefore
+ * differ only in signs, and 56 operators are stored instead of 316. 1/r is homogeneous, so one set
+ * of operators serves boxes of all sizes.
  */
 template <typename Real>
 struct FmmOperators
 {
   static constexpr double InnerCube = 1.0, OuterCube = 3.0;
-  /// If the parents of two boxes of one level touch, the boxes' cells differ by less than this
-  /// along each axis.
+  /// If the parents of two boxes on the same level touch, the cell indices of the boxes differ by
+  /// less than this along each axis.
   static constexpr int Reach = 4;
 
   /// Throws Aborted.
@@ -57,13 +57,14 @@ struct FmmOperators
   int Modes = 0;  ///< number of coefficients of a box, for each column of the charges
   int Stride = 0; ///< Modes, rounded up to whole vectors
   Eigen::MatrixXd InnerPoints, OuterPoints; ///< the Gauss points of the two cubes, one per row
-  /// a row for each outer point, rounded up to whole vectors; Stride columns
+  /// One row for each outer point, padded to whole vectors; Stride columns.
   Eigen::MatrixXd Expansion;
   Eigen::MatrixXd Collected; ///< transpose of Expansion
-  /// A row for each inner point, rounded up to whole vectors; Stride columns. The equivalent
-  /// charges are Inner times c.
+  /// One row for each inner point, padded to whole vectors; Stride columns. The equivalent charges
+  /// are Inner times c.
   Eigen::MatrixXd Inner;
-  /// 8 x Stride: the sign of each coefficient after mirroring along the axes in the bits of the row
+  /// 8 x Stride: row i has the signs of the coefficients after mirroring along the axes that are
+  /// set as bits of i
   std::vector<Real> Signs;
 
   /// A matrix, stored column by column; each column has Stride entries.
@@ -75,11 +76,11 @@ struct FmmOperators
     /// descending
     std::vector<int> Extents;
   };
-  /// c of the child at (-, -, -) to c of its parent
+  /// computes c of the parent from c of its child in the lowest octant (-, -, -)
   Operator FromChild;
-  /// v of a parent to v of its child at (-, -, -)
+  /// computes v of the child in the lowest octant (-, -, -) from v of its parent
   Operator ToChild;
-  /// c of a source to v of a target, for each |target - source| in cells
+  /// compute v of a target box from c of a source box, for each |target - source| in cells
   std::array<Operator, Reach * Reach * Reach> Over;
 };
 

@@ -5,8 +5,8 @@
 namespace shape
 {
 
-/// A translation from box From to box To. Both are mirrored along the axes whose bits are set in
-/// Mirror: bits 0, 1 and 2 for x, y and z.
+/// A translation from box From to box To. Both boxes are mirrored along the axes whose bits are set
+/// in Mirror: bit 0 is x, bit 1 is y and bit 2 is z.
 struct BoxPair
 {
   int To = 0, From = 0, Mirror = 0;

@@ -18,10 +18,10 @@ namespace shape
  * interactions.
  *
  * The root cube contains the sources. A box of sources is split while it has more than `leaf` of
- * them. Points may lie anywhere: the lattice continues around the root by one cube on each side,
- * and points beyond are in no box (FarPoints). A box of points is split as long as a box of sources
- * of its size that touches it is split. So the terms of a point's value depend only on the sources
- * and on this point, not on other points.
+ * them. Points may lie anywhere: the lattice has one more cube on each side of the root, and points
+ * farther out lie in no box (FarPoints). A box of points is split if it touches a split box of
+ * sources of the same size. The terms of a point's value therefore depend only on the sources and
+ * on this point, not on other points.
  *
  * The interaction lists are those of H. Cheng, L. Greengard, V. Rokhlin, "A fast adaptive multipole
  * algorithm in three dimensions", J. Comput. Phys. 155, 1999. A box receives the field of its V
@@ -43,7 +43,8 @@ public:
     int Parent = -1;        ///< -1: none
     int FirstChild = 0, ChildCount = 0;
 
-    /// Returns the axes along which the box lies in the upper half of its parent, as bits.
+    /// Returns a bit for each axis: 1 if the box lies in the upper half of its parent along this
+    /// axis.
     int Octant() const
     {
       return (this->Cell[0] & 1) | (this->Cell[1] & 1) << 1 | (this->Cell[2] & 1) << 2;
@@ -57,8 +58,8 @@ public:
     int Begin = 0, End = 0;
   };
 
-  /// The boxes of points [FirstBox, LastBox), all of one level, and the runs [FirstRun, LastRun) of
-  /// translations to them.
+  /// The point boxes [FirstBox, LastBox), which all have the same level, and the runs [FirstRun,
+  /// LastRun) that translate to them.
   struct Chunk
   {
     int FirstBox = 0, LastBox = 0;

@@ -17,20 +17,21 @@ struct FreeBoundaryResult
   /// volume. For this, images are scaled so that solid and target have the same volume. The energy
   /// of an isometry is 6.
   double DistortionBefore = 0.0, DistortionAfter = 0.0;
-  /// whether the distortion decreased; if not, Targets and Map are those passed in
+  /// whether the distortion decreased; if not, Targets and Map equal the given ones
   bool Kept = false;
 };
 
 /**
  * Reduces the distortion of a volume map by letting the images of the boundary's points slide on
- * the target surface. The solid's tetrahedra are carried by the harmonic map and untangled. Then
+ * the target surface. The solid's tetrahedra are moved by the harmonic map and untangled. Then
  * their elliptic energy (EllipticEnergy) is minimized while the boundary points stay on the target.
  * Finally the harmonic map with the new boundary values is solved. Points may slide across creases
  * of the target.
  *
- * boundary, targets, features, options: as for ComputeHarmonicVolumeMap. map: its result. Throws
- * the exceptions of that function, Tetrahedralize and Untangle. Throws SolveFailure if tetrahedra
- * stay inverted, for example because the boundary map folds; Aborted.
+ * boundary, targets, features, options: as for ComputeHarmonicVolumeMap. map: the result of
+ * ComputeHarmonicVolumeMap. Throws the exceptions of ComputeHarmonicVolumeMap, Tetrahedralize and
+ * Untangle. Throws SolveFailure if tetrahedra stay inverted, for example because the boundary map
+ * folds; Aborted.
  */
 FreeBoundaryResult SlideBoundary(const Surface& boundary, const Eigen::MatrixXd& targets,
   const Surface& target, const VolumeFeatures& features, const HarmonicVolumeMapOptions& options,

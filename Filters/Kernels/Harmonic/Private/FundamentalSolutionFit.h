@@ -70,8 +70,8 @@ public:
 
 private:
   /// Returns the area that each of the first `count` collocation points represents
-  /// (ComputeSampledAreas), divided by its mean over the component. So the weight of a small void
-  /// is its number of points, not its area.
+  /// (ComputeSampledAreas), divided by its mean over the component. The total weight of a small
+  /// void is therefore its number of points, not its area.
   Eigen::VectorXd GetCollocationAreas(int count) const;
 
   ScaledBoundary Scaled;

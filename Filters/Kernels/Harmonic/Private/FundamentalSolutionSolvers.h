@@ -35,11 +35,13 @@ void SolveMultiLevel(FundamentalSolutionFit& problem, const HarmonicVolumeMapOpt
 void AddLevel(const FundamentalSolutionFit& problem, Eigen::Index sources, Eigen::Index rows,
   double gain, std::chrono::steady_clock::time_point& start, HarmonicVolumeMapResult& result);
 
-/// Returns the number of subsets that MultiLevel divides the sources into, at least 16 in each.
+/// Returns the number of subsets into which MultiLevel divides the sources. Each subset has at
+/// least 16 sources.
 int ComputeSubsetCount(const Surface& boundary, const HarmonicVolumeMapOptions& options);
 
-/// Returns the ratio of the first subset's distance from the boundary to the last one's. It is
-/// sqrt(subsets), the ratio of the spacing of one subset's sources to the spacing of all sources.
+/// Returns the ratio of the first subset's distance from the boundary to the last subset's
+/// distance. It is sqrt(subsets), the ratio of the spacing of one subset's sources to the spacing
+/// of all sources.
 double ComputeCoarseness(int subsets);
 
 } // namespace shape

@@ -68,8 +68,8 @@ Search StartSearch(const SearchedMap& map, const Eigen::MatrixXd& positions,
 void IterateNewton(const SearchedMap& map, Search& search, const Limits& limits, Steps& progress);
 
 /// Moves the images of `starts` to the targets on straight lines, step by step, and follows the
-/// preimages by Newton's method. After a successful step the next is twice as long, after a failed
-/// one half as long.
+/// preimages by Newton's method. The next step is twice as long after a successful step, and half
+/// as long after a failed one.
 Search WalkToTargets(const SearchedMap& map, const Eigen::MatrixXd& starts,
   const Eigen::MatrixXd& targets, const Limits& limits, Steps& progress);
 

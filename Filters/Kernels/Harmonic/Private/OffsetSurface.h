@@ -15,8 +15,8 @@ struct OffsetSurfaceOptions
 };
 
 /**
- * Returns the surface, facing outwards, of the points at the distance `distance` outside a closed
- * surface. It enters hollows of the surface if they are wide enough.
+ * Returns the outward-facing surface formed by the points that lie outside a closed surface at the
+ * distance `distance`. It enters hollows of the surface if they are wide enough.
  *
  * The signed distance is sampled on a grid, only where it is close to `distance`. Blocks of the
  * grid are divided into eight recursively. A block is skipped if the signed distance at its centre
@@ -32,8 +32,8 @@ Mesh BuildOffsetSurface(const SignedDistance& field, double distance,
   const OffsetSurfaceOptions& options = {}, const Progress& progress = {});
 
 /// Moves points (n x 3) near a surface to the given distances (n) from it, along the lines from
-/// their closest points. If another part of the surface is nearer than that, the final distance is
-/// smaller.
+/// their closest points. If another part of the surface is nearer to the moved point, its final
+/// distance is smaller.
 void MoveToDistance(Eigen::MatrixXd& points, const SignedDistance& field,
   const Eigen::VectorXd& distances, const Progress& progress = {});
 

@@ -65,8 +65,8 @@ public:
   /// Afterwards `side` runs from d to c, its next half-edge from c to x, and the next one of its
   /// twin from d to y. The triangles keep their numbers.
   void Flip(int side);
-  /// Flips edges until each of these half-edges, and each half-edge affected by a flip, is locally
-  /// Delaunay.
+  /// Flips edges until each of the given half-edges, and each half-edge affected by a flip, is
+  /// locally Delaunay.
   void MakeDelaunay(std::vector<int> sides);
 
 private:

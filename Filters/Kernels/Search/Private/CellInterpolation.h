@@ -9,11 +9,11 @@ class vtkGenericCell;
 namespace shape
 {
 
-/// The tolerance of the test whether a position lies inside a cell. It applies to the interpolation
-/// weights, and to distances relative to the cell's size.
+/// The tolerance for deciding whether a position lies inside a cell. It applies to the
+/// interpolation weights, and to distances relative to the cell's size.
 constexpr double CellRounding = 1e-6;
 
-/// Sets `cell` to the cell of `cells` with this index, with the point ids of `cells`.
+/// Sets `cell` to the cell `number` of `cells`, with the point ids that it has in `cells`.
 void LoadCell(const Cells& cells, int number, vtkGenericCell* cell);
 
 /**
