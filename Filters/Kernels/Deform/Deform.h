@@ -50,7 +50,7 @@ public:
   DeformedShape Deform(const DeformProblem& problem, const HandleTarget& target,
     const PoseOptions& options = {}, const Progress& progress = {});
 
-  /// The facts of the last call, and whether it had to compute weights.
+  /// Facts about the deformation of the last call, and whether this call had to compute weights.
   const DeformFacts& Facts() const { return this->Deformation->Facts(); }
   bool HasPrepared() const { return this->Fresh; }
 
@@ -60,7 +60,7 @@ private:
   bool Fits(const DeformProblem& problem) const;
 
   DeformProblem Problem;
-  std::vector<int> Order; ///< of the points, by position
+  std::vector<int> Order; ///< the points' indices, sorted by position
   PointGraph Graph;
   std::unique_ptr<ShapeDeformation> Deformation;
   bool Fresh = false;

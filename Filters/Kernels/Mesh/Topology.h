@@ -24,7 +24,8 @@ struct Topology
   int FirstPinchedPoint = -1; ///< the first of these points, or -1
   int MisorientedEdges = 0;   ///< number of edges with the same direction in both triangles
   int FirstMisoriented = -1;  ///< a point of the first of these edges, or -1
-  /// n: 0, 1, ... in the order of the components' first points; -1 at unused points
+  /// For each point, the number of its component; -1 at unused points. Components are numbered 0,
+  /// 1, ... in the order of their first points.
   Eigen::VectorXi ComponentId;
 };
 
