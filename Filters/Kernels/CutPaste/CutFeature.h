@@ -77,9 +77,9 @@ public:
    * the last point is joined to the first. isSelected: m flags, non-zero for each selected
    * triangle.
    *
-   * Throws InvalidInput if an option is out of range or a point is not finite. Also throws it if a
-   * curve encloses nothing or does not divide the surface, or if the selection has no edge in
-   * common with the rest. Throws the exceptions of SurfaceFiller; Aborted.
+   * Throws InvalidInput if an option is out of range or a point is not finite. Also throws
+   * InvalidInput if a curve encloses nothing or does not divide the surface, or if the selection
+   * has no edge in common with the rest. Throws the exceptions of SurfaceFiller; Aborted.
    */
   CutFeatureResult Cut(const std::vector<Eigen::MatrixXd>& curves,
     const CutFeatureOptions& options = {}, const Progress& progress = {});

@@ -15,7 +15,7 @@ enum class LoopSide
   /// To the left of the loop in the order of its points, seen from outside. If there are several
   /// loops, the longest one decides.
   Left,
-  Right ///< to the right, with the same rule
+  Right ///< to the right; again, the longest loop decides
 };
 
 /**

@@ -34,7 +34,7 @@ enum class TargetLayout
 struct LoopOnTarget
 {
   TargetLayout Layout = TargetLayout::ExponentialMap;
-  TangentFrame Seed;         ///< its XAxis is the base's XAxis at the seed, without Rotation
+  TangentFrame Seed;         ///< its XAxis: the base's XAxis rotated to the seed, without Rotation
   Eigen::MatrixXd Positions; ///< n x 3: positions of the loop's points on the target
   Eigen::MatrixXd Normals;   ///< n x 3: unit normals of the target at these positions
   CoveredRegion Cover;       ///< the region that the loop covers

@@ -32,8 +32,8 @@ struct HandleTarget
 };
 
 /// Computes the pose of a handle at a target: first PoseHandle, then AddPrescribedRotations, then
-/// BiasFrames. graph: the graph of the shape, whose normals are used if the handle has none. Throws
-/// InvalidInput when one of these functions does.
+/// BiasFrames. graph: the graph of the shape. The shape's normals are used if the handle has none.
+/// Throws InvalidInput when one of these functions does.
 HandlePose PoseHandleAt(const BoundaryHandle& handle, const HandleTarget& target,
   const PoseOptions& options, const PointGraph& graph);
 

@@ -30,7 +30,7 @@ struct DeformFacts
 struct DeformedShape
 {
   Eigen::MatrixXd Points;                 ///< n x 3
-  std::vector<Eigen::Matrix3d> Rotations; ///< n: rotation of the shape at each point
+  std::vector<Eigen::Matrix3d> Rotations; ///< n rotations of the shape, one at each point
 };
 
 /**

@@ -70,7 +70,7 @@ public:
   UpwindFront(const PointGraph& graph, const FrontSweep& sweep, const Eigen::VectorXd& powers,
     const UpwindFrontOptions& options = {});
 
-  /// The band of a rank that is not a source; it is never empty.
+  /// The band [Begin, End) of a rank that is not a source; it is never empty.
   int Begin(int rank) const { return this->Begins[rank]; }
   int End(int rank) const { return this->Ends[rank]; }
 

@@ -29,7 +29,8 @@ Eigen::MatrixXd SolveBiharmonicSurface(const Mesh& disk, const BoundaryLoop& loo
 struct FairSurfaceOptions
 {
   int MaximumIterations = 15; ///< maximum number of Newton steps; >= 1
-  /// The maximum movement of a point at convergence, in mean edges of the loop; > 0.
+  /// The iterations have converged when no point's Newton step is longer than this, in mean edges
+  /// of the loop; > 0.
   double Tolerance = 1e-3;
 };
 

@@ -21,13 +21,13 @@ struct FillHolesOptions
   FillMethod Method = FillMethod::Automatic;
   HoleFillerOptions Filler;
   DeformOptions Deformation; ///< for the method Deformation; may be changed interactively
-  PoseOptions Frames;        ///< a further rotation of the frames at the loops; likewise
+  PoseOptions Frames;        ///< a further rotation of the frames at the loops; also interactive
 };
 
-/// A hole of a surface that was filled.
+/// A filled hole of a surface.
 struct FilledHole
 {
-  int Number = 0;        ///< index of the loop among the given ones
+  int Number = 0;        ///< index of its loop among the given loops
   std::vector<int> Loop; ///< points of the surface, with the fill to the left
   int FirstPoint = 0;    ///< index of the first new point in the filled surface
   int Points = 0;

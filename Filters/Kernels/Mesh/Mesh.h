@@ -42,7 +42,7 @@ Eigen::MatrixXd ComputeAreaVectors(const Mesh& mesh);
 /// Returns the area of the surface.
 double ComputeArea(const Mesh& mesh);
 
-/// Returns a third of the total area of the triangles around each point (n).
+/// Returns, for each point, a third of the total area of the triangles around it (n values).
 Eigen::VectorXd ComputePointAreas(const Mesh& mesh);
 
 /// Returns the volume enclosed by a closed surface; negative if its triangles face inwards.

@@ -16,7 +16,7 @@ struct Topology
 {
   int EulerNumber = 0;        ///< points - edges + triangles
   int Components = 0;         ///< triangles that share a point are connected
-  int BoundaryLoops = 0;      ///< number of chains of edges with only one triangle
+  int BoundaryLoops = 0;      ///< number of chains of edges that belong to only one triangle
   int FirstOpenPoint = -1;    ///< a point of the first boundary loop, or -1
   int NonManifoldEdges = 0;   ///< number of edges with three or more triangles
   int FirstNonManifold = -1;  ///< a point of the first non-manifold edge, or -1

@@ -38,7 +38,7 @@ public:
   HandleSources Finish();
 
 private:
-  /// A position on a segment in [0, 1], and the source there.
+  /// A position on a segment, from 0 to 1, and the source there.
   using SegmentSource = std::pair<double, int>;
 
   double EdgeLength(const Eigen::RowVector3i& corners, int k) const;

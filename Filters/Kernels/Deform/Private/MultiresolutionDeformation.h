@@ -45,7 +45,7 @@ private:
   NodeProblem Problem;
   CoarseShape Coarse;
   std::unique_ptr<NodeDeformation> Inner;
-  FrontSweep Sweep; ///< of the fine graph
+  FrontSweep Sweep; ///< the sweep over the fine graph
   /// Base nodes near each base node; stored only while rows are computed.
   std::vector<std::vector<int>> Around;
   std::vector<char> IsSource;  ///< for each base node

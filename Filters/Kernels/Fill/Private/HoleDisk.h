@@ -41,8 +41,8 @@ struct FlatDiskOptions
   /// empty. Inner edges between such corners are split at their midpoints.
   std::function<bool(int, int)> IsTaken;
   /// Returns whether an inner edge between two corners would be outside the filled region
-  /// (FindOuterChords); may be empty. If the corners are two apart, the edge is flipped; otherwise
-  /// it is split at its midpoint.
+  /// (FindOuterChords); may be empty. If the corners are two apart on the outline, the edge is
+  /// flipped; otherwise it is split at its midpoint.
   std::function<bool(int, int)> IsOutside;
 };
 
