@@ -28,7 +28,7 @@ class SeamNormals
 public:
   /// feature: the undeformed feature, any triangles. fans: built from these triangles. loop: points
   /// of the feature in order, with the feature to the left. distances: for each point of the
-  /// feature, its distance from the loop. width: in the same unit.
+  /// feature, its distance from the loop. width: a distance in the same unit.
   SeamNormals(const Mesh& feature, const TriangleFans& fans, const std::vector<int>& loop,
     const Eigen::VectorXd& distances, double width);
 

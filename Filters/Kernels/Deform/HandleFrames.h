@@ -38,7 +38,7 @@ void AddPrescribedRotations(
 /**
  * Rotates each frame to bring the shape's posed normal closer to the direction BiasFrame. The angle
  * is BiasWeight times the angle between the two directions (the bias frame F_B and alpha of section
- * 2.2). The rotation of the pose about that normal does not change.
+ * 2.2). The pose's rotation about that normal does not change.
  *
  * normals: s x 3, the normals at rest (ComputeHandleNormals). Samples with a zero normal stay.
  * Throws InvalidInput if an option is out of range.

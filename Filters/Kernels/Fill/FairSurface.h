@@ -42,10 +42,10 @@ struct FairSurfaceResult
 };
 
 /**
- * Computes a surface that has given normals at its boundary loop and whose mean curvature is a
- * harmonic function on the surface (Schneider and Kobbelt, "Geometric fairing of irregular meshes
- * for free-form surface design", 2001). It reproduces planes, spheres, cylinders and all other
- * surfaces of constant mean curvature, for any triangulation.
+ * Computes a surface with given normals at its boundary loop. Its mean curvature is a harmonic
+ * function on the surface (Schneider and Kobbelt, "Geometric fairing of irregular meshes for
+ * free-form surface design", 2001). It reproduces planes, spheres, cylinders and all other surfaces
+ * of constant mean curvature, for any triangulation.
  *
  * The mean curvature at a point is the normal component of the cotangent Laplacian of the
  * positions, divided by twice the Voronoi area. At the loop, only the triangles and the area of the

@@ -19,7 +19,7 @@ struct SurfacePoint
 /// The images of n points on the triangles of another surface.
 struct SurfacePoints
 {
-  Eigen::VectorXi Triangles;    ///< n
+  Eigen::VectorXi Triangles;    ///< for each of the n points, the triangle of its image
   Eigen::MatrixXd Barycentrics; ///< n x 3, each >= 0; each row sums to 1
 };
 
