@@ -49,8 +49,8 @@ public:
 
   /**
    * Finds the region that a loop covers. patch: an exponential patch of the target. loop: n x 2, a
-   * simple polygon of either orientation. If points of the loop are less than `snap` away from a
-   * point of the patch, the nearest of them is moved to that point.
+   * simple polygon of either orientation. If some points of the loop are less than `snap` away from
+   * a point of the patch, the nearest loop point is moved to it.
    *
    * The removed triangles are those inside the loop and those whose interior an edge of the loop
    * crosses. If a point of the surface lies inside an edge of the loop, all triangles around it are

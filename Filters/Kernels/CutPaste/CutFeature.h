@@ -22,7 +22,7 @@ namespace shape
 struct CutFeatureOptions
 {
   LoopSide Side = LoopSide::Smaller;
-  int LoopIndex = -1;      ///< index of the curve to cut along; -1: all curves
+  int LoopIndex = -1;      ///< index (from 0) of the curve to cut along; if -1, all curves
   double SnapShare = 0.05; ///< see CurveImprintingOptions
   bool FillHole = true;    ///< whether the hole that the feature leaves is filled
   /// The fill's triangles grow to the size of the surface's triangles beside the loop.
@@ -40,8 +40,8 @@ struct CutFeatureResult
   Eigen::RowVector3d Seed = Eigen::RowVector3d::Zero(); ///< seed of Base: the fill's centre
   int WeldedPoints = 0; ///< number of points of the surface that were welded: see WeldedSurface
   int Loops = 0;        ///< number of closed loops along which the feature was cut
-  /// Number of ignored parts of curves that touch themselves; of each curve, the longest part is
-  /// used.
+  /// Number of ignored parts of curves. A curve that touches itself has several parts, of which
+  /// only the longest is used.
   int LoopsLeftOut = 0;
   double CutLength = 0.0; ///< total length of the edges between feature and rest
 };
@@ -77,9 +77,9 @@ public:
    * the last point is joined to the first. isSelected: m flags, non-zero for each selected
    * triangle.
    *
-   * Throws InvalidInput if an option is out of range or a point is not finite. Also throws it if a
-   * curve encloses nothing or does not divide the surface, or if the selection has no edge in
-   * common with the rest. Throws the exceptions of SurfaceFiller; Aborted.
+   * Throws InvalidInput if an option is out of range or a point is not finite. Also throws
+   * InvalidInput if a curve encloses nothing or does not divide the surface, or if the selection
+   * has no edge in common with the rest. Throws the exceptions of SurfaceFiller; Aborted.
    */
   CutFeatureResult Cut(const std::vector<Eigen::MatrixXd>& curves,
     const CutFeatureOptions& options = {}, const Progress& progress = {});

@@ -10,7 +10,7 @@ namespace shape
 /**
  * The footprint of a feature: its loop in the plane. The exponential map around a seed maps the
  * surface under the feature, which is the fill of its hole, to the plane. If the loop crosses
- * itself there, the layout is conformal instead (FlattenPatchConformally).
+ * itself in the plane, the layout is conformal instead (FlattenPatchConformally).
  */
 struct FeatureFootprint
 {
@@ -25,7 +25,7 @@ struct FeatureFootprint
   bool IsRefined = false; ///< whether the conformal layout has minimum distortion
   /// Whether a test has shown that the loop returns to its position when it is pasted on the
   /// surface from which it was cut. False if that surface is not a manifold, or if no layout
-  /// returns it.
+  /// returns the loop to its position.
   bool ReturnsInPlace = false;
 };
 

@@ -18,9 +18,9 @@ Eigen::RowVector3d FindCenterOfTriangles(const Surface& surface, const std::vect
  * Builds the footprint of a feature on the surface from which it was cut, after the hole there has
  * been filled.
  *
- * filled: the surface with the fill; seed: the centre of the fill. loop: points of the feature,
- * with the feature to the left; on: the coincident points of `filled`. Throws InvalidInput if the
- * loop and the seed are on different components; Aborted.
+ * filled: the surface with the fill. seed: the centre of the fill. loop: points of the feature,
+ * with the feature to the left. on: for each of these points, the coincident point of `filled`.
+ * Throws InvalidInput if the loop and the seed are on different components; Aborted.
  */
 FeatureFootprint BuildFootprintOnSurface(const Surface& filled, const Eigen::RowVector3d& seed,
   std::vector<int> loop, const std::vector<int>& on, const Progress& progress = {});

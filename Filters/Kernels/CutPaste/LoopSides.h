@@ -15,7 +15,7 @@ enum class LoopSide
   /// To the left of the loop in the order of its points, seen from outside. If there are several
   /// loops, the longest one decides.
   Left,
-  Right ///< likewise, to the right
+  Right ///< to the right; again, the longest loop decides
 };
 
 /**
@@ -26,8 +26,8 @@ enum class LoopSide
  * divided by them; other components are on neither side.
  *
  * loops: indices of the points of closed loops, the longest loop first. The surface may be
- * non-manifold away from the loops. Throws InvalidInput if loops do not divide their component,
- * such as one loop around a handle, or if all loops run along the boundary.
+ * non-manifold away from the loops. Throws InvalidInput if loops do not divide their component, for
+ * example one loop around a handle. Also throws InvalidInput if all loops run along the boundary.
  */
 std::vector<char> MarkTrianglesOnSide(
   const Surface& surface, const std::vector<std::vector<int>>& loops, LoopSide side);

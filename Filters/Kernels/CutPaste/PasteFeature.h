@@ -20,8 +20,8 @@ struct PasteFeatureOptions
 {
   /// Whether the frames at the loop are optimised so that the feature joins the target smoothly.
   bool OptimizeNormals = true;
-  /// Whether the feature is being dragged. Then one angle for the whole loop is enough, the result
-  /// is not checked, and no smaller scale is searched for if the feature does not fit.
+  /// Whether the feature is being dragged. If so, one angle for the whole loop is enough, the
+  /// result is not checked, and no smaller scale is searched for if the feature does not fit.
   bool Dragging = false;
 };
 
@@ -56,8 +56,8 @@ public:
    * angle-weighted normals at the loop to those of the target. The remaining angle is removed by
    * rotating the points near the loop (SeamNormals, up to a distance of 4 mean edges of the loop).
    * If all frames rotate alike, however, the feature moves rigidly and keeps its own normals. The
-   * wanted normals change from its own to those of the target as the difference between the frames'
-   * rotations increases to 5 degrees.
+   * wanted normals change from the feature's own to the target's as the difference between the
+   * frames' rotations increases to 5 degrees.
    *
    * Throws the exceptions of PasteTarget::Land; SolveFailure if the result has the wrong topology;
    * Aborted.
@@ -81,9 +81,9 @@ private:
   FeatureFootprint Stand;
   /// The feature's triangles, split at the chords of its loop so that all of them can rotate there.
   CutTriangles Cut;
-  TriangleFans Fans; ///< of these triangles
+  TriangleFans Fans; ///< the fans of these triangles
   BoundaryHandle Handle;
-  Eigen::MatrixXd NormalsBefore; ///< at the loop, of the undeformed feature
+  Eigen::MatrixXd NormalsBefore; ///< of the undeformed feature, at the points of its loop
   double NormalReach;            ///< maximum arrival time of a point on which the normals depend
   std::unique_ptr<ShapeDeformation> Prepared;
   std::unique_ptr<SeamNormals> Turning;

@@ -34,7 +34,7 @@ enum class TargetLayout
 struct LoopOnTarget
 {
   TargetLayout Layout = TargetLayout::ExponentialMap;
-  TangentFrame Seed;         ///< its XAxis is the base's, rotated to the seed; without Rotation
+  TangentFrame Seed;         ///< its XAxis: the base's XAxis rotated to the seed, without Rotation
   Eigen::MatrixXd Positions; ///< n x 3: positions of the loop's points on the target
   Eigen::MatrixXd Normals;   ///< n x 3: unit normals of the target at these positions
   CoveredRegion Cover;       ///< the region that the loop covers
@@ -65,7 +65,7 @@ public:
    *
    * search: whether to refine a conformal layout and, if the loop does not fit, to search for the
    * largest scale that fits; false is faster. Throws InvalidInput if the loop does not fit; the
-   * message has the reason and the scale that was found. Throws Aborted.
+   * message gives the reason and the scale that was found. Throws Aborted.
    */
   LoopOnTarget Land(const FeatureFootprint& base, const PastePlacement& placement,
     bool search = true, const Progress& progress = {});

@@ -16,17 +16,17 @@ namespace shape
 struct PastedFeature
 {
   /// The target without the covered region, then the band between target and feature, and the
-  /// feature. Points: those of the target, those of the feature, then midpoints of edges: of the
-  /// feature (between two points of its loop) and of the band. Triangles: those of the target, the
-  /// band and the feature.
+  /// feature. Points: first the target's, then the feature's, then midpoints of edges of the
+  /// feature (between two points of its loop), then midpoints of edges of the band. Triangles:
+  /// first the target's, then the band's, then the feature's.
   Mesh Surface;
   Provenance Target;     ///< from the target, which also gives the triangles of the band their data
   Provenance Feature;    ///< from the feature
   int BandTriangles = 0; ///< number of triangles of the band
   LoopOnTarget Position;
-  /// n values each, before and after the optimisation of the frames. At each point of the loop,
-  /// this is the angle between the normals of the feature and the target, in degrees about the
-  /// loop's tangent.
+  /// The angle between the normals of the feature and the target at each point of the loop (n
+  /// values), in degrees about the loop's tangent. It is given before and after the optimisation of
+  /// the frames.
   Eigen::VectorXd AnglesBefore, AnglesAfter;
   DeformFacts Facts;
   /// Expected Euler number of Surface, computed from those of the target and the feature.

@@ -18,17 +18,17 @@ namespace shape
  * boundary.
  *
  * A point next to the loop is rotated about the loop's tangent at each of its neighbours q_j on the
- * loop. The angle of rotation is that of the point above or below the tangent plane at q_j. The
- * point's new position is the mean of the results (weights 1 / |p - q_j|^2). Other points within
- * `width` are rotated about the nearest points of the loop in the same way. Their angle is the mean
- * angle there times (1 - x^2)^3, where x is the distance divided by the width.
+ * loop. The angle of rotation is the angle between the point, seen from q_j, and the wanted tangent
+ * plane there. The point's new position is the mean of the results (weights 1 / |p - q_j|^2). Other
+ * points within `width` are rotated about the nearest points of the loop in the same way. Their
+ * angle is the mean angle there times (1 - x^2)^3, where x is the distance divided by the width.
  */
 class SeamNormals
 {
 public:
   /// feature: the undeformed feature, any triangles. fans: built from these triangles. loop: points
   /// of the feature in order, with the feature to the left. distances: for each point of the
-  /// feature, its distance from the loop. width: in the same unit.
+  /// feature, its distance from the loop. width: a distance in the same unit.
   SeamNormals(const Mesh& feature, const TriangleFans& fans, const std::vector<int>& loop,
     const Eigen::VectorXd& distances, double width);
 
@@ -79,7 +79,7 @@ SeamBand TriangulateSeamBand(const Eigen::MatrixXd& loop, const Eigen::MatrixXd&
 /**
  * Changes point data of a feature to agree with the target's data at the loop. The difference at
  * the loop is interpolated into the feature by inverse squared distances (equation 4 with k = 2).
- * It fades out as (1 - x^2)^3 with the distance from the loop.
+ * It fades out as (1 - x^2)^3, where x is the distance from the loop divided by `width`.
  *
  * values: m x d, at the feature's points (m x 3). differences: n x d, the target's values minus the
  * feature's, at the loop (n x 3). distances: m values, the distances of the feature's points from

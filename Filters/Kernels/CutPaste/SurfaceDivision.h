@@ -17,11 +17,11 @@ struct DividedPart
 {
   Mesh Surface;                 ///< the points of the surface in their order, then new ones
   shape::Provenance Provenance; ///< from the surface
-  std::vector<int> Ids;         ///< for each point: see SurfaceDivision; -1: not on the surface
+  std::vector<int> Ids; ///< id of each point (see SurfaceDivision); -1 if not on the surface
 };
 
-/// Closes the seams of a part. The points stay, but of the points with the same id, triangles use
-/// only the first.
+/// Closes the seams of a part. All points remain, but triangles use only the first of several
+/// points with the same id.
 Mesh MergeSeam(const DividedPart& part);
 
 /// A surface divided in two along edges, which ImprintCurves may have inserted.

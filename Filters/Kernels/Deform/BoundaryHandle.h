@@ -14,9 +14,9 @@ namespace shape
 struct BoundaryHandle
 {
   Eigen::MatrixXd Positions; ///< s x 3, in the model's units
-  Eigen::MatrixXi Segments;  ///< l x 2 indices of samples: the curves
-  Eigen::MatrixXi Triangles; ///< m x 3 indices of samples: the surface
-  Eigen::MatrixXd Normals;   ///< s x 3, of any length, or no rows
+  Eigen::MatrixXi Segments;  ///< l x 2 indices of samples: the edges of the curves
+  Eigen::MatrixXi Triangles; ///< m x 3 indices of samples: the surface's triangles
+  Eigen::MatrixXd Normals;   ///< s x 3 normals of any length, or no rows
 };
 
 /// The new positions of a handle's samples, and the rotations of the shape there.
@@ -26,7 +26,8 @@ struct HandlePose
   std::vector<Eigen::Matrix3d> Rotations; ///< s rotations R; a column vector x becomes R x
 };
 
-/// Builds a curve through positions (s x 3) in their order; if closed, it returns to the first one.
+/// Builds a curve through positions (s x 3), in order. If `closed`, the last position is joined to
+/// the first.
 BoundaryHandle BuildCurveHandle(
   const Eigen::MatrixXd& positions, bool closed, const Eigen::MatrixXd& normals = {});
 
@@ -44,14 +45,14 @@ Eigen::MatrixXd ComputeHandleTangents(
  * Computes the pose of a handle whose samples go to `positions` (s x 3) and whose normals become
  * `normals` (s x 3; no rows if the handle has none).
  *
- * With normals, each rotation takes a sample's frame of tangent and normal to its new frame; the
- * tangents agree exactly. Without normals, let P be the best rotation of the complete handle
+ * With normals, each rotation takes a sample's frame (tangent and normal) to its new frame. The
+ * tangents then agree exactly. Without normals, let P be the best rotation of the complete handle
  * (Kabsch 1976), and t the tangent at rest. The rotation is then P, followed by the minimum
  * rotation that takes P t to the new tangent. On surfaces, at branches of curves and at points
- * without a curve, the rotation is the one that fits the neighbours best, or P if they do not
- * determine one. All of these rules are equivariant: if the handle moves rigidly, every rotation is
- * that of the motion. The exception is a straight handle without normals, whose twist is
- * undetermined.
+ * without a curve, the rotation is the best fit to the neighbours. It is P if the neighbours
+ * determine no rotation. All of these rules are equivariant: if the handle moves rigidly, every
+ * rotation equals the motion's rotation. The exception is a straight handle without normals, whose
+ * twist is undetermined.
  *
  * Throws InvalidInput if sizes differ, a value is not finite, or only one of the handle and the
  * target has normals.

@@ -13,13 +13,13 @@ namespace shape
 
 struct BoundaryNormalsOptions
 {
-  /// Whether one angle for all samples is enough, as for a shape that is being dragged.
+  /// Whether one angle for all samples is enough, for example while the shape is being dragged.
   bool SingleAngle = false;
   /// The maximum number of line searches for the single angle, and the maximum number for the
   /// samples' angles; >= 0.
   int LineSearches = 5;
-  /// The optimisation stops when a line search reduces the sum of the samples' angles to the wanted
-  /// normals by less than this, in degrees.
+  /// In degrees. The optimisation stops when a line search reduces the sum of the angles between
+  /// the samples' normals and the wanted ones by less than this.
   double Enough = 2.0;
   /// The distance from the handle up to which the shape is computed, in the model's units. The
   /// shape's normals at the handle must not depend on points beyond it.
@@ -48,16 +48,16 @@ using NormalsOfShape = std::function<Eigen::MatrixXd(const DeformedShape&)>;
  * multiple follows from the share of these angles that the previous step corrected. The sum of |1 -
  * N . n| over the samples never increases.
  *
- * handle: the curves for which `deformation` was prepared. wanted: s x 3, unit normals; a row is
- * zero if any normal is allowed. Throws InvalidInput if sizes differ; Aborted.
+ * handle: the curves for which `deformation` was prepared. wanted: s x 3, the wanted unit normals;
+ * a zero row means that any normal is allowed there. Throws InvalidInput if sizes differ; Aborted.
  */
 BoundaryNormalsResult OptimizeBoundaryNormals(const ShapeDeformation& deformation,
   const BoundaryHandle& handle, const HandlePose& pose, const Eigen::MatrixXd& wanted,
   const NormalsOfShape& normals, const BoundaryNormalsOptions& options = {},
   const Progress& progress = {});
 
-/// Returns the mean angle in degrees between two fields of unit normals (s x 3), over the rows in
-/// which neither is zero; 0 if there are none.
+/// Returns the mean angle in degrees between two fields of unit normals (s x 3). Rows in which a
+/// normal is zero are left out; if no row is left, the result is 0.
 double ComputeMeanAngle(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
 } // namespace shape

@@ -32,8 +32,8 @@ struct HandleTarget
 };
 
 /// Computes the pose of a handle at a target: first PoseHandle, then AddPrescribedRotations, then
-/// BiasFrames. graph: the graph of the shape, whose normals are used if the handle has none. Throws
-/// InvalidInput when one of these functions does.
+/// BiasFrames. graph: the graph of the shape. The shape's normals are used if the handle has none.
+/// Throws InvalidInput when one of these functions does.
 HandlePose PoseHandleAt(const BoundaryHandle& handle, const HandleTarget& target,
   const PoseOptions& options, const PointGraph& graph);
 
@@ -50,7 +50,7 @@ public:
   DeformedShape Deform(const DeformProblem& problem, const HandleTarget& target,
     const PoseOptions& options = {}, const Progress& progress = {});
 
-  /// The facts of the last call, and whether it had to compute weights.
+  /// Facts about the deformation of the last call, and whether this call had to compute weights.
   const DeformFacts& Facts() const { return this->Deformation->Facts(); }
   bool HasPrepared() const { return this->Fresh; }
 
@@ -60,7 +60,7 @@ private:
   bool Fits(const DeformProblem& problem) const;
 
   DeformProblem Problem;
-  std::vector<int> Order; ///< of the points, by position
+  std::vector<int> Order; ///< the points' indices, sorted by position
   PointGraph Graph;
   std::unique_ptr<ShapeDeformation> Deformation;
   bool Fresh = false;

@@ -29,8 +29,8 @@ struct DeformOptions
   RigidityByType RigidityBy = RigidityByType::Uniform;
   double RigidityContrast = 4.0; ///< > 0
   double Scale = 1.0;            ///< factor of the offsets from upwind points to a point; > 0
-  /// Factor of Scale at the points farthest from the handle; > 0. Elsewhere it is linear in the
-  /// arrival time, from 1 at the handle.
+  /// Factor of Scale at the points farthest from the handle; > 0. Elsewhere, the factor changes
+  /// linearly with the arrival time, from 1 at the handle.
   double InnerScale = 1.0;
   /// r_u of equation 6, in mean edges; > 0. A larger radius pulls the shape towards the handle.
   double UpwindRadius = 2.1;

@@ -13,22 +13,22 @@ namespace shape
 struct PoseOptions
 {
   std::array<double, 3> BiasFrame = { 0.0, 0.0, 1.0 }; ///< a direction, of any length except 0
-  double BiasWeight = 0.0;                             ///< in [0, 1]; 0: no bias
+  double BiasWeight = 0.0;                             ///< in [0, 1]; 0 means no bias
 };
 
 /// Rotations that are prescribed at some samples of a handle.
 struct PrescribedRotations
 {
-  Eigen::MatrixXd Turns; ///< s x 3: rotation vectors (axis times angle in radians), for x -> R x
-  Eigen::VectorXi IsSet; ///< s values: non-zero if the rotation is prescribed
+  Eigen::MatrixXd Turns; ///< s x 3 rotation vectors (axis times angle in radians) of x -> R x
+  Eigen::VectorXi IsSet; ///< s values, non-zero where a rotation is prescribed
 };
 
 /**
  * Applies prescribed rotations after the rotations of a pose. They are interpolated between the
  * samples at which they are prescribed. Along a curve, the interpolation is linear in the arc
  * length of the handle at rest, and constant beyond the last prescribed sample. At branches and on
- * surfaces it is harmonic along edges. Components of the handle without a prescribed rotation stay.
- * Since rotation vectors are interpolated, twists of several turns are possible.
+ * surfaces it is harmonic along edges. Components of the handle without a prescribed rotation do
+ * not change. Since rotation vectors are interpolated, twists of several turns are possible.
  *
  * Throws InvalidInput if sizes differ or a prescribed rotation is not finite.
  */
@@ -37,8 +37,8 @@ void AddPrescribedRotations(
 
 /**
  * Rotates each frame to bring the shape's posed normal closer to the direction BiasFrame. The angle
- * is the share BiasWeight of the minimum rotation between the two directions (the bias frame F_B
- * and alpha of section 2.2). The rotation of the pose about that normal does not change.
+ * is BiasWeight times the angle between the two directions (the bias frame F_B and alpha of section
+ * 2.2). The pose's rotation about that normal does not change.
  *
  * normals: s x 3, the normals at rest (ComputeHandleNormals). Samples with a zero normal stay.
  * Throws InvalidInput if an option is out of range.
@@ -46,10 +46,10 @@ void AddPrescribedRotations(
 void BiasFrames(const BoundaryHandle& handle, const Eigen::MatrixXd& normals,
   const PoseOptions& options, HandlePose& pose);
 
-/// Returns the normals of the shape at a handle (s x 3): those of the handle if it has any.
-/// Otherwise, each is the normal of the shape's triangles around the node nearest to the sample. If
-/// that node is far away or has no triangle, it is the normal of the plane that fits the handle
-/// best, or 0 if there is no such plane.
+/// Returns the normals of the shape at a handle (s x 3). If the handle has normals, these are
+/// returned. Otherwise, each sample's normal is that of the shape's triangles around the node
+/// nearest to the sample. If that node is far away or has no triangle, it is the normal of the
+/// plane that fits the handle best, or 0 if there is no such plane.
 Eigen::MatrixXd ComputeHandleNormals(const BoundaryHandle& handle, const PointGraph& shape);
 
 } // namespace shape

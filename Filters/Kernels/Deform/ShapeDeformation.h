@@ -22,7 +22,7 @@ struct DeformFacts
   int EmptyBands = 0;    ///< number of points that have no upwind point within UpwindRadius
   int ZeroWeights = 0;   ///< number of points for which all upwind weights are 0
   int WeldedPoints = 0;  ///< number of points that coincide with an earlier one
-  int Segments = 0;      ///< number of connected parts with one label; 0 without labels
+  int Segments = 0;      ///< number of connected parts, each of one label; 0 without labels
   int BasePoints = 0;    ///< number of points of the coarse shape; 0 in full resolution
   bool Streamed = false; ///< whether the weights are too many to be stored
 };
@@ -30,7 +30,7 @@ struct DeformFacts
 struct DeformedShape
 {
   Eigen::MatrixXd Points;                 ///< n x 3
-  std::vector<Eigen::Matrix3d> Rotations; ///< n: rotation of the shape at each point
+  std::vector<Eigen::Matrix3d> Rotations; ///< n rotations of the shape, one at each point
 };
 
 /**
@@ -43,8 +43,8 @@ struct DeformedShape
  *   phat = sum_j w_j (qhat_j + s R_j (p - q_j)) / sum_j w_j,
  *
  * and rotates by the rotation nearest to sum_j w_j R_j. This equals the blend of frames of section
- * 2.1, but needs no frames, since those of inner points cancel. A rigid motion of the handle moves
- * the shape rigidly, for any weights. If the handle is also scaled by s = Scale, the shape
+ * 2.1, but needs no frames, since the frames of inner points cancel. A rigid motion of the handle
+ * moves the shape rigidly, for any weights. If the handle is also scaled by s = Scale, the shape
  * undergoes that similarity. If the handle does not move, the points are returned unchanged, bit
  * for bit.
  */
@@ -81,8 +81,8 @@ private:
  *
  * graph: the shape's points and their links (BuildPointGraph). Throws InvalidInput if an option is
  * out of range, a field has the wrong size, or the handle has no samples or an invalid one. Also
- * throws it if the shape is smaller than 1e-9 of the bounding box of shape and handle. Throws
- * Aborted.
+ * throws InvalidInput if the shape is smaller than 1e-9 of the common bounding box of shape and
+ * handle. Throws Aborted.
  */
 std::unique_ptr<ShapeDeformation> PrepareDeformation(const PointGraph& graph,
   const BoundaryHandle& handle, const DeformOptions& options = {}, const DeformFields& fields = {},

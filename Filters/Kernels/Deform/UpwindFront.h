@@ -19,7 +19,7 @@ struct FrontSweep
 {
   std::vector<int> Nodes;       ///< node of each rank
   std::vector<int> Ranks;       ///< rank of each node
-  std::vector<double> Arrivals; ///< arrival time of each rank, increasing; 0 at sources
+  std::vector<double> Arrivals; ///< arrival time of each rank, ascending; 0 at sources
   /// For each rank, the rank of the previous node on the path; -1 at sources.
   std::vector<int> Parents;
   /// For each rank, the length of the link from the previous node; 0 at sources.
@@ -65,12 +65,12 @@ struct UpwindFrontOptions
 class UpwindFront
 {
 public:
-  /// graph and sweep must outlive this object. powers: n values, k of equation 4 for each node; >=
-  /// 0.
+  /// graph and sweep must outlive this object. powers: for each node, the power k of equation 4 (n
+  /// values, each >= 0).
   UpwindFront(const PointGraph& graph, const FrontSweep& sweep, const Eigen::VectorXd& powers,
     const UpwindFrontOptions& options = {});
 
-  /// The band of a rank that is not a source; it is never empty.
+  /// The band [Begin, End) of a rank that is not a source; it is never empty.
   int Begin(int rank) const { return this->Begins[rank]; }
   int End(int rank) const { return this->Ends[rank]; }
 
@@ -91,7 +91,7 @@ private:
   FrontDistance Distance;
   int Empty = 0;
   std::vector<int> Begins, Ends;
-  std::vector<double> Powers, Weights; ///< of each rank
+  std::vector<double> Powers, Weights; ///< one for each rank
   Eigen::MatrixXd Positions;           ///< a column for each rank
 };
 

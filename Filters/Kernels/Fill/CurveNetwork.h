@@ -15,10 +15,10 @@ struct CurveNetwork
   /// run through a common curve in opposite directions.
   std::vector<std::vector<int>> Loops;
   Eigen::MatrixXd Normals; ///< n x 3: unit normals of the patches at the points; 0 at other points
-  /// Number of ignored segments: those with an open end, and those with one after these are
-  /// removed.
+  /// Number of ignored segments: segments with an open end are removed repeatedly until none is
+  /// left.
   int LooseSegments = 0;
-  /// Number of ignored faces: those that pass through a point twice, such as a face around an
+  /// Number of ignored faces: faces that pass through a point twice, such as a face around an
   /// island.
   int SkippedFaces = 0;
 };
@@ -27,10 +27,10 @@ struct CurveNetwork
  * Finds the boundary loops of the patches between curves. The curves are closed, or they form a
  * network of arcs.
  *
- * If no more than two segments meet at any point, each closed curve is a loop. It runs
- * counter-clockwise around the given normals. If these lie in its plane or are not given, it runs
- * in the order of its points. Normals that are not given are those of the curve's plane (its area
- * vector).
+ * If no more than two segments meet at any point, each closed curve is a loop. The loop runs
+ * counter-clockwise around the given normals. If the normals lie in the curve's plane or are not
+ * given, the loop runs in the order of its points. Normals that are not given are those of the
+ * curve's plane (its area vector).
  *
  * If three or more segments meet at a point, the normal there orders the segments around it. This
  * defines the faces, as on the surface that the patches will form. Faces that run counter-clockwise
@@ -38,10 +38,10 @@ struct CurveNetwork
  * network without normals must be nearly planar; the normal of its plane is then used at all
  * points.
  *
- * points: n x 3. polylines: the indices of their points in order. normals: n x 3, of any length, 0
- * if unknown; 0 x 3 if there are none. Throws InvalidInput if an index is out of range or a point
- * is not finite. Also throws it if three segments meet at a point of a network that has no normals
- * and is not planar.
+ * points: n x 3. polylines: for each polyline, the indices of its points in order. normals: n x 3
+ * vectors of any length, 0 where unknown; no rows if there are no normals. Throws InvalidInput if
+ * an index is out of range or a point is not finite. Also throws InvalidInput if three segments
+ * meet at a point of a network that has no normals and is not planar.
  */
 CurveNetwork FindCurveLoops(const Eigen::MatrixXd& points,
   const std::vector<std::vector<int>>& polylines, const Eigen::MatrixXd& normals);

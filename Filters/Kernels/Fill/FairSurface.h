@@ -29,7 +29,8 @@ Eigen::MatrixXd SolveBiharmonicSurface(const Mesh& disk, const BoundaryLoop& loo
 struct FairSurfaceOptions
 {
   int MaximumIterations = 15; ///< maximum number of Newton steps; >= 1
-  /// The maximum movement of a point at convergence, in mean edges of the loop; > 0.
+  /// The iterations have converged when no point's Newton step is longer than this, in mean edges
+  /// of the loop; > 0.
   double Tolerance = 1e-3;
 };
 
@@ -41,16 +42,16 @@ struct FairSurfaceResult
 };
 
 /**
- * Computes a surface that has given normals at its boundary loop and whose mean curvature is a
- * harmonic function on the surface (Schneider and Kobbelt, "Geometric fairing of irregular meshes
- * for free-form surface design", 2001). It reproduces planes, spheres, cylinders and all other
- * surfaces of constant mean curvature, for any triangulation.
+ * Computes a surface with given normals at its boundary loop. Its mean curvature is a harmonic
+ * function on the surface (Schneider and Kobbelt, "Geometric fairing of irregular meshes for
+ * free-form surface design", 2001). It reproduces planes, spheres, cylinders and all other surfaces
+ * of constant mean curvature, for any triangulation.
  *
  * The mean curvature at a point is the normal component of the cotangent Laplacian of the
  * positions, divided by twice the Voronoi area. At the loop, only the triangles and the area of the
  * patch are used, which imposes the loop's normals as in mixed finite elements. Inside, the normals
- * are those of NormalWeight::Max. Normals and mean curvature are therefore exact if the corners of
- * the triangles lie on a sphere.
+ * are computed with NormalWeight::Max. Normals and mean curvature are therefore exact if the
+ * corners of the triangles lie on a sphere.
  *
  * Newton's method moves the points along their normals. The derivative of the mean curvature has
  * two terms: the Laplacian of the displacement, and the displacement times the sum of the squared
@@ -58,8 +59,8 @@ struct FairSurfaceResult
  *
  * start: any surface, with the loop's points first; equilateral triangles are best. loopNormals: k
  * x 3. Near the solution, the factorisation is reused in the next iterations. If the iterations do
- * not converge, the result is the surface with the smallest Dirichlet energy of its mean curvature
- * among those found. Throws SolveFailure if a sparse factorisation fails; Aborted.
+ * not converge, the result is, of all surfaces found, the one whose mean curvature has the smallest
+ * Dirichlet energy. Throws SolveFailure if a sparse factorisation fails; Aborted.
  */
 FairSurfaceResult SolveFairSurface(const Mesh& start, const Eigen::MatrixXd& loopNormals,
   const FairSurfaceOptions& options = {}, const Progress& progress = {});

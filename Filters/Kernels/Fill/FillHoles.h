@@ -21,13 +21,13 @@ struct FillHolesOptions
   FillMethod Method = FillMethod::Automatic;
   HoleFillerOptions Filler;
   DeformOptions Deformation; ///< for the method Deformation; may be changed interactively
-  PoseOptions Frames;        ///< likewise: a further rotation of the frames at the loops
+  PoseOptions Frames;        ///< a further rotation of the frames at the loops; also interactive
 };
 
-/// A hole of a surface that was filled.
+/// A filled hole of a surface.
 struct FilledHole
 {
-  int Number = 0;        ///< index of the loop among the given ones
+  int Number = 0;        ///< index of its loop among the given loops
   std::vector<int> Loop; ///< points of the surface, with the fill to the left
   int FirstPoint = 0;    ///< index of the first new point in the filled surface
   int Points = 0;
@@ -49,9 +49,9 @@ struct FilledSurface
   /// The surface's points and triangles first, unchanged; then those of the fills, hole by hole.
   Mesh Surface;
   std::vector<FilledHole> Holes;
-  /// From the surface. A point of a fill takes its data from the nearest point of the loop, a
-  /// triangle from a triangle of the surface at the loop; for smooth values see
-  /// ExtendValuesOntoFill.
+  /// The provenance from the given surface. A point of a fill takes its data from the nearest point
+  /// of the loop. A triangle of a fill takes its data from a triangle of the surface at the loop.
+  /// For smooth values see ExtendValuesOntoFill.
   shape::Provenance Provenance;
 };
 
@@ -62,8 +62,8 @@ struct FilledSurface
  *
  * Holes are filled as in Schmidt and Singh, "Drag-and-drop surface composition" (Graphics Interface
  * 2010), section 4.1, or by a fair surface. A fair surface is much closer to spheres and other
- * round shapes. The edges of a fill are as long as those of its loop. The points of the loops and
- * the triangles beside them do not change. A manifold therefore remains a manifold, and becomes
+ * round shapes. The edges of a fill are as long as the edges of its loop. The points of the loops
+ * and the triangles beside them do not change. A manifold therefore remains a manifold, and becomes
  * watertight if all of its loops are filled.
  */
 class SurfaceFiller
@@ -76,8 +76,8 @@ public:
     const HoleFillerOptions& options = {});
 
   /// rims: loops of the surface's points, with the fill to the left. normals: n x 3, the normals of
-  /// the fills at the surface's points; if a normal is zero, the membrane's is used. The surface
-  /// may have no triangles.
+  /// the fills at the surface's points; where a normal is zero, the membrane's normal is used. The
+  /// surface may have no triangles.
   SurfaceFiller(const shape::Surface& surface, const std::vector<std::vector<int>>& rims,
     const Eigen::MatrixXd& normals, const HoleFillerOptions& options = {});
   ~SurfaceFiller();
@@ -111,7 +111,7 @@ FilledSurface FillHoles(
 FilledSurface FillLoops(const Surface& surface, const std::vector<std::vector<int>>& loops,
   const FillHolesOptions& options = {}, const Progress& progress = {});
 
-/// Returns values at a fill's points (hole.Points x d): the harmonic ones with the given values at
+/// Returns harmonic values at a fill's points (hole.Points x d), which continue the given values at
 /// the loop (SolveHarmonicValues). values: one row for each point of hole.Loop, in order.
 Eigen::MatrixXd ExtendValuesOntoFill(
   const Mesh& surface, const FilledHole& hole, const Eigen::MatrixXd& values);

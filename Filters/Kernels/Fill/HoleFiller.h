@@ -64,7 +64,7 @@ Eigen::MatrixXd ComputePatchBoundaryNormals(const Mesh& patch, Eigen::Index loop
 enum class FillMethod
 {
   /// The first of Fair, Deformation and Membrane whose fill intersects neither the surface nor
-  /// itself. If there is none, the one with the fewest intersections.
+  /// itself. If no method has such a fill, the method with the fewest intersections.
   Automatic,
   Deformation, ///< a flat disk deformed until its outline is the loop: HoleDeformation
   Fair,        ///< tangent to the surface, with harmonic mean curvature: SolveFairSurface
@@ -80,8 +80,8 @@ struct HoleFillerOptions
   /// The approximate maximum number of new points in a hole; >= 1. If more would be needed,
   /// EdgeGrowth is raised.
   int MaximumPoints = 100000;
-  /// Returns whether an edge outside the fill joins two points of the loop, which are given by
-  /// their indices in the loop. May be empty.
+  /// Takes the indices of two points in the loop, and returns whether an edge outside the fill
+  /// joins them. The function may be empty.
   std::function<bool(int, int)> IsTaken;
 };
 
@@ -89,8 +89,8 @@ struct HoleFillerOptions
 struct HoleFill
 {
   Mesh Patch; ///< the points of the loop first, in order, unchanged
-  /// The mean angle in degrees between the normals at the loop and the wanted ones. It is that of
-  /// the membrane or, with Deformation, that of the deformed disk before the frames are optimised.
+  /// The mean angle in degrees between the normals at the loop and the wanted ones. It is measured
+  /// on the membrane or, with Deformation, on the deformed disk before the frames are optimised.
   double DeviationBefore = 0.0;
   double DeviationAfter = 0.0; ///< the same angle for the result
   bool Converged = true;       ///< Fair: whether its iterations converged
@@ -105,8 +105,8 @@ struct HoleFill
 class HoleFiller
 {
 public:
-  /// loop: no two of its consecutive points coincide. If it has fewer than 3 points, the fill is
-  /// empty. If a normal is zero, the membrane's is used.
+  /// loop: no two consecutive points may coincide. If it has fewer than 3 points, the fill is
+  /// empty. Where a normal is zero, the membrane's normal is used.
   explicit HoleFiller(BoundaryLoop loop, const HoleFillerOptions& options = {});
 
   /// Fills the hole. method: any except Automatic. Throws InvalidInput if an option is out of

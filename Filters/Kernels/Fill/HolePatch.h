@@ -36,8 +36,8 @@ struct PatchSizes
 Eigen::VectorXd ComputeBoundarySizes(const Eigen::MatrixXd& loop);
 
 /// Builds the membrane of a loop. Its layout is a disk: the loop becomes a circle with the same
-/// edge lengths. The points inside are those of a triangular grid, which becomes coarser away from
-/// the loop whatever sizes.Growth is.
+/// edge lengths. Its inner points are those of a triangular grid. The grid becomes coarser away
+/// from the loop, whatever sizes.Growth is.
 HolePatch BuildMembranePatch(
   const Eigen::MatrixXd& loop, const PatchSizes& sizes, const Progress& progress = {});
 
@@ -46,14 +46,15 @@ HolePatch BuildMembranePatch(
  * keeps the loop's edge lengths (FlattenConformally), as in Schmidt and Singh, "Drag-and-drop
  * surface composition", section 4.1. If the outline of this layout crosses itself, the layout of
  * `patch` is used instead. New points lie on the old triangles, which are curved to agree with the
- * normals at their corners. At the loop, these are `loopNormals` (k x 3). If there are none (0 x
- * 3), the triangles are flat. Throws Aborted.
+ * normals at their corners. At the loop, the normals are `loopNormals` (k x 3). If `loopNormals`
+ * has no rows, the triangles are flat. Throws Aborted.
  */
 HolePatch RemeshPatch(const HolePatch& patch, const PatchSizes& sizes,
   const Eigen::MatrixXd& loopNormals, const Progress& progress = {});
 
-/// For two surfaces with the same triangles, computes the ratio of lengths of each edge. Returns
-/// the largest factor between one of these ratios and their geometric mean; >= 1.
+/// For two surfaces with the same triangles, computes for each edge the ratio of its two lengths.
+/// Returns the largest factor (>= 1) by which a ratio differs from the geometric mean of all
+/// ratios.
 double ComputeMaximumStretch(const Mesh& one, const Mesh& other);
 
 } // namespace shape

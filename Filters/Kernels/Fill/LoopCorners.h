@@ -34,8 +34,9 @@ class UsedEdges
 public:
   UsedEdges(const Surface& surface, const std::vector<std::vector<int>>& loops);
 
-  /// Returns a test of whether the fill of a loop must not contain an edge. loop: the index of the
-  /// loop. corners: points of the loop; the test takes the indices of two of them.
+  /// Returns a function that tells whether the fill of a loop must not contain an edge. loop: the
+  /// index of the loop. corners: points of the loop. The function takes the indices in `corners` of
+  /// the edge's two ends.
   std::function<bool(int, int)> Of(int loop, const std::vector<int>& corners) const;
 
 private:
@@ -46,11 +47,12 @@ private:
 };
 
 /**
- * Returns a test of whether a fill should avoid an edge between two points of its loop, which are
- * given by their indices. The edge and the shorter part of the loop between its points form a
- * polygon. The test is true if this polygon runs clockwise around the loop's normals, since it is
- * then over the surface around the hole. It is also true if the points of the polygon are
- * collinear. It is false if the part has more than eight edges, or if neither case is certain.
+ * Returns a function that takes the indices of two points of a loop. It tells whether the fill
+ * should avoid an edge between them. The edge and the shorter part of the loop between its points
+ * form a polygon. The result is true if this polygon runs clockwise around the loop's normals,
+ * since it is then over the surface around the hole. It is also true if the points of the polygon
+ * are collinear. It is false if this part of the loop has more than eight edges, or if neither case
+ * is certain.
  */
 std::function<bool(int, int)> FindOuterChords(const BoundaryLoop& loop);
 

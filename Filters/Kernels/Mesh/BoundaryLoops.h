@@ -23,10 +23,10 @@ struct BoundaryLoops
  * FindManifoldBoundaryLoops. An edge is on the boundary if no other triangle has an edge between
  * the same two positions. A seam of duplicated points is therefore no boundary.
  *
- * Two holes may share a point. There the boundary continues along the same fan of triangles, and is
- * split into loops that touch at the point; filling them makes a manifold. If the point is
- * duplicated, a loop contains both copies, consecutively, so that the fill uses the same indices.
- * Triangles that use a point twice are ignored.
+ * Two holes may share a point. At this point, the boundary continues along the same fan of
+ * triangles, and is split into loops that touch at the point; filling them makes a manifold. If the
+ * point is duplicated, a loop contains both copies, consecutively, so that the fill uses the same
+ * indices. Triangles that use a point twice are ignored.
  *
  * Throws InvalidInput if an index is out of range.
  */

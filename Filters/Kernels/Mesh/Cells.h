@@ -22,7 +22,7 @@ struct Cells
 {
   Eigen::MatrixXd Points;
   Eigen::VectorXi Kinds;   ///< m: one of cell_kind, or another VTK cell type
-  Eigen::VectorXi Offsets; ///< m + 1; the first is 0
+  Eigen::VectorXi Offsets; ///< m + 1 offsets into Corners; the first is 0
   Eigen::VectorXi Corners; ///< indices of points
 };
 

@@ -9,8 +9,8 @@ namespace shape
 
 /**
  * Grows a disk over a surface from its first triangle, in O(m log m). Each step adds one triangle,
- * so that the disk remains a disk. If several triangles are possible, it is the one with the lowest
- * index. Where the disk meets itself, for example behind a hole or around a cylindrical part, it
+ * so that the disk remains a disk. If several triangles are possible, the one with the lowest index
+ * is added. Where the disk meets itself, for example behind a hole or around a cylindrical part, it
  * stays open along a line.
  *
  * triangles: m x 3, an oriented 2-manifold with or without boundary. points: the number of points.

@@ -19,9 +19,9 @@ namespace shape
 /// First[i + 1] - 1, an edge of length Lengths[k] connects node i to Neighbours[k].
 struct Graph
 {
-  std::vector<int> First;      ///< n + 1
+  std::vector<int> First;      ///< n + 1 indices into Neighbours
   std::vector<int> Neighbours; ///< for each node, in ascending order
-  std::vector<double> Lengths; ///< >= 0
+  std::vector<double> Lengths; ///< lengths of the edges, each >= 0
 
   int Size() const { return static_cast<int>(this->First.size()) - 1; }
 };
@@ -39,7 +39,7 @@ struct GraphSources
 {
   std::vector<int> Nodes; ///< a node may occur several times
   Eigen::VectorXd Distances;
-  /// for each source, the previous node on its path, or -1; empty = -1 for all
+  /// For each source, the previous node on its path, or -1. If empty, it is -1 for all sources.
   std::vector<int> Before = {};
 };
 
@@ -47,10 +47,10 @@ struct GraphSources
  * Dijkstra's algorithm ("A note on two problems in connexion with graphs", 1959): visits the nodes
  * of a graph in ascending order of their distance from the sources.
  *
- * distances: n initial values, each lowered if a path from the sources is shorter.
- * extend(distance, k): for the distance at the start of edge k, returns the distance at its end. It
- * must not be smaller; it is infinity if the edge is closed. reach(node, before): called whenever
- * the distance of `node` is lowered; `before` is the previous node on the path, or -1.
+ * distances: n initial values, each lowered if a path from the sources is shorter. extend(distance,
+ * k): for the distance at the start of edge k, returns the distance at its end. The result must not
+ * be less than `distance`; it is infinity if the edge is closed. reach(node, before): called
+ * whenever the distance of `node` is lowered; `before` is the previous node on the path, or -1.
  * settle(node): called when the distance of `node` is final; returns true to end the search.
  */
 template <typename Extend, typename Reach, typename Settle>

@@ -33,8 +33,8 @@ Eigen::MatrixXi SplitQuads(const Eigen::MatrixXi& quads);
 /// Returns the mean length of the edges of a hexahedron.
 double ComputeMeanEdgeLength(const HexMesh& mesh, Eigen::Index hex);
 
-/// Marks all points of the hexahedra that have a marked point, and repeats this `rings` times in
-/// total. marked: n values.
+/// Marks all points of each hexahedron that has a marked point. This is done `rings` times. marked:
+/// one flag for each point, non-zero if it is marked.
 void GrowRings(const Eigen::MatrixXi& hexahedra, int rings, std::vector<char>& marked);
 
 } // namespace shape

@@ -28,8 +28,8 @@ inline Eigen::Matrix3d GetCorners(const Mesh& mesh, Eigen::Index triangle)
   return corners;
 }
 
-/// Returns the longest edge of the points' axis-aligned bounding box. Relative errors are divided
-/// by this length.
+/// Returns the longest edge of the points' axis-aligned bounding box. Relative errors are errors
+/// divided by this length.
 double ComputeLongestBoxEdge(const Eigen::MatrixXd& points);
 
 /// Returns the length of the bounding box's diagonal.
@@ -42,7 +42,7 @@ Eigen::MatrixXd ComputeAreaVectors(const Mesh& mesh);
 /// Returns the area of the surface.
 double ComputeArea(const Mesh& mesh);
 
-/// Returns a third of the total area of the triangles around each point (n).
+/// Returns, for each point, a third of the total area of the triangles around it (n values).
 Eigen::VectorXd ComputePointAreas(const Mesh& mesh);
 
 /// Returns the volume enclosed by a closed surface; negative if its triangles face inwards.
@@ -57,16 +57,16 @@ double ComputeEnclosedVolume(const Mesh& mesh);
 double ComputeWindingNumber(const Eigen::MatrixXd& points, const Eigen::MatrixXi& triangles,
   const Eigen::RowVector3d& position);
 
-/// Returns a closed surface with all triangles reversed if they face inwards.
+/// Returns a closed surface. If its triangles face inwards, all of them are reversed.
 Mesh OrientOutwards(Mesh mesh);
 
 /// Returns the centroids of the triangles (m x 3).
 Eigen::MatrixXd ComputeCentroids(const Mesh& mesh);
 
 /// Returns one position in each triangle (m x 3), as far from the edges as a random position is on
-/// average. It lies off the centroid and the medians, where a map may have been fitted, so that
-/// errors are not underestimated. The order of the corners' coordinates decides which corner it is
-/// closest to.
+/// average. A map may have been fitted at the centroid or on the medians. The position lies off
+/// both, so that errors are not underestimated. The order of the corners' coordinates decides which
+/// corner it is closest to.
 Eigen::MatrixXd ComputeOffCentres(const Mesh& mesh);
 
 /// Interpolates values at the points (n x d) linearly at the positions of ComputeOffCentres.

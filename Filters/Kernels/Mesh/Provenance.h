@@ -71,7 +71,7 @@ public:
 
 private:
   Eigen::Index OldPoints;
-  std::vector<int> First = { 0 }; ///< the first entry of each row; then the number of entries
+  std::vector<int> First = { 0 }; ///< the first entry of each row, then the total number of entries
   std::vector<int> Columns;       ///< ascending in each row
   std::vector<double> Values;
   std::vector<int> Copied; ///< see Provenance::Points

@@ -30,7 +30,7 @@ public:
   /// Returns the quad of a directed edge. Throws std::out_of_range if there is no such edge.
   int QuadAt(const QuadEdge& edge) const { return this->QuadOf.at(edge); }
 
-  /// Returns the quad across edge k of a quad, which runs from its corner k to the next.
+  /// Returns the quad across edge k of a quad. Edge k runs from corner k to the next corner.
   int Across(int quad, int k) const;
 
   /// Returns the quad after `quad` around one of its points, counter-clockwise.

@@ -63,7 +63,7 @@ public:
 
   /// Returns the object of type T that is cached in the surface. The first call computes it by
   /// `make()`. There is one object per type, so a kernel defines its own type for its data. The
-  /// object must not contain the surface itself: neither would ever be freed.
+  /// object must not contain the surface itself, since neither would then ever be freed.
   template <typename T, typename Make>
   std::shared_ptr<const T> Cached(const Make& make) const
   {
@@ -85,8 +85,8 @@ private:
 std::vector<Mesh> SplitComponents(const Surface& surface);
 
 /// Throws InvalidInput unless `surface` has triangles and is a consistently oriented 2-manifold,
-/// open or closed. Every coordinate must be finite, and the longest edge of the bounding box
-/// between 1e-50 and 1e50. `name` denotes the surface in the message. Returns the topology.
+/// open or closed. Every coordinate must be finite, and the longest edge of the bounding box must
+/// be between 1e-50 and 1e50. `name` denotes the surface in the message. Returns the topology.
 Topology RequireManifold(const Surface& surface, const std::string& name);
 
 /**

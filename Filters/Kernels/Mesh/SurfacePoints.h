@@ -7,9 +7,9 @@
 namespace shape
 {
 
-/// A point on a surface, in barycentric coordinates of a triangle. Each is >= 0, and their sum is
-/// 1. On an edge the coordinate of the opposite corner is exactly 0. At a vertex one coordinate is
-/// exactly 1.
+/// A point on a surface, in barycentric coordinates of a triangle. Each coordinate is >= 0, and
+/// their sum is 1. On an edge the coordinate of the opposite corner is exactly 0. At a vertex one
+/// coordinate is exactly 1.
 struct SurfacePoint
 {
   int Triangle = -1;
@@ -19,17 +19,18 @@ struct SurfacePoint
 /// The images of n points on the triangles of another surface.
 struct SurfacePoints
 {
-  Eigen::VectorXi Triangles;    ///< n
+  Eigen::VectorXi Triangles;    ///< for each of the n points, the triangle of its image
   Eigen::MatrixXd Barycentrics; ///< n x 3, each >= 0; each row sums to 1
 };
 
-/// Returns P values (n x d): the values interpolated linearly at the images. values: k x d, at the
-/// points of the other surface. triangles: the triangles of the other surface.
+/// Returns the product of P and `values` (n x d): the values interpolated linearly at the images.
+/// values: k x d, at the points of the other surface. triangles: the triangles of the other
+/// surface.
 Eigen::MatrixXd PullBack(
   const SurfacePoints& map, const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values);
 
-/// Returns P^T values (points x d), where P is the linear map of PullBack. values: n x d, at the
-/// mapped points. points: the number of points of the other surface.
+/// Returns the product of P^T and `values` (points x d), where P is the linear map of PullBack.
+/// values: n x d, at the mapped points. points: the number of points of the other surface.
 Eigen::MatrixXd PushForward(const SurfacePoints& map, const Eigen::MatrixXi& triangles,
   const Eigen::MatrixXd& values, Eigen::Index points);
 

@@ -16,7 +16,7 @@ struct Topology
 {
   int EulerNumber = 0;        ///< points - edges + triangles
   int Components = 0;         ///< triangles that share a point are connected
-  int BoundaryLoops = 0;      ///< number of chains of edges with only one triangle
+  int BoundaryLoops = 0;      ///< number of chains of edges that belong to only one triangle
   int FirstOpenPoint = -1;    ///< a point of the first boundary loop, or -1
   int NonManifoldEdges = 0;   ///< number of edges with three or more triangles
   int FirstNonManifold = -1;  ///< a point of the first non-manifold edge, or -1
@@ -24,7 +24,8 @@ struct Topology
   int FirstPinchedPoint = -1; ///< the first of these points, or -1
   int MisorientedEdges = 0;   ///< number of edges with the same direction in both triangles
   int FirstMisoriented = -1;  ///< a point of the first of these edges, or -1
-  /// n: 0, 1, ... in the order of the components' first points; -1 at unused points
+  /// For each point, the number of its component; -1 at unused points. Components are numbered 0,
+  /// 1, ... in the order of their first points.
   Eigen::VectorXi ComponentId;
 };
 

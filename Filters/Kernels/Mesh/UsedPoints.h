@@ -17,7 +17,7 @@ std::vector<int> FindUsedPoints(const Eigen::MatrixXi& elements, Eigen::Index po
 std::vector<int> InvertIndices(const std::vector<int>& kept, Eigen::Index points);
 
 /// Returns the elements with each index replaced by its position in `kept`. kept: must contain all
-/// points that the elements use. points: all indices are less than this.
+/// points that the elements use. points: the number of points; all indices are less.
 Eigen::MatrixXi RenumberPoints(
   const Eigen::MatrixXi& elements, const std::vector<int>& kept, Eigen::Index points);
 

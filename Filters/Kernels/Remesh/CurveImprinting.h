@@ -26,8 +26,8 @@ struct ImprintedCurves
 {
   Mesh Surface;                        ///< the given points come first
   shape::Provenance Provenance;        ///< from the given surface
-  std::vector<std::vector<int>> Loops; ///< closed; none repeats a point; the longest first
-  std::vector<int> LoopIds;            ///< for each of these, the given loop that contains it
+  std::vector<std::vector<int>> Loops; ///< closed, without repeated points, the longest first
+  std::vector<int> LoopIds; ///< for each of Loops, the index of the given loop that contains it
 };
 
 /**

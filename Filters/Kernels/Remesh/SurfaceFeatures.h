@@ -41,9 +41,9 @@ struct SurfaceFeatures
  * triangles differ by more than `angle` degrees; sharp edges form creases.
  *
  * A crease that ends inside a patch is extended to another crease. The extension is the shortest
- * path over edges whose normals differ by at least three eighths of `angle`. It must not meet the
- * other crease at a small angle. A patch smaller than `minimumArea` is merged with the adjacent
- * patch with which it shares the longest boundary.
+ * path over edges whose normals differ by at least three eighths of `angle`. The extension must not
+ * meet the other crease at a small angle. A patch smaller than `minimumArea` is merged with the
+ * adjacent patch with which it shares the longest boundary.
  *
  * The result is a single patch without curves if no edge is sharp, or if the sharp edges are noise,
  * as in a scan. They count as noise if less than two thirds of their length bounds patches larger

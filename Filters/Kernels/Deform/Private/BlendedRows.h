@@ -32,9 +32,10 @@ private:
 struct BlendedTransform
 {
   Eigen::Vector3d Position, Turned;
-  Eigen::Matrix3d Rotation; ///< the mean of rotations, which is not a rotation
+  Eigen::Matrix3d Rotation; ///< weighted mean of the rotations; in general no rotation
 
-  /// Returns the new position of `point`, with scaled offsets. Both are relative to the centre.
+  /// Returns the new position of `point`, with scaled offsets. Old and new position are relative to
+  /// the centre.
   Eigen::Vector3d Apply(const Eigen::Vector3d& point, double scale) const
   {
     return this->Position - scale * this->Turned + scale * (this->Rotation * point);
@@ -52,8 +53,8 @@ public:
   std::size_t Size() const { return this->Total; }
   /// Allocates the weights of all rows.
   void Allocate();
-  /// Sets the weights of a row, >= 0, at least one of them positive. Several threads may set
-  /// different rows.
+  /// Sets the weights of a row. All must be >= 0, and at least one positive. Several threads may
+  /// set different rows.
   void Set(int row, const float* weights);
   /// Removes all rows, but keeps the memory.
   void Clear();
@@ -66,8 +67,8 @@ private:
   struct Row
   {
     std::size_t First; ///< index of the first weight
-    /// The first block of eight samples, the number of blocks, the number of weights before the
-    /// first sample, and the number of weights.
+    /// The first block of eight samples, the number of blocks, the number of padding zeros before
+    /// the first weight, and the number of weights.
     int Block, Blocks, Skip, Count;
     double Sum;
   };

@@ -11,8 +11,8 @@ namespace shape
  * 5). Far from the sources, all of them have nearly equal weights, which squashes the shape.
  * Upwind-front deformation avoids this.
  *
- * The weight of a source is divided by a power of its distance, which is Euclidean or along the
- * links of the graph. Up to MaximumKeptWeights weights are stored.
+ * The weight of a source is divided by a power of its distance from the node. This distance is
+ * Euclidean or along the links of the graph. Up to MaximumKeptWeights weights are stored.
  */
 class BoundaryRelative : public NodeDeformation
 {
@@ -25,10 +25,10 @@ public:
     const NodeTransforms& sources, double reach, const Progress& progress = {}) const override;
 
 private:
-  /// Computes the distances of a rank from all sources.
+  /// Computes the distances of a rank's node from all sources.
   void FindDistances(int rank, double* distances) const;
-  /// Computes the weights of a rank. If all would be 0, gives weight 1 to the nearest source, and
-  /// returns false.
+  /// Computes the weights of a rank. If all weights would be 0, gives weight 1 to the nearest
+  /// source, and returns false.
   bool FindRow(int rank, float* weights) const;
 
   NodeProblem Problem;

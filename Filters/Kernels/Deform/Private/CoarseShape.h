@@ -20,8 +20,8 @@ struct CoarseShape
  * Builds the smooth base of a shape of any kind (section 2.3 of Schmidt and Singh, "Drag-and-drop
  * surface composition"). Rounds of edge collapses alternate with smoothing without shrinkage
  * (Taubin, "A signal processing approach to fair surface design", 1995). In each round, the
- * shortest links are collapsed first, but no two adjacent ones. Since links are collapsed instead
- * of triangles, soups and solids also have a base.
+ * shortest links are collapsed first, but never two adjacent links. Since links are collapsed
+ * instead of triangles, soups and solids also have a base.
  *
  * kept: distinct nodes, which keep their positions and are not merged with each other. count: the
  * wanted number of other nodes; more are left if no further link can be collapsed. Throws Aborted.

@@ -10,8 +10,8 @@ namespace shape
  * Upwind-front deformation in full resolution. A front sweeps over the graph from the sources. Each
  * node is moved relative to the nodes that the front reached just before it (equations 5 to 9).
  *
- * Bands are ranges of ranks (UpwindFront), so weights are dense rows of floats; up to
- * MaximumKeptWeights of them are stored. Sums over rows are in double precision. Since weights are
+ * Bands are ranges of ranks (UpwindFront), so weights are dense rows of floats. Up to
+ * MaximumKeptWeights weights are stored. Sums over rows are in double precision. Since weights are
  * divided by their sum, rigid motions stay exact however the weights are rounded.
  */
 class FrontDeformation : public NodeDeformation
@@ -25,7 +25,8 @@ public:
 
 private:
   void KeepWeights(const Progress& progress);
-  /// Blends the motions of the band of a rank. one, weights: memory for a row that is not stored.
+  /// Blends the motions of the nodes in a rank's band. one, weights: memory for a row that is not
+  /// stored.
   BlendedTransform Blend(
     int rank, const SampleTransforms& samples, BlendedRows& one, std::vector<float>& weights) const;
 

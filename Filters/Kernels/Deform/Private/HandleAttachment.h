@@ -20,10 +20,11 @@ namespace shape
 class HandleAttachment
 {
 public:
-  /// Both are stored by reference. handle: it must have samples, and its elements must be in range.
+  /// Stores references to shape and handle. The handle must have samples, and its elements must be
+  /// in range.
   HandleAttachment(const PointGraph& shape, const BoundaryHandle& handle);
 
-  /// Makes each sample a source; of coincident samples, only the first.
+  /// Makes each sample a source; of several coincident samples, only the first one.
   void AddSamples(const Progress& progress);
 
   /// Makes the shape's nodes on a segment sources, and adds new positions between sources that are
@@ -37,7 +38,7 @@ public:
   HandleSources Finish();
 
 private:
-  /// A position on a segment in [0, 1], and the source there.
+  /// A position on a segment, from 0 to 1, and the source there.
   using SegmentSource = std::pair<double, int>;
 
   double EdgeLength(const Eigen::RowVector3i& corners, int k) const;

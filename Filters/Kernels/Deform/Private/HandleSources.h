@@ -16,8 +16,8 @@ namespace shape
  * by which the handle's nodes follow its samples.
  *
  * A node of the shape is a source if its distance from a sample, a segment or a triangle of the
- * handle is at most 1e-6 of the diagonal. Other samples become new nodes. So do positions on
- * segments and in triangles that are longer than the mean edge of the shape, so that a coarse
+ * handle is at most 1e-6 of the diagonal. Other samples become new nodes. So do positions on long
+ * segments and in large triangles (compared with the mean edge of the shape), so that a coarse
  * handle leaves no gaps. All new nodes are linked with the shape's nearest nodes.
  */
 struct HandleSources

@@ -17,18 +17,19 @@ using NodeSolver =
 /**
  * Multiresolution (section 2.3): a coarse, smooth base of the graph (BuildCoarseShape) is deformed
  * first. Then each node of the fine graph is moved by equation 5, relative to the base nodes
- * nearest to the one into which it was merged.
+ * nearest to the base node into which it was merged.
  *
  * The weights decrease to 0 at the first base node that is left out, which makes them continuous.
- * Then they are tilted tangentially to the base, so that the weighted mean of the base nodes'
- * positions is as near to the node as positive weights allow. The shape therefore stretches evenly
- * where the base does. Sources are also nodes of the base, so they follow the handle exactly.
+ * Then the weights are tilted tangentially to the base, so that the weighted mean of the base
+ * nodes' positions is as near to the node as positive weights allow. The shape therefore stretches
+ * evenly where the base does. Sources are also nodes of the base, so they follow the handle
+ * exactly.
  */
 class MultiresolutionDeformation : public NodeDeformation
 {
 public:
-  /// baseNodes: the wanted number of base nodes without the sources. Throws the exceptions of
-  /// `solve`, Aborted.
+  /// baseNodes: the wanted number of base nodes, not counting the sources. Throws the exceptions of
+  /// `solve`, and Aborted.
   MultiresolutionDeformation(
     NodeProblem problem, int baseNodes, const NodeSolver& solve, const Progress& progress = {});
 
@@ -44,8 +45,8 @@ private:
   NodeProblem Problem;
   CoarseShape Coarse;
   std::unique_ptr<NodeDeformation> Inner;
-  FrontSweep Sweep; ///< of the fine graph
-  /// Base nodes near each base node; only while rows are computed.
+  FrontSweep Sweep; ///< the sweep over the fine graph
+  /// Base nodes near each base node; stored only while rows are computed.
   std::vector<std::vector<int>> Around;
   std::vector<char> IsSource;  ///< for each base node
   std::vector<double> Reaches; ///< by rank: the reach in the base that is needed up to that rank

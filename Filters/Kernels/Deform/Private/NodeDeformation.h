@@ -15,7 +15,7 @@ namespace shape
 /// The translations and rotations of the nodes of a graph.
 struct NodeTransforms
 {
-  Eigen::MatrixXd Shifts; ///< 3 x n: from the old to the new position
+  Eigen::MatrixXd Shifts; ///< 3 x n vectors from the old to the new positions
   std::vector<Eigen::Matrix3d> Rotations;
 };
 
@@ -29,8 +29,8 @@ struct NodeProblem
 {
   PointGraph Graph;         ///< connected
   std::vector<int> Sources; ///< distinct nodes, at least one
-  Eigen::VectorXd Powers;   ///< n: k of equation 4
-  Eigen::VectorXd Scales;   ///< n: factors of the offsets to each node
+  Eigen::VectorXd Powers;   ///< n powers k of equation 4, one for each node
+  Eigen::VectorXd Scales;   ///< n factors of the offsets, one for each node
   UpwindFrontOptions Front;
   std::size_t MaximumWeights = MaximumKeptWeights; ///< maximum number of stored weights
 };

@@ -19,8 +19,8 @@ namespace shape
 class SegmentHierarchy : public NodeDeformation
 {
 public:
-  /// labels: one for each node; those of sources are ignored. Throws the exceptions of `solve`,
-  /// Aborted.
+  /// labels: one for each node; the labels of sources are ignored. Throws the exceptions of
+  /// `solve`, and Aborted.
   SegmentHierarchy(NodeProblem problem, const Eigen::VectorXi& labels, const NodeSolver& solve,
     const Progress& progress = {});
 

@@ -31,8 +31,8 @@ FairPatchResult BuildFairPatch(const HolePatch& membrane, const BoundaryLoop& lo
   const PatchSizes& sizes, const Progress& progress = {});
 
 /// Returns the mean angle in radians by which a loop's normals are tilted outwards from its area
-/// vector. It is 0 if the normals agree with that of the loop's plane, and negative if they are
-/// tilted inwards.
+/// vector. It is 0 if the normals agree with the normal of the loop's plane, and negative if they
+/// are tilted inwards.
 double ComputeMeanTilt(const BoundaryLoop& loop);
 
 /**

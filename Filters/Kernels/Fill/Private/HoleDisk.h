@@ -37,20 +37,20 @@ struct FlatDiskOptions
   double Growth = 0.5; ///< the maximum slope of `Size`
   /// The wanted edge length at a position, between Edge / 1000 and 1e6 Edge.
   std::function<double(const Eigen::RowVector2d&)> Size;
-  /// Returns whether no inner edge may join two corners of the outline; may be empty. Such edges
-  /// are split at their midpoints.
+  /// Takes two corners of the outline, and returns whether no inner edge may join them; may be
+  /// empty. Inner edges between such corners are split at their midpoints.
   std::function<bool(int, int)> IsTaken;
   /// Returns whether an inner edge between two corners would be outside the filled region
-  /// (FindOuterChords); may be empty. If the corners are two apart, the edge is flipped; otherwise
-  /// it is split at its midpoint.
+  /// (FindOuterChords); may be empty. If the corners are two apart on the outline, the edge is
+  /// flipped; otherwise it is split at its midpoint.
   std::function<bool(int, int)> IsOutside;
 };
 
 /**
  * Triangulates the inside of a polygon by the constrained Delaunay triangulation of the points of a
  * triangular grid. Cells of the grid are split in four if they are larger than wanted, and points
- * too close to the outline are omitted. Every side of the outline is an edge; its corners are the
- * only points on it.
+ * too close to the outline are omitted. Every side of the outline is an edge, and no other points
+ * than its corners lie on the outline.
  *
  * outline: k x 2, counter-clockwise. There are no triangles if the outline intersects itself or is
  * collinear. Throws Aborted.

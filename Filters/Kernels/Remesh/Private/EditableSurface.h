@@ -17,7 +17,7 @@ namespace shape
 class EditableSurface
 {
 public:
-  using Triangle = std::array<int, 3>; ///< its points; the first is -1 if it is removed
+  using Triangle = std::array<int, 3>; ///< its points; the first is -1 if the triangle is removed
 
   explicit EditableSurface(const Mesh& mesh);
 
@@ -79,7 +79,8 @@ public:
   /// condition.
   std::vector<int> Collapse(int point, int into);
 
-  /// Splits an edge at its midpoint, and with it the triangles of the edge. Returns the new point.
+  /// Splits an edge at its midpoint, together with the triangles that share it. Returns the new
+  /// point.
   int Split(int a, int b);
 
   /// Replaces edge a-b of the triangles t = (a, b, c) and s = (b, a, d) by edge c-d.
