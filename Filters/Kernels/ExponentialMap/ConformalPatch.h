@@ -17,9 +17,9 @@ namespace shape
  * Torn is empty.
  *
  * surface: the surface of the patch. refine: whether to compute the map of minimum distortion,
- * which is slow. Without it, triangles may be flipped if the surface is very curved or coarse.
- * Throws SolveFailure when FlattenConformally or, with `refine`, MapWithFreeBoundary does. Throws
- * InvalidInput if the patch has no area, and Aborted.
+ * which is slow. Without `refine`, triangles may be flipped if the surface is very curved or
+ * coarse. Throws SolveFailure when FlattenConformally or, with `refine`, MapWithFreeBoundary does.
+ * Throws InvalidInput if the patch has no area, and Aborted.
  */
 ExponentialPatch FlattenPatchConformally(const Surface& surface, const ExponentialPatch& patch,
   bool refine, const Progress& progress = {});

@@ -39,7 +39,7 @@ struct ExponentialPatch
   /// triangle. There the map is cut open, because the front meets itself behind a protrusion or a
   /// hole.
   std::vector<int> Torn;
-  bool ReachesBoundary = false; ///< whether Points contains an end of an edge with one triangle
+  bool ReachesBoundary = false; ///< whether a point is on an edge with one triangle
 };
 
 /**
@@ -49,22 +49,23 @@ struct ExponentialPatch
  * Singh, "Drag-and-drop surface composition", section 3.
  *
  * A front spreads from the seed. Distances are measured along straight lines across unfolded
- * triangles, or along edges if there is no such line. A neighbour predicts the image of a point: it
- * adds to its own image the edge to the point, rotated into the neighbour's tangent plane without
- * shortening. The tangent axes are transported with the front by the smallest rotations between
- * normals, so cones are unrolled as well as cylinders. Equation 10 instead rotates each normal
- * directly to the normal at the seed.
+ * triangles, or along edges if there is no such line. A neighbour predicts the image of a point:
+ * its own image plus the edge to the point. This edge is rotated into the neighbour's tangent plane
+ * without shortening. The tangent axes are transported with the front by the smallest rotations
+ * between normals, so cones are unrolled as well as cylinders. Equation 10 instead rotates each
+ * normal directly to the normal at the seed.
  *
  * The weights of the mean are the inverse squared edge lengths, balanced on both sides of the line
  * from the seed. So the result converges to the exponential map under refinement, for any
  * arrangement of triangles. The front comes to a point from one neighbour. Predictions too far from
  * the prediction of this neighbour are ignored, because there the front has met itself. Finally the
- * mean is moved to the point's distance from the seed.
+ * mean is scaled so that its distance from the seed's image equals the point's distance from the
+ * seed.
  *
  * Behind bumps and protrusions, where straight lines from both sides meet, the means may flip
  * triangles that are not torn. This affects a tenth of the triangles in patches that contain
- * fingers or a head (equation 10: twice as many). It affects almost no triangles if the positive
- * angle defects add up to less than pi.
+ * fingers or a head (twice as many with equation 10). It affects almost no triangles if the
+ * positive angle defects add up to less than pi.
  *
  * The time of Around depends on the size of the patch only. A larger radius appends points and
  * triangles, and changes no bit of the others. The surface may have any topology. Coincident points

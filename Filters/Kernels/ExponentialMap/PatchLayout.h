@@ -22,37 +22,40 @@ struct ExponentialFacts
 {
   /// number of flipped triangles, torn or not, divided by the number of all triangles; 0 to 1
   double FlipRate = 0.0;
-  DistortionStatistics ConformalDistortion; ///< of sound triangles; 1 if angles are preserved
-  DistortionStatistics SymmetricDirichlet;  ///< of sound triangles; 4 for an isometry
-  /// area of the images of sound triangles, divided by that of a disk with the patch's radius
+  DistortionStatistics ConformalDistortion; ///< over the sound triangles; 1 if angles are preserved
+  DistortionStatistics SymmetricDirichlet;  ///< over the sound triangles; 4 for an isometry
+  /// area of the images of sound triangles, divided by the area of a disk with the patch's radius
   double Coverage = 0.0;
-  bool Overlaps = false;                ///< see IsOverlappingItself
-  Eigen::VectorXd ConformalDistortions; ///< t: MapMeasure::ConformalDistortion of each triangle
-  Eigen::VectorXd SymmetricDirichlets;  ///< t: MapMeasure::SymmetricDirichlet of each triangle
+  bool Overlaps = false; ///< see IsOverlappingItself
+  /// t values: MapMeasure::ConformalDistortion of each triangle
+  Eigen::VectorXd ConformalDistortions;
+  /// t values: MapMeasure::SymmetricDirichlet of each triangle
+  Eigen::VectorXd SymmetricDirichlets;
 };
 
 /// Computes the quality of a patch's image. radius: the patch's radius. Throws Aborted.
 ExponentialFacts ComputeExponentialFacts(const Surface& surface, const ExponentialPatch& patch,
   double radius, const Progress& progress = {});
 
-/// Whether distant parts of the image overlap: a boundary edge of the part that is not torn runs
-/// through a counter-clockwise triangle of this part. Inner folds are not counted; they appear as
+/// Whether distant parts of the image overlap: after the torn triangles are removed, a boundary
+/// edge runs through a counter-clockwise triangle. Inner folds are not counted; they appear as
 /// flipped triangles.
 bool IsOverlappingItself(const ExponentialPatch& patch);
 
-/// Returns the patch as a mesh, with its points and triangles in their order.
+/// Returns the patch as a mesh, with points and triangles in the order of the patch.
 Mesh BuildPatchSurface(const Surface& surface, const ExponentialPatch& patch);
 
 struct PatchLayoutOptions : ExponentialMapOptions
 {
-  double Radius = 0.0;    ///< >= 0; 0: a tenth of the diagonal of the surface's bounding box
+  double Radius = 0.0;    ///< >= 0; if 0, a tenth of the diagonal of the surface's bounding box
   bool MendFlips = false; ///< whether RepairFlips moves the points around flipped triangles
 };
 
 struct PatchLayout
 {
   ExponentialPatch Patch;
-  shape::Provenance Provenance; ///< where the patch, as a mesh, comes from on the surface
+  /// the points and cells of the surface from which the patch's mesh comes
+  shape::Provenance Provenance;
   ExponentialFacts Facts;
   double Radius = 0.0;
   double SeedDistance = 0.0; ///< distance of the given position from the surface

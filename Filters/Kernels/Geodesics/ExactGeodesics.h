@@ -16,11 +16,11 @@ namespace shape
  *
  * A window is an interval of an edge that is visible from one source position through unfolded
  * triangles. Windows are propagated across triangles in the order of their distance (Mitchell,
- * Mount and Papadimitriou, "The discrete geodesic problem", 1987). Of the windows from which a
- * corner is visible, only the nearest continues on both sides of it. A window is dropped if a path
- * through an end of its edge is shorter (Chen and Han 1990, improved by Xin and Wang, "Improving
- * Chen and Han's algorithm on the discrete geodesic problem", 2009). Paths may turn at points with
- * a total angle of more than 2 pi and on the boundary.
+ * Mount and Papadimitriou, "The discrete geodesic problem", 1987). If a corner is visible from
+ * several windows, only the nearest window continues on both sides of the corner. A window is
+ * dropped if a path through an end of its edge is shorter (Chen and Han 1990, improved by Xin and
+ * Wang, "Improving Chen and Han's algorithm on the discrete geodesic problem", 2009). Paths may
+ * turn at points with a total angle of more than 2 pi and on the boundary.
  *
  * surface: a consistently oriented 2-manifold, open or closed. seeds: positions on its triangles,
  * at least one. Returns n distances in the model's units, infinite if there is no path. Throws

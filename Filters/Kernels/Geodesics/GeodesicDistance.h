@@ -23,7 +23,7 @@ struct GeodesicDistanceOptions
 struct GeodesicDistanceResult
 {
   Eigen::VectorXd Distances; ///< n distances in the model's units; -1 if no path leads to a seed
-  int Unreached = 0;         ///< number of points with -1
+  int Unreached = 0;         ///< number of points whose distance is -1
 };
 
 /**

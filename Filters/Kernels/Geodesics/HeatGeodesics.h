@@ -23,8 +23,8 @@ namespace shape
  * the heat is the mean of the solutions with Neumann and with Dirichlet conditions (section 3.4).
  *
  * The time is the square of the mean edge length, as in the paper. If 1/300 of an upper bound of
- * the surface's diameter along edges is longer, its square is used instead. With a shorter time,
- * the heat far away would underflow.
+ * the surface's diameter (along edges) is longer than the mean edge length, the time is the square
+ * of this 300th. With a shorter time, the heat far away would underflow.
  */
 class HeatGeodesics
 {
@@ -52,7 +52,7 @@ private:
   /// m x 3: each triangle in the plane, given by x of its second corner, and x and y of its third
   Eigen::MatrixXd Corners;
   Eigen::VectorXi ComponentId;
-  Eigen::VectorXd Inside; ///< n: 1 inside, 0 on the boundary
+  Eigen::VectorXd Inside; ///< n values: 1 inside, 0 on the boundary
   SparseCholesky Heat, Poisson;
   std::optional<SparseCholesky> HeatWithin; ///< with Dirichlet conditions; empty without a boundary
 };
@@ -63,7 +63,7 @@ std::shared_ptr<const HeatGeodesics> GetHeatGeodesics(
   const Surface& surface, const Progress& progress = {});
 
 /// Returns the distances of all points from each of s points (n x s), infinite on other components.
-/// A triangle must use each of the s points. Throws SolveFailure, Aborted.
+/// Each of the s points must be a corner of a triangle. Throws SolveFailure, Aborted.
 Eigen::MatrixXd ComputeHeatDistances(
   const Surface& surface, const std::vector<int>& points, const Progress& progress = {});
 

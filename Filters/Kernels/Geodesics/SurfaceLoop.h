@@ -28,8 +28,8 @@ std::vector<Eigen::MatrixXd> ChainClosedCurves(const Eigen::MatrixXd& points,
 struct SurfaceLoop
 {
   std::vector<SurfacePoint> Positions;
-  /// for each position, the triangle of the segment to the next position; the next of the last
-  /// position is the first
+  /// for each position, the triangle of the segment to the next position; the last position is
+  /// followed by the first
   std::vector<int> Triangles;
 };
 

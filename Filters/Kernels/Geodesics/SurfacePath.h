@@ -26,7 +26,7 @@ namespace shape
  * longer. The mean excess is 0.04 %.
  *
  * An object serves many searches, from one thread at a time. An edge counts as boundary unless it
- * has exactly two triangles, which run through it in opposite directions.
+ * has exactly two triangles, which traverse it in opposite directions.
  */
 class SurfacePaths
 {

@@ -44,9 +44,9 @@ struct PointSupport
 class TriangleStrip
 {
 public:
-  /// twins: the opposite half-edge of each half-edge, -1 on the boundary. first: the first
-  /// triangle, which contains `from`. sides: the half-edges that the strip crosses, in order. Each
-  /// half-edge belongs to the triangle before the crossing.
+  /// twins: for each half-edge, the opposite one, or -1 on the boundary. first: the first triangle,
+  /// which contains `from`. sides: the half-edges that the strip crosses, in order. Each half-edge
+  /// belongs to the triangle before the crossing.
   TriangleStrip(const Mesh& surface, const std::vector<int>& twins, const SurfacePoint& from,
     const SurfacePoint& to, int first, std::vector<int> sides);
 

@@ -16,11 +16,11 @@ namespace shape
  *
  * The method is boundary first flattening (Sawhney and Crane 2017). The logarithm u of the scale is
  * 0 on the loop and solves the Yamabe equation L u = -K inside. The flux of u gives the curvatures
- * of the loop's image. From these follow the directions of its edges, and the edge lengths with
- * which it closes (equations 6, 10, 17). The image is the harmonic map with that boundary.
- * Curvatures and cotangents are computed on the intrinsic Delaunay triangulation. Both systems
- * share one factorisation, which cannot be interrupted. Other loops are filled with triangle fans
- * around the mean of their points.
+ * of the loop's image. These curvatures determine the directions of its edges, and then the edge
+ * lengths are chosen so that it closes (equations 6, 10, 17). The final map is the harmonic map
+ * with this boundary. Curvatures and cotangents are computed on the intrinsic Delaunay
+ * triangulation. Both systems share one factorisation, which cannot be interrupted. Other loops are
+ * filled with triangle fans around the mean of their points.
  *
  * The map is conformal in the limit of fine meshes. Triangles may flip if the mesh is coarse, or if
  * the surface is so curved that its image overlaps itself.

@@ -36,8 +36,8 @@ struct DiskMapResult
 /**
  * Maps a surface with one boundary loop and no handle one-to-one to the disk (or square) in the
  * plane z = 0. The loop is mapped by arc length, and every other point to the weighted mean of its
- * neighbours (SolveConvexCombination). Seen from +z, the image has the orientation that the surface
- * has seen from outside.
+ * neighbours (SolveConvexCombination). Triangles that are counter-clockwise on the surface, seen
+ * from outside, are counter-clockwise in the image, seen from +z.
  *
  * With Uniform and MeanValue weights no triangle of the exact solution is flipped (Tutte 1963,
  * Floater 2003). The square needs one more condition: no inner edge may join two points that are
@@ -46,11 +46,11 @@ struct DiskMapResult
  * triangle.
  *
  * The loop's point with the greatest x (ties: greatest y, then z) is mapped to (1, 0) on the
- * circle, or to the corner (1, 1) of the square. So the map does not depend on the numbering of the
- * points, and can leave a flat disk or square unchanged. The other three corners are the loop's
- * points closest to one, two and three quarters of its length from there. Between two corners,
- * points are placed by arc length. Translating or scaling the surface changes the result by
- * rounding only.
+ * circle, or to the corner (1, 1) of the square. So the map does not depend on the order of the
+ * points, and can leave a flat disk or square unchanged. The loop's points closest to one, two and
+ * three quarters of its length from there are mapped to the other three corners. Between two
+ * corners, points are placed by arc length. Translating or scaling the surface changes the result
+ * by rounding only.
  *
  * Throws InvalidInput when RequireSurfaceWithBoundary(surface, LoopCount::One) does, or if an edge
  * of the loop has no length. For the square, it also throws if the loop has fewer than four points,

@@ -20,7 +20,7 @@ struct FreeBoundaryMapOptions
 struct FreeBoundaryMapResult
 {
   Eigen::MatrixXd Points;  ///< n x 3, z = 0
-  bool IsConformal = true; ///< whether the result is the conformal map or was refined from it
+  bool IsConformal = true; ///< false if Tutte's map was the start of the refinement
   int Iterations = 0;      ///< number of refinement iterations
   double LoopLength = 0.0; ///< length of the longest boundary loop, in the surface's units
 };
@@ -40,8 +40,8 @@ struct FreeBoundaryMapResult
  *
  * Throws InvalidInput when RequireSurfaceWithBoundary(surface, LoopCount::AtLeastOne) does, if the
  * surface has no area, or if an option of Refinement is out of range. Throws SolveFailure when
- * FlattenConformally or RefineInjectively does. Throws it, too, if the conformal map flips a
- * triangle and Refine is not set, or if triangles are too small for double precision. Throws
+ * FlattenConformally or RefineInjectively does. Also throws SolveFailure if the conformal map flips
+ * a triangle and Refine is not set, or if triangles are too small for double precision. Throws
  * Aborted.
  */
 FreeBoundaryMapResult MapWithFreeBoundary(const Surface& surface,

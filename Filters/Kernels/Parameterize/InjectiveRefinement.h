@@ -45,8 +45,8 @@ struct InjectiveRefinementResult
  *
  * surface: every point is a corner of a triangle. start: n x 2, with every triangle
  * counter-clockwise. fixed: points that do not move. Throws InvalidInput if an option is out of
- * range or a triangle of the start is not counter-clockwise. Throws SolveFailure if the measure
- * exceeds double precision at the start. Throws Aborted; an abort takes effect after at most one
+ * range or a triangle of the start is not counter-clockwise. Throws SolveFailure if the measure at
+ * the start exceeds the range of double. Throws Aborted; an abort takes effect after at most one
  * factorisation.
  */
 InjectiveRefinementResult RefineInjectively(const Mesh& surface, const Eigen::MatrixXd& start,

@@ -39,9 +39,9 @@ struct PlaneIsometry
 /**
  * The tile of an orbifold. Cutting the surface open along a path through its cones makes it a disk;
  * the tile is the image of this disk in the plane. On the tile's boundary, the first and the last
- * cone each have one position. Every other cone has two: one for each side of the path. Traversed
- * counter-clockwise, the boundary follows the path from the first cone to the last, with the
- * surface to its left, and then returns.
+ * cone each have one position. Every other cone has two positions, one for each side of the path.
+ * Traversed counter-clockwise, the boundary follows the path from the first cone to the last, with
+ * the surface to its left, and then returns.
  */
 struct OrbifoldTile
 {
@@ -56,9 +56,9 @@ struct OrbifoldTile
 OrbifoldTile BuildOrbifoldTile(OrbifoldType type);
 
 /**
- * Returns the isometries that move `centre` by at most `radius`, from the group that Legs
- * generates. They are sorted by the distance by which they move it, the identity first. The images
- * of the tile under the whole group cover the plane once.
+ * Legs generates a group. Returns the isometries of this group that move `centre` by at most
+ * `radius`. They are sorted by the distance by which they move `centre`; the identity is first. The
+ * images of the tile under the whole group cover the plane once.
  */
 std::vector<PlaneIsometry> ComputeOrbifoldMotions(
   const OrbifoldTile& tile, std::complex<double> centre, double radius);

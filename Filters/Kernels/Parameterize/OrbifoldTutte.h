@@ -35,7 +35,7 @@ struct OrbifoldImage
  * For Triangle, the angles are pi / 3, 2 pi / 3 and pi, in this order.
  *
  * Throws InvalidInput if the surface is not closed, or has several components, genus > 0 or unused
- * points. Throws InvalidInput, too, if the number of cones is wrong, two cones are the same, or the
+ * points. Also throws InvalidInput if the number of cones is wrong, two cones are the same, or the
  * mesh is too coarse for a path through them. Throws SolveFailure if triangles are too small to
  * determine their orientation. An extremity shrinks exponentially with the ratio of its length to
  * its girth. The factorisation is one library call that cannot be interrupted. Throws Aborted.

@@ -13,7 +13,7 @@ namespace shape
 
 struct ParameterizeOptions
 {
-  /// The target of the map.
+  /// The domain onto which the surface is mapped.
   enum class DomainType
   {
     Disk = 0,         ///< a disk or square, for a surface with one boundary loop: shape::MapToDisk
@@ -33,8 +33,8 @@ struct ParameterizeOptions
     SymmetricDirichlet = 1 ///< by shape::RefineInjectively; the Disk's outline is fixed
   };
   RefineType Refine = RefineType::None;
-  /// Orbifold: the tile for three landmarks; Rhombus treats them alike. With four landmarks, the
-  /// tile is a parallelogram whatever this option says.
+  /// Orbifold: the tile for three landmarks; Rhombus treats the three alike. With four landmarks,
+  /// the tile is a parallelogram whatever this option says.
   OrbifoldType Tile = OrbifoldType::Rhombus;
   /// Sphere: the weight of equal areas relative to equal angles; >= 0. With 0, only angles matter,
   /// and an extremity shrinks exponentially with the ratio of its length to its girth.
@@ -43,7 +43,8 @@ struct ParameterizeOptions
 
 struct ParameterizeResult
 {
-  /// n x 3: the image of each point; on the Orbifold, one of the images of a point on the cut
+  /// n x 3: the image of each point; for Orbifold, a point on the cut has several images, of which
+  /// this is one
   Eigen::MatrixXd Positions;
   /// Orbifold: the surface cut open, on which the map is defined; else empty
   CutSurface Cut;
@@ -58,9 +59,9 @@ struct ParameterizeResult
   /// Disk, FreeBoundary: length of the longest boundary loop, in the surface's units
   double LoopLength = 0.0;
   double ConformalDistortion = 1.0; ///< area-weighted mean; 1 if every angle is preserved
-  /// Area-weighted mean of the symmetric Dirichlet energy; its minimum, 4, is that of an isometry.
-  /// For Disk and Orbifold, the surface is first scaled to the image's area. At most
-  /// LargestMeasure; 0 for the Sphere.
+  /// Area-weighted mean of the symmetric Dirichlet energy; its minimum is 4, for an isometry. For
+  /// Disk and Orbifold, the surface is first scaled to the image's area. The value is at most
+  /// LargestMeasure. It is 0 for the Sphere.
   double Energy = 0.0;
 };
 
@@ -68,8 +69,8 @@ struct ParameterizeResult
  * Maps a surface onto a simple domain without flipping a triangle. The map preserves orientation: a
  * closed surface that faces inwards has an image that faces inwards.
  *
- * landmarks: k x 3. For the Orbifold, three or four positions; the points of the surface nearest to
- * them become its cones, in this order. Empty for other domains.
+ * landmarks: k x 3. For the Orbifold, these are three or four positions; the points of the surface
+ * nearest to them become its cones, in this order. For other domains, landmarks is empty.
  *
  * Throws InvalidInput if the surface or the landmarks do not fit the domain, SolveFailure if a
  * triangle would be flipped, and Aborted.

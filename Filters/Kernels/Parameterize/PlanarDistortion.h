@@ -5,9 +5,9 @@
 namespace shape
 {
 
-/// Distortion measures of an affine map of the plane. Its singular values are s1 >= s2 > 0; s is
-/// either of them, and e an exponent (table 1 of Rabinovich, Poranne, Panozzo and Sorkine-Hornung,
-/// "Scalable locally injective mappings", 2017).
+/// Distortion measures of an affine map of the plane with singular values s1 >= s2 > 0. A sum over
+/// s has one term for s1 and one for s2, and e is an exponent. See table 1 of Rabinovich, Poranne,
+/// Panozzo and Sorkine-Hornung, "Scalable locally injective mappings", 2017.
 enum class Distortion
 {
   SymmetricDirichlet,            ///< sum of s^2 + s^-2; minimum 4 for an isometry
@@ -20,18 +20,18 @@ enum class Distortion
   ARAP            ///< sum of (s - 1)^2: 0 for an isometry; finite even for an image without area
 };
 
-/// Whether a measure is the exponential of another measure, which overflows if the distortion is
-/// large.
+/// Whether a measure is the exponential of another measure. Such a measure overflows if the
+/// distortion is large.
 bool IsExponential(Distortion distortion);
 
 /// A measure at given singular values, and a quadratic function with the same gradient there: the
-/// sum of Weights (s - c)^2. Here c is 1, except for two measures. For ConformalAMIPS, c is the
-/// geometric mean of s1 and s2. For AMIPS, c is the s that minimises the measure while the other
-/// singular value is fixed.
+/// sum of Weights (s - c)^2 over s = s1, s2. Here c is 1, except for two measures. For
+/// ConformalAMIPS, c is the geometric mean of s1 and s2. For AMIPS, c is the s that minimises the
+/// measure while the other singular value is fixed.
 struct DistortionTerms
 {
   double Value;
-  Eigen::Vector2d Gradient; ///< derivatives by s1 and s2
+  Eigen::Vector2d Gradient; ///< derivatives with respect to s1 and s2
   Eigen::Vector2d Weights;  ///< > 0: Gradient / (2 (s - c)), or the limit of this at s = c
 };
 

@@ -29,8 +29,8 @@ struct SphereMapOptions
   /// The flow stops after three steps in a row that fail to lower the mean conformal distortion by
   /// this share; in [0, 1).
   double Tolerance = 1e-4;
-  /// Maximum share of the points, but at least 16 points, that may be reinserted after
-  /// ConformalFlow; >= 0.
+  /// After ConformalFlow, at most this share of the points may be reinserted, or 16 points if that
+  /// is more; >= 0.
   double LargestRepair = 0.01;
   double AreaWeight = 1.0; ///< GlobalReinsertion: weight of equal areas relative to equal angles
   /// maximum number of sweeps over the reinserted points and two rings around them
@@ -42,7 +42,7 @@ struct SphereMapResult
   Eigen::MatrixXd Points; ///< n x 3: the image of each point, on the unit sphere
   SphereMapMethod Method = SphereMapMethod::ConformalFlow;
   int Iterations = 0; ///< number of steps of the flow
-  /// number of flipped triangles in the image of the method First, before any repair
+  /// number of flipped triangles in the image by the method First, before any repair
   int FlipsBeforeRelaxation = 0;
   /// number of points that were reinserted to repair flipped triangles
   int Reinserted = 0;
@@ -68,14 +68,14 @@ struct SphereMapResult
  * fingers of a figure to 1e-25). If later computations need larger triangles, set First to
  * GlobalReinsertion; AreaWeight is passed to ReinsertAll.
  *
- * The number of threads changes the image by rounding only, except at reinserted points, which it
- * changes by up to 1e-6. Translating or scaling the input changes the result by rounding only.
- * Rotating the input rotates the result, except at reinserted points. The image of
- * GlobalReinsertion depends on the connectivity alone, up to the final centring.
+ * The number of threads changes reinserted points by up to 1e-6, and the other points by rounding
+ * only. Translating or scaling the input changes the result by rounding only. Rotating the input
+ * rotates the result, except at reinserted points. The image of GlobalReinsertion depends on the
+ * connectivity alone, up to the final centring.
  *
- * Throws InvalidInput if an option is out of range or the surface is not closed. Throws it, too, if
- * the surface has several components, genus > 0, unused points or no area. Throws SolveFailure with
- * the number of flipped triangles if every method fails. Throws Aborted.
+ * Throws InvalidInput if an option is out of range or the surface is not closed. Also throws
+ * InvalidInput if the surface has several components, genus > 0, unused points or no area. Throws
+ * SolveFailure with the number of flipped triangles if every method fails. Throws Aborted.
  */
 SphereMapResult MapToSphere(
   const Surface& surface, const SphereMapOptions& options = {}, const Progress& progress = {});

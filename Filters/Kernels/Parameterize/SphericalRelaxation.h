@@ -10,7 +10,8 @@ namespace shape
 {
 
 /// A triangle of a star, which is the set of triangles around a central point A. B and C are its
-/// other points, in counter-clockwise order. The cotangents are those of its target angles.
+/// other points, in counter-clockwise order. The cotangents belong to the target angles at A, B and
+/// C.
 struct StarTriangle
 {
   int B;
@@ -18,7 +19,7 @@ struct StarTriangle
   double CotangentA;
   double CotangentB;
   double CotangentC;
-  /// added to the numerator of the energy; a larger term gives a larger triangle
+  /// a term in the numerator of RelaxPoint's energy; a larger term gives a larger triangle
   double AreaTerm = 0.0;
 };
 
@@ -28,9 +29,9 @@ struct StarTriangle
  *   sum of (cotA |BC|^2 + cotB |CA|^2 + cotC |AB|^2 + AreaTerm) / det[A, B, C].
  *
  * The energy is minimal if each triangle has its target shape (MIPS, Hormann & Greiner 2000) and
- * infinite if a triangle loses its area. It is convex in the tangent plane. The step is taken only
- * if the energy decreases and every triangle still faces outwards, so no triangle flips. Returns
- * whether the point moved.
+ * infinite if a triangle loses its area. The energy is convex in the tangent plane. The step is
+ * taken only if the energy decreases and every triangle still faces outwards, so no triangle flips.
+ * Returns whether the point moved.
  */
 bool RelaxPoint(Eigen::MatrixXd& points, int point, const std::vector<StarTriangle>& star);
 

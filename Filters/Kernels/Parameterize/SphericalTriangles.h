@@ -18,8 +18,8 @@ double ComputeSphericalDeterminant(
 bool IsFacingOutwards(
   const Eigen::RowVector3d& a, const Eigen::RowVector3d& b, const Eigen::RowVector3d& c);
 
-/// Returns the numbers, ascending, of the triangles for which IsFacingOutwards is false. triangles:
-/// m x 3. points: n x 3, on the unit sphere.
+/// Returns the indices, in ascending order, of the triangles for which IsFacingOutwards is false.
+/// triangles: m x 3. points: n x 3, on the unit sphere.
 std::vector<int> FindFlippedTriangles(
   const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& points);
 

@@ -18,18 +18,18 @@ class vtkDataSetAttributes;
 /**
  * Carries data onto derived meshes, by the same rules for every filter:
  * - Values (float, double, and unsigned char for colours) are interpolated by the weights of the
- *   provenance. Colours are rounded and clamped. A tuple without weight has no influence, even if
- *   it is NaN.
+ *   provenance. Colours are rounded and clamped. A source tuple with weight 0 has no influence,
+ *   even if it is NaN.
  * - All other data (integers, ids, strings, bits) are copied from the source with the largest
  *   weight. If several sources have this weight, the first is used.
  * - Normals (the active ones, or an array Normals with three real components) are interpolated and
  *   normalised.
- * - A tuple without a source is 0, or an empty string. If no cell has a source, there are no cell
- *   arrays.
+ * - A new tuple without a source is 0, or an empty string. If no cell has a source, there are no
+ *   cell arrays.
  * - Arrays keep their name, type, components, names of components, information and attribute role.
  *   Global ids and ghost marks are omitted, because both describe the old mesh.
  * The data of several meshes are merged. Arrays with the same name, type and number of components
- * become one array. If a mesh has no such array, its tuples are 0.
+ * become one array. If a mesh has no such array, the tuples that come from this mesh are 0.
  */
 namespace vtkShapeCarry
 {

@@ -51,8 +51,8 @@ struct PointField
   bool AreIds = false;    ///< whether the array is of vtkIdType; then d = 1
 };
 
-/// Copies `input` to `output` and adds the fields. Their rows are the points of all blocks, in
-/// order.
+/// Copies `input` to `output` and adds the fields. The rows of Values belong to the points of all
+/// blocks, in order.
 void AddPointFields(
   vtkDataObject* input, vtkDataObject* output, const std::vector<PointField>& fields);
 

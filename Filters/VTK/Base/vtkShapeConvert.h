@@ -67,7 +67,7 @@ Eigen::MatrixXd Rows(const Eigen::MatrixXd& values, const std::vector<int>& rows
 /// Converts a mesh to a surface.
 void FromMesh(const shape::Mesh& mesh, vtkPolyData* output);
 
-/// Adds a fact to the field data: one number or one string.
+/// Adds an array with one number or one string to the field data.
 void AddFact(vtkDataObject* output, const std::string& name, double value);
 void AddFact(vtkDataObject* output, const std::string& name, const std::string& words);
 

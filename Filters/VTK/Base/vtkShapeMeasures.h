@@ -10,9 +10,9 @@ class vtkDataSet;
 /**
  * A measure is an array that describes the geometry on which it was computed. Measures are the
  * quality and size of cells, distances, curvatures, distortion of maps, spectra, normals, and the
- * facts that filters write to the field data. They are wrong on any other geometry. Only this file
- * contains the names of measures. It removes them from outputs whose points differ from the points
- * of the inputs; vtkShapeAlgorithm applies it to every filter.
+ * results that filters write to the field data. They are wrong on any other geometry. Only this
+ * file contains the names of measures. It removes them from outputs whose points differ from the
+ * points of the inputs; vtkShapeAlgorithm applies it to every filter.
  */
 namespace vtkShapeMeasures
 {
@@ -28,7 +28,7 @@ void AddToHexahedra(const std::vector<std::string>& names, vtkDataSet* hexahedra
 /// An executed filter: its name, its inputs and the measures that it computed.
 struct Filter
 {
-  std::string Name;                   ///< such as HexRemesh: the prefix of the filter's facts
+  std::string Name;                   ///< such as HexRemesh: the prefix of the filter's field data
   std::set<std::string> Made;         ///< the measures that it computed for its outputs
   std::vector<vtkDataObject*> Inputs; ///< its inputs, both as connected and as gathered
 };
@@ -36,8 +36,8 @@ struct Filter
 /**
  * Removes the measures of the inputs from an output. A data set of `output` that shares its points
  * with an input keeps all arrays, because it has the same geometry. Other data sets lose each
- * measure that the filter did not compute and each fact of another filter. If all cells are
- * hexahedra, the Verdict measures that were removed are computed again.
+ * measure that the filter did not compute and each result of another filter in the field data. If
+ * all cells are hexahedra, the Verdict measures that were removed are computed again.
  */
 void Renew(const Filter& filter, vtkDataObject* output);
 

@@ -26,7 +26,7 @@ bool Has(vtkDataSet* data, const std::string& mapArray);
 ///@{
 /// Returns the triangles of a surface with the numbers to which TargetCell refers. Vertices and
 /// lines are numbered first, then the triangles of polygons, then the triangles of strips. Throws
-/// shape::MapOfAnotherSurface if the grid has another type of cell, and shape::InvalidInput if a
+/// shape::MapOfAnotherSurface if the grid has a cell of another type, and shape::InvalidInput if a
 /// polygon cannot be triangulated.
 shape::NumberedSurface ToSurface(vtkPolyData* surface, const std::string& name);
 shape::NumberedSurface ToSurface(vtkUnstructuredGrid* grid, const std::string& name);

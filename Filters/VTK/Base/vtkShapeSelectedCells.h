@@ -18,10 +18,10 @@ inline const std::string Name = "vtkShapeSelected";
  * Returns a copy of this process's part of `surface`, with the same blocks and the additional cell
  * array Name.
  *
- * selection: a vtkSelection of cells or points, or extracted cells, in the same blocks, with the
- * array vtkOriginalCellIds. Selected points stand for the cells whose points are all selected.
- * Throws shape::InvalidInput if it is none of these. The function is not collective: no process
- * waits for another.
+ * selection: a vtkSelection of cells or points, or extracted cells with the array
+ * vtkOriginalCellIds. It has the same blocks as `surface`. Selected points stand for the cells
+ * whose points are all selected. Throws shape::InvalidInput if `selection` is none of these. The
+ * function is not collective: no process waits for another.
  */
 vtkSmartPointer<vtkDataObject> Mark(
   vtkDataObject* surface, vtkDataObject* selection, vtkMultiProcessController* controller);

@@ -34,14 +34,14 @@ void Write(const shape::UntangleResult& result, vtkUnstructuredGrid* input,
  * Untangles `moved`, the image of `domain` under the volume map that takes `boundary` to `targets`
  * (shape::ComputeFoldFreeMap). Unstructured grids get the arrays of Write, structured grids only
  * `Inverted`. Returns the numbers of inverted cells before and after. Throws shape::InvalidInput if
- * the domain has no solid cells, several blocks, or pieces on several processes.
+ * the domain has no solid cells, has several blocks, or has pieces on several processes.
  */
 std::pair<int, int> MakeFoldFree(vtkDataObject* domain, vtkDataObject* moved,
   const shape::Mesh& boundary, const Eigen::MatrixXd& targets,
   vtkMultiProcessController* controller, const shape::Progress& progress);
 
-/// Throws shape::InvalidInput if `domain` has no solid cells, several blocks, or pieces on several
-/// processes.
+/// Throws shape::InvalidInput if `domain` has no solid cells, has several blocks, or has pieces on
+/// several processes.
 void RequireOneSolid(vtkDataObject* domain, vtkMultiProcessController* controller);
 
 } // namespace vtkShapeSolid

@@ -13,7 +13,8 @@
  *   used. Polylines are sampled at the mean edge length of SurfaceA. Without this input, the filter
  *   finds landmarks itself (shape::FindLandmarks), which requires surfaces of one component.
  *
- * Outputs: SurfaceA and SurfaceB with the precise map onto the other one, the point arrays
+ * Outputs: SurfaceA and SurfaceB, each with the precise map onto the other surface. The map
+ * consists of the point arrays
  * - `TargetPosition` (double, 3).
  * - `TargetCell` (vtkIdType): the triangle that contains this position. It is a cell index if all
  *   polygons of the other surface are triangles and it has no strips. Otherwise, polygons and
@@ -37,10 +38,11 @@
  * - .CouplingDistortion, .CouplingError: only for GromovWasserstein, otherwise -1. The first
  *   measures how much distances between samples change. The second measures how far the masses of
  *   samples are from their prescribed weights.
- * - .CoarsePoints: number of points of the larger of the two surfaces on which the method was run.
- * - .Iterations: number of iterations of ReversibleHarmonic, otherwise 0. If one surface is a part
- *   of the other, .Iterations is also 0. The result is then the initial functional map, because
- *   iterations would spread the part over the other surface.
+ * - .CoarsePoints: the method was run on two surfaces, coarser ones if the inputs are large. This
+ *   is the number of points of the larger one.
+ * - .Iterations: with ReversibleHarmonic, the number of its iterations; otherwise 0. If one surface
+ *   is a part of the other, .Iterations is also 0. The result is then the initial functional map,
+ *   because iterations would spread the part over the other surface.
  *
  * A sparse factorisation cannot be interrupted, so an abort takes effect at its end.
  *

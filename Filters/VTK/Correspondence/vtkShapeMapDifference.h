@@ -10,14 +10,15 @@
  *   are joined first, and each process gets its own pieces back.
  *
  * Output 0: SurfaceA with the point arrays
- * - `AreaDifference`: the area around the point on SurfaceB, divided by the area on SurfaceA.
+ * - `AreaDifference`: the factor by which the map changes the area around the point (area on
+ *   SurfaceB divided by area on SurfaceA).
  * - `ConformalDifference`: the factor by which the map changes the Dirichlet energy of functions
  *   around the point. It is 1 where the map is conformal. If the map stretches lengths by s and t
  *   in two orthogonal directions, it is (s / t + t / s) / 2. On a protrusion so thin that functions
  *   vary only along it, it is t / s.
- * - `AreaEigenfunctions`, `ConformalEigenfunctions`: eigenfunctions of both operators (10
- *   components, in order of the distance of their eigenvalues from 1). An eigenfunction is large
- *   where the surfaces differ by the factor that its eigenvalue gives.
+ * - `AreaEigenfunctions`, `ConformalEigenfunctions`: eigenfunctions of the operators of area and of
+ *   conformal difference (10 components, in order of the distance of their eigenvalues from 1). An
+ *   eigenfunction is large where the surfaces differ by the factor given by its eigenvalue.
  * The first two arrays are means over the smallest regions that NumberOfEigenpairs functions can
  * resolve.
  *
@@ -25,7 +26,7 @@
  * of functions on SurfaceB that the map covers too little to determine) and .PreciseMap (1 if
  * `TargetCell` was used, otherwise 0).
  *
- * Output 1: a table, on one process, with the operators as matrices in the eigenbasis of the
+ * Output 1: a table, on one process, with both operators as matrices in the eigenbasis of the
  * Laplacian of SurfaceA. It has a row for each eigenfunction and the columns Area0, Area1, ...,
  * Conformal0, ...
  *

@@ -6,9 +6,10 @@
  * - Input: a surface with the map array (double, 3).
  * - Target: the surface onto which the map takes Input. If Target has the map array, too, that
  *   array is the map back to Input.
- * - Truth: any data set with points on Input. Its map array gives their true images on Target. Its
- *   optional array SymmetryArray gives the mirror images of the true images under a symmetry of the
- *   shape. Errors are then measured from both, and the errors with the smaller mean are reported.
+ * - Truth: any data set with points on Input. The map array of Truth gives the true images of these
+ *   points on Target. The optional array SymmetryArray of Truth gives the mirror images of the true
+ *   images under a symmetry of the shape. Errors are then measured from both, and the errors with
+ *   the smaller mean are reported.
  * Blocks and distributed pieces of each input are joined first.
  *
  * Output: a table, on one process
@@ -22,7 +23,7 @@
  * - .Unit: the length by which errors were divided.
  * - .Mirrored: 1 if the reported errors are measured from the mirror images.
  * - .UnreachedPlaces: number of points whose image is on another component than the true image.
- *   They have no row, but are counted in the total to which Share refers.
+ *   These points have no row, but are counted in the total to which Share refers.
  * - .LargestGap: maximum distance of a point of Truth from Input, or of its true image from Target,
  *   in the units of the model.
  * - .Coverage: share of the area of Target that the image of Input covers, within a hundredth of

@@ -22,9 +22,9 @@
  *   output 1 is the unchanged Input without further arrays.
  * In parallel, the first process has both outputs.
  *
- * The feature stores its base (shape::FeatureFootprint), the surface on which it stood, so that
- * vtkShapePasteFeature can paste it back at its original position. The points of its longest filled
- * loop have these arrays, which are 0 elsewhere:
+ * The feature stores its base (shape::FeatureFootprint), which is the surface on which it stood.
+ * With it, vtkShapePasteFeature can paste the feature back at its original position. The points of
+ * its longest filled loop have these arrays, which are 0 elsewhere:
  * - `LoopCoordinates` (double, 3): u, v and 0, the coordinates of the point in the exponential map
  *   of the filled rest around the centre of the fill.
  * - `LoopNormal` (double, 3): the unit normal of the filled rest.

@@ -27,8 +27,8 @@
  * - .Layout: "exponential map"; "conformal" if the exponential map flips triangles at the loop; or
  *   "least distortion" if the conformal map flips triangles, too.
  * - .Base: "where it was cut" or "own fill".
- * - .EulerNumber, .BandTriangles, .WeldedPoints (of both inputs), .NonManifold (edges and points
- *   of the feature).
+ * - .EulerNumber, .BandTriangles, .WeldedPoints (number of welded points of both inputs),
+ *   .NonManifold (number of non-manifold edges and points of the feature).
  * - .FlippedTriangles: number of triangles of the target, below the feature, that are flipped when
  *   the target is flattened.
  *

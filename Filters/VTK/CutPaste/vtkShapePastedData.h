@@ -27,9 +27,10 @@ Part Read(vtkPolyData* data, const std::string& name, const shape::Progress& pro
 /**
  * Writes the pasted surface with the data of target and feature (vtkShapeCarry). If both have a
  * point array of the same name, its values on the feature are changed to agree with the target's
- * values at the loop (shape::BlendAtSeam). blendWidth: the width of the band with changed values,
- * divided by the depth of the feature. The cells of the seam band get the values of the target at
- * the loop. The cell array `Part` is 0 on the target, 1 on the seam band and 2 on the feature.
+ * values at the loop (shape::BlendAtSeam). blendWidth: the width of the band in which values are
+ * changed, divided by the depth of the feature. The cells of the seam band get the values of the
+ * target at the loop. The cell array `Part` is 0 on the target, 1 on the seam band and 2 on the
+ * feature.
  */
 void Write(const shape::PastedFeature& pasted, const shape::FeatureToPaste& feature,
   const Part& target, const Part& featurePart, double blendWidth, vtkPolyData* output);

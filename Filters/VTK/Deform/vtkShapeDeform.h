@@ -20,8 +20,8 @@
  *
  * Output: the deformed Input with the point array `SourcePosition` (double, 3). Normals of points
  * rotate, and normals of cells are dropped. A rigid motion of the handle moves the shape rigidly.
- * If the handle is scaled by the factor Scale, the entire shape undergoes the same similarity. A
- * handle at rest leaves the shape unchanged.
+ * If the handle is scaled by the factor Scale, the entire shape undergoes the same similarity. If
+ * the handle does not move, the shape does not change.
  *
  * Field data, with the prefix Deform
  * - .Islands: number of parts that are not connected to the handle.
@@ -29,7 +29,7 @@
  *   of points whose upwind points all have weight 0.
  * - .WeldedPoints: number of points that coincide with another one. .Segments: number of connected
  *   parts with the same value of SegmentArray.
- * - .BasePoints: number of points of the coarse shape, 0 if none is used.
+ * - .BasePoints: number of points of the coarse shape, or 0 if no coarse shape is used.
  * - .Streamed: 1 if there are too many weights to be stored, otherwise 0. .Prepared: 1 if the
  *   weights were computed in this run, 0 if they were reused because only the new position of the
  *   handle or the frames changed.

@@ -5,12 +5,12 @@
  * Inputs
  * - Input: any data set, which may be composite or distributed.
  * - Surface: a surface, gathered from all blocks and processes. Polygons are triangulated
- *   internally. If Signed is on, it must be closed. It may have several components, of any
- *   orientation, and a component inside another component bounds a void. If Signed is off, it may
- *   be open.
+ *   internally. If Signed is on, Surface must be closed. It may have several components, of any
+ *   orientation, and a component inside another component bounds a void. If Signed is off, Surface
+ *   may be open.
  *
- * Output: Input, of the same type, with the point array `BoundaryDistance` (double, in the units of
- * Surface).
+ * Output: a data set like Input, of the same type, with the additional point array
+ * `BoundaryDistance` (double, in the units of Surface).
  *
  * The mathematics: shape::BoundaryDistance.
  */

@@ -15,24 +15,24 @@
  * - `GeodesicDistance` (double): the distance from the seed. `OriginalPointId`: the index of the
  *   point in the input.
  * It also has the cell arrays
- * - `Flipped`, `Torn` (int, 0 or 1). Torn: the image is more than twice as long as the triangle,
- *   because the front met itself behind a protrusion.
+ * - `Flipped`, `Torn` (int, 0 or 1). A triangle is torn if the longest edge of its image is more
+ *   than twice as long as its own longest edge. There the front met itself behind a protrusion.
  * - `ConformalDistortion`, `SymmetricDirichlet`: as defined in vtkShapeMapQuality.
  *
  * Field data, with the prefix ExponentialMap
- * - .Seed, .SeedNormal, .XAxis (3 numbers each): origin of the patch, its normal, and the
- *   direction of u.
+ * - .Seed, .SeedNormal, .XAxis (3 numbers each): origin of the patch, its normal, and the direction
+ *   of the first texture coordinate.
  * - .SeedDistance: distance of Seed from the surface. .Radius: the radius that was used.
- * - .Flipped, .Torn: numbers of triangles. .FlipRate: the share of flipped triangles. .Mended: the
- *   number of repaired triangles.
+ * - .Flipped, .Torn: numbers of flipped and of torn triangles. .FlipRate: the share of flipped
+ *   triangles. .Mended: the number of repaired triangles.
  * - .ConformalDistortion, .SymmetricDirichlet (2 numbers each): median and 95th percentile,
  *   weighted by area, over the triangles that are neither flipped nor torn. .Coverage: the area of
  *   the images of these triangles divided by the area of the disk.
  * - .Overlaps: 1 if parts of the image overlap. .ReachesRim: 1 if the patch ends at a boundary of
  *   the surface.
  *
- * Results that depend only on the surface, NormalSmoothing and UpwindAverage are reused. The time
- * for a new seed or radius depends only on the size of the patch.
+ * Intermediate results are reused until the surface, NormalSmoothing or UpwindAverage changes. The
+ * time for a new seed or radius depends only on the size of the patch.
  *
  * The mathematics: shape::ExponentialMap, shape::FlattenPatch.
  */

@@ -14,9 +14,9 @@ namespace vtkShapeFillValues
 {
 
 /**
- * Replaces data on fills, which were copied from the nearest point of the loop. Values
- * (vtkShapeCarry::AreValues) continue smoothly from the loop (shape::ExtendValuesOntoFill). Normals
- * of points and cells are computed from the fill. surface: the surface with the fills. The
+ * Replaces the data on fills. Before this call, they are copies from the nearest point of the loop.
+ * Values (vtkShapeCarry::AreValues) continue smoothly from the loop (shape::ExtendValuesOntoFill).
+ * Normals of points and cells are computed from the fill. surface: the surface with the fills. The
  * triangles of the fills are the cells of `output` from `firstCell` on.
  */
 void Continue(const shape::Mesh& surface, const std::vector<shape::FilledHole>& holes,

@@ -10,8 +10,8 @@
  *   to the surface.
  *
  * Output: the same surface with the point array `GeodesicDistance` (double, in the units of the
- * surface). On components without a seed, it is -1. Field data: GeodesicDistance.UnreachedPoints,
- * the number of points on such components.
+ * surface). On components without a seed, the distance is -1. Field data:
+ * GeodesicDistance.UnreachedPoints, the number of points on such components.
  *
  * Method Heat computes two or three factorisations. A factorisation cannot be interrupted, so an
  * abort takes effect at its end.

@@ -10,11 +10,12 @@
  *
  * Inputs
  * - Input: any data set, which may be composite or distributed.
- * - Map: one charge set. Its points have `Charge` (double, 3), and its field data have `Affine` (3
- *   tuples of 4). Its cells are the closed surface that bounds the domain; the points of this
- *   surface have charge 0. If the map has several layers (Exact of vtkShapeHarmonicVolumeMap), the
- *   points also have `RegionId` (int), and `Affine` has one tuple of 12 for each region. A point is
- *   then moved by the charges and the affine part of the region that contains it.
+ * - Map: one charge set. It has the point array `Charge` (double, 3 components) and the field data
+ *   array `Affine` (3 tuples of 4 components). Its cells are the closed surface that bounds the
+ *   domain; the points of this surface have charge 0. If the map has several layers (Exact of
+ *   vtkShapeHarmonicVolumeMap), it also has the point array `RegionId` (int), and `Affine` has one
+ *   tuple of 12 components for each region. A point is then moved by the charges and the affine
+ *   part of the region that contains it.
  *
  * Output: the input moved, without point normals, with the point arrays
  * - `SourcePosition` (double, 3).

@@ -20,8 +20,8 @@ class vtkPolyData;
  *
  * If the map has several layers, there is also `RegionId` (int). At a charge, it is the region to
  * whose map the charge belongs. At the points and cells of a surface, it is the region that the
- * surface encloses (-1: a void). `Affine` then has one tuple of 12 for each region, the rows of its
- * A and b. The field data `Skin` have one number for each region (PiecewiseCharges).
+ * surface encloses (-1: a void). `Affine` then has one tuple of 12 components for each region: the
+ * rows of its A and b. The field data `Skin` have one number for each region (PiecewiseCharges).
  */
 namespace vtkShapeChargeSet
 {

@@ -39,7 +39,8 @@ struct Split
 
 /**
  * Separates the surfaces from the other features. Surfaces are features with polygons. Their images
- * are `mapArray` or the points of their target, in order. The other features must have `Weight`.
+ * are `mapArray` or the points of their target, in order. The other features must have the point
+ * array `Weight`.
  *
  * Throws shape::InvalidInput if points or curves have no `Weight`, because they would then have to
  * be fitted exactly. Throws the exceptions of Read.

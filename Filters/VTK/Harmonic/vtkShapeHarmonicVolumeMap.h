@@ -11,9 +11,9 @@
  * - Boundary: the closed surface that bounds the solid and its voids, with the map array (double,
  *   3) at its points.
  * - Features (optional, repeatable): points, curves or surfaces inside the solid, whose images are
- *   fitted in the least-squares sense. The images are the map array of the Features or the
- *   TargetFeatures. The point array `Weight` (one component) is optional; its default is
- *   FeatureWeight.
+ *   fitted in the least-squares sense. The images are given by the map array of the Features or, if
+ *   there is none, by the TargetFeatures. The point array `Weight` (one component) is optional; its
+ *   default is FeatureWeight.
  * - TargetFeatures (optional, repeatable): the images of the Features that have no map array, in
  *   the same order. Curves are paired by arc length, and points by their order.
  * - Target (optional): the surface to which the boundary goes. It must have the same genus and the
@@ -23,13 +23,13 @@
  * - 0: the moved domain, without point normals, with the point arrays `SourcePosition` (double, 3)
  *   and `OutsideDomain` (int). `OutsideDomain` is 1 at points outside the boundary, which keep
  *   their position.
- * - 1: the charge set, which stores the map (vtkShapeApplyVolumeMap). Its points have `Charge`
- *   (double, 3), and its field data have `Affine` (3 tuples of 4).
+ * - 1: the charge set, which stores the map (vtkShapeApplyVolumeMap). It has the point array
+ *   `Charge` (double, 3 components) and the field data array `Affine` (3 tuples of 4 components).
  * - 2: a table of levels: Level, Sources, Collocations, RMSEVertices, RMSEInside, Maximum, Seconds,
  *   Kept, RegionId. Kept is 0 if the level did not reduce the error and was discarded. The errors
  *   refer to the complete boundary, at its points and inside its triangles. They are divided by the
- *   longest edge of the bounding box of the target. With Exact, they refer to the boundary of the
- *   region.
+ *   longest edge of the bounding box of the target. With Exact, the errors refer to the boundary of
+ *   the region.
  *
  * Field data of outputs 0 and 1, with the prefix HarmonicVolumeMap
  * - .RMSEVertices, .RMSEInside, .Maximum, .RMSEFeatures (0 without features), .FeaturePoints.
@@ -37,15 +37,15 @@
  *   .InsertedSources: numbers of sources that were removed or added.
  * - .OutsidePoints: number of points outside the boundary, over all processes, without ghosts.
  * - .TargetDistance: only with Target, the root mean square distance of the images of the boundary
- *   from Target, divided by the longest edge of its bounding box.
+ *   from Target, divided by the longest edge of the bounding box of Target.
  * - .Iterations, .RefinedPoints (number of points added to the boundary): only for Accelerated,
  *   otherwise 0.
  * - .PointsWithoutCharge: only for Accelerated, otherwise 0. It is the number of boundary points
  *   that have no normal or lie in gaps too narrow for a charge.
  * - .Method (a string): the method that was used.
- * - .Stop (a string): why no further level was fitted. Tolerance: it was reached. Levels: all
- *   levels were fitted. NoImprovement: the last levels gained less than LeastGain. Refinement:
- *   further refinement would exceed MostRefined.
+ * - .Stop (a string): why no further level was fitted. "Tolerance": the error reached this
+ *   parameter. "Levels": all levels were fitted. "NoImprovement": the last levels gained less than
+ *   LeastGain. "Refinement": further refinement would exceed MostRefined.
  * - With Exact, the counts are sums over the maps of all layers.
  *
  * With Exact, the images of closed surfaces among the Features are fitted as exactly as the images
@@ -53,7 +53,7 @@
  * of these surfaces is an interface between two layers. Each layer has its own harmonic map, which
  * Method computes, with charges outside the layer. The map is continuous across interfaces. Points
  * and curves are fitted in the least-squares sense, in the layer that contains them. They must have
- * `Weight`. Without it, they would have to be fitted exactly, which is an error.
+ * the point array `Weight`. Without it, they would have to be fitted exactly, which is an error.
  *
  * With Exact, the charge set also has
  * - `RegionId` (int) at its points: the region to whose map a charge belongs. Regions are numbered
@@ -73,7 +73,7 @@
  *
  * With FreeBoundary, the field data also have .DistortionBefore and .DistortionAfter. They are the
  * mean symmetric Dirichlet energy of the map of the solid, after scaling the image to the same
- * volume. It is 6 for an isometry. To measure it, the solid is filled with tetrahedra.
+ * volume. The energy is 6 for an isometry. To measure it, the solid is filled with tetrahedra.
  * .FreeBoundary (a string) is Slid or, if the energy did not decrease and the images are unchanged,
  * NotLower.
  *
@@ -152,8 +152,8 @@ private:
   vtkShapeHarmonicVolumeMap(const vtkShapeHarmonicVolumeMap&) = delete;
   void operator=(const vtkShapeHarmonicVolumeMap&) = delete;
 
-  /// Computes the map from the gathered inputs, and adds facts about it to the field data of
-  /// `facts`.
+  /// Computes the map from the gathered inputs, and adds its errors and choices to the field data
+  /// of `facts`.
   shape::VolumeMapResult Solve(vtkPolyData* facts, const shape::Progress& progress);
 
   std::string MapArray = "TargetPosition";

@@ -7,11 +7,11 @@
 class vtkDataObject;
 class vtkTable;
 
-/// Facts about a harmonic volume map.
+/// Writes the errors of a harmonic volume map, and the choices of its method, to VTK data.
 namespace vtkShapeVolumeMapFacts
 {
 
-/// Prefix of the names of these facts.
+/// Prefix of the names of the field data.
 inline constexpr const char* Prefix = "HarmonicVolumeMap.";
 
 /// Writes a row for each level of each region's map, with the columns that

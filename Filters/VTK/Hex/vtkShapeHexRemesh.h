@@ -40,11 +40,12 @@
  * - .MinimumScaledJacobian, .MeanScaledJacobian, .ScaledJacobianHistogram (20 counts of hexahedra,
  *   for [0, 0.05), ..., [0.95, 1]).
  * - .Distance: the larger one-sided Hausdorff distance between the boundary and the surface.
- *   .InnerDistance: the same distance between the quads between regions and the inner surfaces.
+ *   .InnerDistance: the same distance between the inner surfaces and the quads between regions.
  * - .Patches: number of patches of the boundary. .Corners: number of corners of the surface.
  *   .CornersKept: number of these corners that are points of the boundary.
- * - .CreasesKept: 1 if the boundary has all creases. If the cells are too large for one of them, no
- *   crease is kept, and it is 0. .InnerCreasesKept: 0 if an inner surface has creases, otherwise 1.
+ * - .CreasesKept: 1 if the boundary has all creases, otherwise 0. If the cells are too large for
+ *   one crease, no crease is kept. .InnerCreasesKept: 0 if an inner surface has creases, otherwise
+ *   1.
  * - .CreaseDistance: the larger one-sided Hausdorff distance between the creases of the surface and
  *   the creases of the boundary. If no crease is kept, it is the distance of the creases of the
  *   surface from the boundary.
@@ -52,7 +53,7 @@
  *   edges that are as sharp as a crease. The share is less than 1 if some of these edges end inside
  *   a patch or bound patches smaller than 4 cells. The share is 0 if less than two thirds of the
  *   length of these edges bounds patches larger than a thousandth of the area. The sharp edges are
- *   then noise. With a larger FeatureAngle, real creases of a noisy scan may be found.
+ *   then treated as noise. With a larger FeatureAngle, real creases of a noisy scan may be found.
  * - .ReleasedPoints: number of boundary points that left the surface because hexahedra would
  *   otherwise be inverted or have low quality.
  * - .Crossings: number of pairs of triangles of the surface that intersect.

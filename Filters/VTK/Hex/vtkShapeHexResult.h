@@ -8,7 +8,7 @@ class vtkDataObject;
 class vtkPolyData;
 class vtkUnstructuredGrid;
 
-/// Conversion of the result of Shape Hex Remesh to VTK data, with the arrays and facts that
+/// Conversion of the result of Shape Hex Remesh to VTK data, with the arrays and field data that
 /// vtkShapeHexRemesh documents.
 namespace vtkShapeHexResult
 {

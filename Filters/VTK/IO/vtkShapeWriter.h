@@ -9,7 +9,7 @@
  * The writer writes only the data of this process. In ParaView, the pieces of all processes are
  * first gathered on one process, and coincident points of different pieces are merged.
  *
- * An incomplete file, after an error or an abort, is removed.
+ * After an error or an abort, the incomplete file is removed.
  *
  * The sets in the files: shape::FindMeshSets.
  */

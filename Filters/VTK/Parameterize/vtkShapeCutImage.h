@@ -20,14 +20,14 @@ public:
 
   /// Writes the image of the block `from` to `to`, as triangles. The image has the arrays of the
   /// block, `SourcePosition`, and `OriginalPointId`, which is the index in the block of the point
-  /// that was copied. First come the points that have the same index in the cut surface as before,
-  /// in order. whole: for each point of the block, its index in the complete surface.
+  /// that was copied. The points that kept their index when the surface was cut come first, in
+  /// order. whole: for each point of the block, its index in the complete surface.
   void Fill(vtkDataSet* from, const std::vector<int>& whole, vtkDataSet* to) const;
 
 private:
   const shape::Mesh& Surface;
   const shape::CutSurface& Cut;
   const Eigen::MatrixXd& Positions;
-  /// Index of each triangle, by its points, of which the lowest comes first.
+  /// The index of each triangle. The key is its points, rotated so that the lowest comes first.
   std::map<std::array<int, 3>, int> Triangles;
 };

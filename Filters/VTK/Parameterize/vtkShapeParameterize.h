@@ -20,12 +20,13 @@
  * Field data of both, with the prefix Parameterize
  * - .Method: for Sphere, ConformalFlow or, if that would flip triangles, PositiveFlow or
  *   GlobalReinsertion. With AreaWeight > 0, it is GlobalReinsertion. For Disk, it is the name of
- *   the weights, and for FreeBoundary, it is BoundaryFirst. For both, it is SymmetricDirichlet if
- *   the map is refined. For Orbifold, it is the name of the tile.
+ *   the weights, and for FreeBoundary, it is BoundaryFirst. For Disk and FreeBoundary, it is
+ *   SymmetricDirichlet if the map is refined. For Orbifold, it is the name of the tile.
  * - .Iterations: number of iterations of the method. .ReinsertedPoints: number of points that got a
  *   new position because the method had flipped triangles around them.
  * - .FlippedTriangles: 0, because a map that flips a triangle is an error.
- * - .ConformalDistortion: mean over the area of the surface. It is 1 if all angles are preserved.
+ * - .ConformalDistortion: its mean over the area of the surface. It is 1 if all angles are
+ *   preserved.
  * - .Energy: mean symmetric Dirichlet energy over the area of the surface. It is 4 if lengths are
  *   preserved. For Disk and Orbifold, the surface is first scaled to the area of the image. For
  *   Sphere, the energy is not computed and is 0.

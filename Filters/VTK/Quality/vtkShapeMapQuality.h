@@ -8,13 +8,13 @@
  *
  * Input: any data set with the map array (double, 3) at its points, including image data. It may be
  * composite or distributed. Solid cells (tetrahedra, pyramids, wedges, hexahedra, voxels) are
- * measured at their corners, and pyramids at the four corners of the base. Other cells, such as
- * polygons, are divided into simplices. Points and lines are not measured. If there are solid
- * cells, surface cells are not measured, either.
+ * measured at their corners; for pyramids, these are the four corners of the base. Other cells,
+ * such as polygons, are divided into simplices. Points and lines are not measured. If there are
+ * solid cells, surface cells are not measured, either.
  *
  * Output 0: the input with the cell arrays
- * - `JacobianDeterminant`: the factor by which the map changes area or volume, at its minimum in
- *   the cell. It is negative if the cell is flipped. A triangle is flipped if its image faces
+ * - `JacobianDeterminant`: the minimum, over the cell, of the factor by which the map changes area
+ *   or volume. It is negative if the cell is flipped. A triangle is flipped if its image faces
  *   opposite to +z (images in the plane z = 0), or inwards (images on the unit sphere). Otherwise,
  *   its image is compared with the images of the surrounding triangles of the same block and
  *   process. See shape::EvaluateMapQuality.
@@ -32,8 +32,8 @@
  * Output 1: a table of the measures over all blocks and processes, without ghost cells. The columns
  * are Measure, Minimum, Mean, Maximum and Share. The mean is weighted by area or volume, over the
  * cells with a defined measure. In the row JacobianDeterminant, Share is the share of flipped
- * cells. In the other rows, it is the share of cells whose measure is undefined, because the cell
- * has no area or volume or the value is 1e30.
+ * cells. In the other rows, it is the share of cells whose measure is undefined, either because the
+ * cell has no area or volume, or because the value is 1e30.
  *
  * Field data of output 0: MapQuality.Cells, .FlippedCells, .DegenerateCells, and the numbers of the
  * table. Their names consist of the column and the row, such as MapQuality.MeanSymmetricDirichlet

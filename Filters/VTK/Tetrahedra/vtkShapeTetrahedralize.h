@@ -18,8 +18,8 @@
  *   around the cell; 0 outside all inner surfaces.
  * - Point array `OriginalPointId` (vtkIdType): the index of the point in Input, or -1 for other
  *   points.
- * - Point data of Input. Other points get the data at the closest position on the triangles of
- *   Input (vtkShapeCarry).
+ * - Point data of Input. Points that are not from Input get the data at the closest position on the
+ *   triangles of Input (vtkShapeCarry).
  *
  * Field data: Tetrahedralize.Points, .Tetrahedra, .SteinerPoints (number of points that belong to
  * no surface), .Regions, .MinimumScaledJacobian (1 for the regular tetrahedron), .Volume.

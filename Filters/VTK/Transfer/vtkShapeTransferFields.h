@@ -6,9 +6,9 @@
  * - Pull: Input, the receiver, has a map f into Source, the giver. A point x of the receiver gets
  *   the value of the giver at f(x). Maps are composed: if the giver has a map array t with the same
  *   name, the map array of the output is t(f(x)). If MapArray is TargetPosition and `TargetCell`
- *   and `TargetBarycentric` are present, the values are taken at the surface points that they give.
- *   The closest position could be on the other side of a thin part. If these arrays belong to
- *   another surface than Source, closest positions are used, and PrecisePoints is 0.
+ *   and `TargetBarycentric` are present, the values are taken at the surface points that these
+ *   arrays give. Closest positions could be on the other side of a thin part. If these arrays
+ *   belong to another surface than Source, closest positions are used, and PrecisePoints is 0.
  * - Push: Source, the giver, has a map h into Input, the receiver. A point x of the receiver gets
  *   the value of the giver at the position z with h(z) = x. The map array of the output is the
  *   inverse map, which takes x to z. Where h folds the giver, several z are possible, and one of
@@ -24,15 +24,15 @@
  *   that contains the position. On a surface, this is the cell with the closest position, or
  *   `TargetCell`. Other values are copied from one point of this cell, the one with the largest
  *   interpolation weight, so that labels stay labels. Vectors keep their components. Normals and
- * global ids of the giver are not transferred.
+ *   global ids of the giver are not transferred.
  * - the cell arrays of the giver, with the value of the same cell.
  * - `OutsideDomain` (int): 1 if the position is farther than Tolerance from all cells of the giver,
  *   otherwise 0. The values are then taken at the closest position.
  *
- * Arrays of the receiver keep their names. If the receiver has an array with the same name as an
- * array of the giver, the latter gets the prefix `Giver`. Only the new map array and
- * `OutsideDomain` keep their names. Arrays of the receiver that they replace are kept with the
- * prefix `Receiver`, and so are the `TargetCell` and `TargetBarycentric` of a replaced map.
+ * Arrays of the receiver keep their names. Only the arrays that the new map array and
+ * `OutsideDomain` replace get the prefix `Receiver`, and so do the `TargetCell` and
+ * `TargetBarycentric` of a replaced map. An array of the giver with the same name as an array of
+ * the receiver gets the prefix `Giver`.
  *
  * Field data, over all processes, without ghosts: TransferFields.OutsidePoints, the number of
  * points with OutsideDomain = 1, and .PrecisePoints, the number of points whose values were taken

@@ -14,13 +14,13 @@
  *
  * Output (vtkUnstructuredGrid): the cells, after untangling. The edges at a corner of a cell span a
  * tetrahedron. A cell is inverted if one of these tetrahedra does not have positive volume, which
- * an exact predicate decides. All corners of hexahedra and wedges are checked, and the four corners
- * of the base of pyramids. Some tetrahedra cannot have positive volume while the boundary is fixed.
- * They are split, together with their neighbours. New points come last and get the mean of the
- * values at the points around them. No new point lies on the boundary.
+ * an exact predicate decides. Hexahedra and wedges are checked at all corners, and pyramids at the
+ * four corners of the base. Some tetrahedra cannot have positive volume while the boundary is
+ * fixed. They are split, together with their neighbours. New points come last and get the mean of
+ * the values at the points around them. No new point lies on the boundary.
  * - Point arrays `OriginalPointId` (vtkIdType; -1 at new points) and `SourcePosition` (double, 3):
- *   the position in RestShape. If RestShape is not connected, it is the array SourcePosition of
- *   Input or, if there is none, the position in Input.
+ *   the position in RestShape. If RestShape is not connected, SourcePosition is copied from Input
+ *   or, if Input has none, contains the positions in Input.
  * - Cell array `OriginalCellId` (vtkIdType): the index of the cell of Input to which the cell
  *   belongs.
  * - Cell array `Inverted` (int): 1 if the cell is still inverted, for example because the boundary
@@ -30,7 +30,8 @@
  *
  * Field data, with the prefix Untangle
  * - .InvertedBefore, .InvertedAfter: numbers of inverted cells.
- * - .SplitCells, .MovedPoints: numbers of cells and points of Input that were split or moved.
+ * - .SplitCells: number of cells of Input that were split. .MovedPoints: number of points of Input
+ *   that were moved.
  * - .Iterations: number of Newton steps in all patches.
  *
  * A Newton step cannot be interrupted, so an abort takes effect at its end.

@@ -26,9 +26,9 @@ public:
   ExponentialFront(const PointGraph& graph, const Eigen::MatrixXi& triangles,
     const Eigen::MatrixXd& normals, bool upwindAverage);
 
-  /// Runs from a seed until the next node is beyond the radius. seed: the tangent frame there.
-  /// corners, barycentric: the nodes of the seed's triangle, and the coordinates of the seed in it.
-  /// Throws Aborted.
+  /// Runs from a seed until the next node is beyond the radius. seed: the tangent frame at the
+  /// seed. corners, barycentric: the nodes of the seed's triangle, and the coordinates of the seed
+  /// in it. Throws Aborted.
   void Run(const TangentFrame& seed, const Eigen::RowVector3i& corners,
     const Eigen::RowVector3d& barycentric, double radius, const Progress& progress = {});
 
@@ -41,7 +41,8 @@ public:
 
   ///@{
   /// Results of the last run. Nodes are in the order in which they were reached, and triangles in
-  /// the order in which their last corners were reached. The other functions are for reached nodes.
+  /// the order in which their last corners were reached. Image, Position and Distance are defined
+  /// for reached nodes only.
   const std::vector<int>& Nodes() const { return this->Met; }
   const std::vector<Triangle>& Triangles() const { return this->Covered; }
   const Eigen::Vector2d& Image(int node) const { return this->Samples[node].Image; }
@@ -78,8 +79,8 @@ private:
     double Length2;       ///< squared length of the edge from the neighbour to the node
   };
 
-  /// The weighted sum of several predictions. Image is their mean times Factor; XAxis has any
-  /// length.
+  /// The weighted sum of several predictions. Image is their mean times Factor; XAxis is not
+  /// normalised.
   struct Mean
   {
     Eigen::Vector2d Image;

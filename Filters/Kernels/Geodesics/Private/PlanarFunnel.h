@@ -39,7 +39,7 @@ private:
   const Eigen::RowVector2d& At(int i) const { return this->Points[this->Chains[i]].Position; }
 
   std::vector<FunnelPoint> Points; ///< the start is the first
-  /// indices of Points, from the left end of the last portal over the apex to its right end
+  /// indices of Points, from the left end of the last portal, through the apex, to its right end
   std::deque<int> Chains;
   int Lefts = 0; ///< number of entries of Chains before the apex
 };

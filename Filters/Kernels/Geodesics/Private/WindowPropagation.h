@@ -44,8 +44,8 @@ private:
 };
 
 /**
- * Propagates windows across a surface (ExactGeodesics.h). They are ordered by the minimum length of
- * a path through them. An object serves many computations; call Clear between them.
+ * Propagates windows across a surface (ExactGeodesics.h). Windows are ordered by the minimum length
+ * of a path through them. An object serves many computations; call Clear between them.
  */
 class WindowPropagation
 {
@@ -125,8 +125,8 @@ private:
   const Mesh& Triangulation;
   const HalfEdgeFrames& Frames;
   Eigen::VectorXd Lengths;
-  /// for each corner, the distance through the nearest window from which it is visible, and where
-  /// the straight line enters the triangle
+  /// for each corner: its distance through the nearest window from which it is visible, and the
+  /// position where the straight line to it enters the triangle
   std::vector<double> CornerDistances, CornerEntries;
   std::vector<int> ReachedPoints, ReachedCorners; ///< points and corners that have a distance
   std::priority_queue<Event> Queue;

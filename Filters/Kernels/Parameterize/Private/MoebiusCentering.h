@@ -22,10 +22,10 @@ struct MoebiusCenteringResult
 
 /**
  * Applies the Moebius transform of the unit sphere that moves the weighted mean of the points to
- * the origin; it is unique up to rotation (Baden, Crane & Kazhdan 2018, "Moebius Registration",
- * algorithm 1). A Newton step that does not bring the mean closer to the origin is shortened. Each
- * step is an inversion p -> (1 - |c|^2) (p + c) / |p + c|^2 + c, which preserves orientation and
- * does not rotate around the centre.
+ * the origin. This transform is unique up to rotation (Baden, Crane & Kazhdan 2018, "Moebius
+ * Registration", algorithm 1). A Newton step that does not bring the mean closer to the origin is
+ * shortened. Each step is an inversion p -> (1 - |c|^2) (p + c) / |p + c|^2 + c, which preserves
+ * orientation and does not rotate around the centre.
  *
  * points: n x 3, none at the origin; they are normalised first. weights: n values >= 0. Throws
  * InvalidInput if the sizes differ, a value is not finite, a weight is negative, a point is at the

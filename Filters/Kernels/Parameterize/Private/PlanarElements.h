@@ -24,7 +24,7 @@ PlanarDecomposition DecomposePlanar(const Eigen::Matrix2d& matrix);
 /**
  * The triangles of a surface, each laid out in a plane of its own, with the data needed to measure
  * maps from them to the plane. A degenerate triangle gets the angles that ComputeTriangleAngles
- * assigns to it, and at least 1e-12 of the mean area.
+ * assigns to it, and an area of at least 1e-12 of the mean area.
  */
 class PlanarElements
 {
@@ -42,14 +42,14 @@ public:
   /// Returns the Jacobian of the map from a triangle to its image; points: n x 2.
   Eigen::Matrix2d Jacobian(Eigen::Index triangle, const Eigen::MatrixXd& points) const;
 
-  /// Returns the area-weighted mean of a distortion. It is infinite if the image of a triangle is
-  /// clockwise or has no area. Throws Aborted.
+  /// Returns the area-weighted mean of a distortion. The mean is infinite if the image of a
+  /// triangle is clockwise or has no area. Throws Aborted.
   double Energy(const Eigen::MatrixXd& points, Distortion distortion, double exponent,
     const Progress& progress = {}) const;
 
-  /// Returns the largest t such that points + s steps has no flipped triangle for 0 <= s < t, or
-  /// infinity if there is no limit (Smith and Schaefer, "Bijective parameterization with free
-  /// boundaries", 2015, section 3.2).
+  /// Returns the largest t such that the positions points + s * steps have no flipped triangle for
+  /// 0 <= s < t, or infinity if there is no limit (Smith and Schaefer, "Bijective parameterization
+  /// with free boundaries", 2015, section 3.2).
   double LargestStep(const Eigen::MatrixXd& points, const Eigen::MatrixXd& steps) const;
 
 private:

@@ -43,8 +43,8 @@ SphericalReinsertionResult ReinsertFlipped(const Eigen::MatrixXi& triangles,
  *
  * areaWeight (>= 0) is the weight of equal areas relative to equal angles. At each level,
  * neighbouring triangles get areas in proportion to the number of points that are still to be
- * inserted there. With 0, long extremities shrink exponentially. With 3, the smallest triangle of a
- * figure with arms and legs has about 1e-4 of the mean area.
+ * inserted there. With areaWeight 0, long extremities shrink exponentially. With areaWeight 3, the
+ * smallest triangle of a figure with arms and legs has about 1e-4 of the mean area.
  */
 SphericalReinsertionResult ReinsertAll(
   const Eigen::MatrixXi& triangles, int n, double areaWeight, const Progress& progress = {});

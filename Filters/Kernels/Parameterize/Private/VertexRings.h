@@ -14,7 +14,8 @@ namespace shape
 class VertexRings
 {
 public:
-  /// triangles: m x 3, a closed oriented 2-manifold that uses all of `points` points.
+  /// triangles: m x 3, a closed oriented 2-manifold. Its points are 0 to `points` - 1, and a
+  /// triangle uses each of them.
   VertexRings(const Eigen::MatrixXi& triangles, int points);
 
   /// number of points, including removed ones
@@ -50,9 +51,9 @@ bool IsInStarKernel(
 /**
  * Moves points.row(point) to a position on the unit sphere from which the whole ring is visible.
  * This is the centre of the ring's kernel, found by clipping the lune at ring[0] with the planes of
- * the other edges. From ring[0], all edges except its own two must be visible, as they are after a
- * half-edge collapse; then the kernel is not empty. If rounding leaves no such position, nothing
- * moves and the function returns false.
+ * the other edges. From ring[0], all edges of the ring except the two at ring[0] must be visible,
+ * as they are after a half-edge collapse. Then the kernel is not empty. If rounding leaves no such
+ * position, nothing moves and the function returns false.
  */
 bool MovePointIntoKernel(Eigen::MatrixXd& points, int point, const std::vector<int>& ring);
 
