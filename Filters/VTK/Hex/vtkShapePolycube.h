@@ -16,9 +16,9 @@
  *   No triangle is flipped, and each triangle lies in a plane orthogonal to the direction of its
  *   label. The polycube may overlap itself.
  *
- * Field data of both: Polycube.Charts and .Corners (numbers of charts and corners), .EdgeLength
- * (the unit of length that was used), and .Distortion (mean elliptic energy of the map inside the
- * solid, 1 without distortion).
+ * Field data of both: Polycube.Charts and .Corners (numbers of charts and corners), and .EdgeLength
+ * (the unit of length that was used). Polycube.Distortion is the mean elliptic energy of the map
+ * inside the solid, 1 without distortion.
  *
  * If no polycube is found, the error names the charts that prevent it. TetGen is required, and
  * runs in its own process. A single library call takes up to a second, and an abort takes effect
