@@ -48,8 +48,8 @@ void BiasFrames(const BoundaryHandle& handle, const Eigen::MatrixXd& normals,
 
 /// Returns the normals of the shape at a handle (s x 3). If the handle has normals, these are
 /// returned. Otherwise, each sample's normal is that of the shape's triangles around the node
-/// nearest to the sample. If that node is far away or has no triangle, it is the normal of the
-/// plane that fits the handle best, or 0 if there is no such plane.
+/// nearest to the sample. If that node is far away or has no triangle, the sample's normal is that
+/// of the plane that fits the handle best, or 0 if there is no such plane.
 Eigen::MatrixXd ComputeHandleNormals(const BoundaryHandle& handle, const PointGraph& shape);
 
 } // namespace shape

@@ -78,7 +78,7 @@ MatchedCurves MatchCurves(const std::vector<Curve>& sources, const std::vector<C
       {
         throw InvalidInput(which + name +
           " is far longer than the shape it belongs to (at its point " + std::to_string(i) +
-          "); check its units");
+          "); check the units of the curve");
       }
       // Further points keep steps below the longest; the curve's own points are kept.
       const int steps = std::max(1, static_cast<int>(std::ceil(length / longestStep)));

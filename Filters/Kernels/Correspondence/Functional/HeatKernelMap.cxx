@@ -53,8 +53,10 @@ std::array<double, 2> Range(const LaplaceEigenpairs& spectrum, const std::string
   const auto zeros = (spectrum.Eigenvalues.array() <= 0.0).count();
   if (zeros > last)
   {
-    throw InvalidInput("Eigenpairs is " + std::to_string(last + 1) +
-      ", but all of these eigenfunctions of " + name + " are constant on its components; raise it");
+    const std::string count = std::to_string(last + 1);
+    throw InvalidInput("Eigenpairs is " + count + ", but the first " + count +
+      " eigenfunctions of " + name +
+      " are all constant on each of its components; increase Eigenpairs");
   }
   return { spectrum.Eigenvalues(last), spectrum.Eigenvalues(zeros) };
 }

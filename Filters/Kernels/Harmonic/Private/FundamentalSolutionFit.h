@@ -78,12 +78,13 @@ private:
   SignedDistance Field;                   ///< signed distance of the scaled boundary
   std::vector<int> CollocationComponents; ///< component of each collocation point
   Eigen::VectorXd RootWeights;            ///< square roots of the feature weights
-  Eigen::MatrixXd Probes;                 ///< boundary points, positions in triangles, features
-  Eigen::MatrixXd Residual;               ///< residual at the probes
-  Eigen::MatrixXd Positions;              ///< collocation points
-  Eigen::MatrixXd CollocationResidual;    ///< residual at the collocation points
-  ChargeSet Sum;                          ///< the sum so far, in scaled coordinates
-  double SumError = 0.0;                  ///< error of evaluations, far below the tolerance
+  /// Points of the boundary, then one point in each triangle, then feature points.
+  Eigen::MatrixXd Probes;
+  Eigen::MatrixXd Residual;            ///< residual at the probes
+  Eigen::MatrixXd Positions;           ///< collocation points
+  Eigen::MatrixXd CollocationResidual; ///< residual at the collocation points
+  ChargeSet Sum;                       ///< the sum so far, in scaled coordinates
+  double SumError = 0.0;               ///< error of evaluations, far below the tolerance
   double Threshold = 0.0, MaximumMemory = 0.0;
 };
 

@@ -38,9 +38,9 @@ SampledGrid EmptyGrid(
     }
     if (grid.Spacing > distance)
     {
-      throw InvalidInput("the offset distance is " +
+      throw InvalidInput("the offset distance is too small to sample: " +
         std::to_string(distance / ComputeLongestBoxEdge(points)) +
-        " times the surface's longest side, too small to sample; increase it");
+        " times the longest edge of the surface's bounding box; increase it");
     }
   }
 }
