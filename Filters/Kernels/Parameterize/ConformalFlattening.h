@@ -10,9 +10,9 @@ namespace shape
 
 /**
  * Computes the conformal map of a surface to the plane with minimum area distortion: lengths along
- * the longest boundary loop are preserved as far as a closed curve allows (Springborn, Schroeder
- * and Pinkall 2008, appendix E). Returns n x 2, with the orientation of the surface. The loop's
- * first point is at the origin and its first edge lies along x.
+ * the longest boundary loop are preserved, except for the correction that closes its image
+ * (Springborn, Schroeder and Pinkall 2008, appendix E). Returns n x 2, with the orientation of the
+ * surface. The loop's first point is at the origin and its first edge lies along x.
  *
  * The method is boundary first flattening (Sawhney and Crane 2017). The logarithm u of the scale is
  * 0 on the loop and solves the Yamabe equation L u = -K inside. The flux of u gives the curvatures

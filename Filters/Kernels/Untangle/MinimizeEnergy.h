@@ -99,7 +99,7 @@ public:
 
   virtual Descent NewtonDirection(const Eigen::Matrix3Xd& x, double epsilon) = 0;
 
-  /// Moves x by `step` times `direction`, as far as the energy's constraints allow.
+  /// Moves x by `step` times `direction`, within the constraints of the energy.
   virtual void Move(Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& direction, double step) const = 0;
 };
 

@@ -360,7 +360,7 @@ UntangleResult ComputeFoldFreeMap(const Cells& domain, const Eigen::MatrixXd& mo
   const Mesh& boundary, const Eigen::MatrixXd& targets, const Progress& progress)
 {
   RequireFinite(domain.Points, "the Domain");
-  const SolidCells solid(domain, {}, "the Domain");
+  SolidCells solid(domain, {}, "the Domain");
   std::vector<int> outer;
   for (int point = 0; point < solid.PointCount(); ++point)
   {
@@ -375,8 +375,8 @@ UntangleResult ComputeFoldFreeMap(const Cells& domain, const Eigen::MatrixXd& mo
   Cells carried = domain;
   carried.Points = moved;
   // The user asks for the cells that the map inverts, not for those left by the exact boundary.
-  SolidCells mapped(carried, {}, "the Domain");
-  const auto invertedBefore = static_cast<int>(FindInvertedCells(mapped).size());
+  solid.Points = moved;
+  const auto invertedBefore = static_cast<int>(FindInvertedCells(solid).size());
   const double farthest = OnSurface * ComputeLongestBoxEdge(boundary.Points);
   for (std::size_t i = 0; i < outer.size(); ++i)
   {

@@ -50,7 +50,7 @@ SampledGrid BuildGridAround(const Eigen::MatrixXd& points, double size)
   const Eigen::RowVector3d low = points.colwise().minCoeff();
   const Eigen::RowVector3d high = points.colwise().maxCoeff();
   const Eigen::RowVector3d counts = ((high - low) / size).array().ceil() + 3.0;
-  // The samples of so many cells take 1.6 GB.
+  // The samples of this number of cells take 1.6 GB.
   constexpr double maximum = 2e8;
   if (!(counts.prod() <= maximum))
   {
