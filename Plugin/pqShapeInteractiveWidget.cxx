@@ -71,6 +71,8 @@ pqShapeInteractiveWidget::pqShapeInteractiveWidget(vtkSMProxy* filter, vtkSMProp
     }
   }
   pqCoreUtilities::connect(filter, vtkCommand::UpdateDataEvent, this, SLOT(OnUpdated()));
+  pqCoreUtilities::connect(group->GetProperty("Surface"),
+    vtkCommand::UncheckedPropertyModifiedEvent, this, SLOT(OnUpdated()));
   for (QTimer* timer : { &this->VisibilityTimer, &this->StepTimer, &this->BurstTimer })
   {
     timer->setSingleShot(true);

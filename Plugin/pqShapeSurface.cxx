@@ -113,7 +113,9 @@ bool pqShapeSurface::Update(double time)
   {
     return false;
   }
-  const vtkSMPropertyHelper helper(this->Input);
+  // Before the first Apply, the input may only be chosen in the panel.
+  vtkSMPropertyHelper helper(this->Input);
+  helper.SetUseUnchecked(!helper.GetAsProxy());
   auto* source = vtkSMSourceProxy::SafeDownCast(helper.GetAsProxy());
   const int port = static_cast<int>(helper.GetOutputPort());
   if (source != this->Source || port != this->Port)

@@ -47,7 +47,7 @@ def play(size, port, result):
         Render()''' % (surface, size))
     w.wait(1000)
     w.filter('Shape Paste Feature')
-    w.choose_inputs(Feature='/0/1/0/0/0|0', Target='/0/0|0')
+    w.choose_inputs(Feature='Cut: Feature', Target='Bunny')
     w.wait(100)
     w.apply()
     w.wait(1000)

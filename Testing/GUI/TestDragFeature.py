@@ -20,7 +20,7 @@ def play(port):
         ShapeCutFeature(registrationName='Cut', Input=horn, LoopPoints=numpy.ravel(loop).tolist())''')
     w.open('DentedSphere600.vtp')
     w.filter('Shape Paste Feature')
-    w.choose_inputs(Feature='/0/0/0/0/0|0', Target='/0/1|0')
+    w.choose_inputs(Feature='Cut: Feature', Target='DentedSphere600.vtp')
     w.wait(100)
     w.apply()
     w.wait(100)

@@ -12,34 +12,23 @@ filters = [proxy for proxy in proxies.values() if proxy.find('Hints/ShowInMenu')
 assert len(filters) >= 2
 
 
-def inputs(proxy):
-    """What goes into a filter, its own and what it inherits."""
-    base = proxies.get(proxy.get('base_proxyname'))
-    return ([] if base is None else inputs(base)) + proxy.findall('InputProperty')
-
-
 w = window.Window()
 
 # With a solid selected, which is what users have, the volume map is offered.
 w.open('BallSmall.vtu')
 w.filter('Shape Harmonic Volume Map')
-w.check(window.DIALOG + 'buttonFrame/Domain', 'text', 'Domain')
-w.click(window.DIALOG + 'buttonBox/1QPushButton1')
+w.check(window.INPUTS + 'Domain/List0', 'currentText', 'BallSmall.vtu')
 w.click(window.PANEL + 'Delete')
 
 w.open('DentedSphere600.vtp')
 for proxy in filters:
     w.filter(proxy.get('label'))
-    if sum(port.find('Hints/Optional') is None for port in inputs(proxy)) > 1:
-        # Where it needs several, the window asks what goes into which port: OK is the first button, Cancel the second.
-        for port in inputs(proxy):
-            w.check(window.DIALOG + 'buttonFrame/' + port.get('name'), 'text', port.get('label'))
-        w.click(window.DIALOG + 'buttonBox/1QPushButton1')
-    else:
-        w.python('''
-            made = GetActiveSource()
-            assert made.GetXMLName() == %r, made.GetXMLName()''' % proxy.get('name'))
-        w.click(window.PANEL + 'Delete')
+    for port in proxy.findall('PropertyGroup[@panel_widget="ShapeInputs"]/Property'):
+        w.check(window.INPUTS + port.get('name'), 'visible', 'true')
+    w.python('''
+        made = GetActiveSource()
+        assert made.GetXMLName() == %r, made.GetXMLName()''' % proxy.get('name'))
+    w.click(window.PANEL + 'Delete')
 w.python('assert len(GetSources()) == 1, GetSources()')
 
 w.filter('Shape Parameterize')

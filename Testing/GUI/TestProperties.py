@@ -1,4 +1,4 @@
-"""Shape Harmonic Volume Map in the window: both inputs from the dialog, every property under its
+"""Shape Harmonic Volume Map in the window: inputs from the panel, every property under its
 label, the words of the enumerations, Apply, undo and redo."""
 import os
 from xml.etree import ElementTree
@@ -29,14 +29,9 @@ w.filter('Shape Parameterize')
 w.apply()
 w.open('BallSmall.vtu')
 
-# ParaView offers a filter where the active data suit its first input by name: here, Boundary.
-w.select('/0/0/0/1|0')
 w.filter('Shape Harmonic Volume Map')
-w.click(window.DIALOG + 'buttonFrame/Domain')
-w.event(window.DIALOG + 'pipelineView', 'currentChanged', '/0/1|0')
-w.click(window.DIALOG + 'buttonFrame/Boundary')
-w.event(window.DIALOG + 'pipelineView', 'currentChanged', '/0/0/0/1|0')
-w.click(window.DIALOG + 'buttonBox/1QPushButton0')
+w.check(window.INPUTS + 'Domain/List0', 'currentText', 'BallSmall.vtu')
+w.choose_inputs(Boundary='ShapeParameterize1: Image')
 
 check_labels(w, [item for item in properties if item.get('panel_visibility') != 'advanced'])
 w.event(window.PANEL + 'SearchBox/AdvancedButton', 'set_boolean', 'true')

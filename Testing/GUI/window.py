@@ -19,7 +19,7 @@ MAIN = 'pqClientMainWindow/'
 PANEL = 'propertiesDock/propertiesPanel/'
 PROPERTIES = PANEL + ('scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/'
                       'PropertiesFrame/ProxyPanel/')
-DIALOG = 'SelectInputDialog/'
+INPUTS = PROPERTIES + 'ShapeInputs/'
 MESSAGES = 'outputWidgetDock/outputWidget/'
 BROWSER = 'pipelineBrowserDock/pipelineBrowser'
 VIEW = ('centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/MultiViewWidget1/Container/Frame.0/'
@@ -101,12 +101,10 @@ class Window:
         child of the first row, in column 0."""
         self.event(BROWSER, 'currentChanged', item)
 
-    def choose_inputs(self, **rows):
-        """Answers the dialog of a filter with several inputs: for each, a row of its pipeline."""
-        for name, row in rows.items():
-            self.click(DIALOG + 'buttonFrame/' + name)
-            self.event(DIALOG + 'pipelineView', 'currentChanged', row)
-        self.click(DIALOG + 'buttonBox/1QPushButton0')
+    def choose_inputs(self, **names):
+        """Chooses inputs of the filter in its panel, by the names of their outputs in the pipeline."""
+        for property, name in names.items():
+            self.choose(INPUTS + property + '/List0', name)
 
     def wait(self, milliseconds):
         """The window goes on with what it has begun."""
