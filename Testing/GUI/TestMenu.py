@@ -19,6 +19,8 @@ w.open('BallSmall.vtu')
 w.filter('Shape Harmonic Volume Map')
 w.check(window.INPUTS + 'Domain/List0', 'currentText', 'BallSmall.vtu')
 w.click(window.PANEL + 'Delete')
+w.select('/0/0|0')
+w.click(window.PANEL + 'Delete')
 
 w.open('DentedSphere600.vtp')
 for proxy in filters:
