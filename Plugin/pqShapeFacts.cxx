@@ -16,8 +16,9 @@ namespace
 vtkPVArrayInformation* Find(vtkSMProxy* filter, const std::string& name)
 {
   const std::string prefix = std::string(filter->GetXMLName()).substr(std::strlen("Shape"));
-  vtkPVDataInformation* data = vtkSMSourceProxy::SafeDownCast(filter)->GetDataInformation(0);
-  return data->GetFieldDataInformation()->GetArrayInformation((prefix + "." + name).c_str());
+  auto* source = vtkSMSourceProxy::SafeDownCast(filter);
+  vtkPVDataInformation* table = source->GetDataInformation(source->GetNumberOfOutputPorts() - 1);
+  return table->GetRowDataInformation()->GetArrayInformation((prefix + "." + name).c_str());
 }
 
 } // namespace

@@ -5,7 +5,7 @@
 
 class vtkSMProxy;
 
-/// Reads facts from the field data of the first output of a filter. `name` is the name of the fact
+/// Reads facts from the last output of a filter, the table Facts. `name` is the name of the fact
 /// without the prefix: "Seed" is PasteFeature.Seed of Shape Paste Feature. If there is no such
 /// fact, the result is empty.
 namespace pqShapeFacts

@@ -2,18 +2,26 @@
 
 #include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
+#include "vtkShapeFacts.h"
 #include "vtkShapeGather.h"
 #include "vtkShapeMeasures.h"
 
+#include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
 #include "vtkDataObjectTypes.h"
+#include "vtkDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkExecutive.h"
 #include "vtkExtentTranslator.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
+#include "vtkOutputWindow.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVersionMacros.h"
 
@@ -21,6 +29,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstring>
 
 struct vtkShapeAlgorithm::InputPort
 {
@@ -111,6 +120,23 @@ void vtkShapeAlgorithm::DeclareMeasures(const std::set<std::string>& names)
   this->MadeMeasures = names;
 }
 
+void vtkShapeAlgorithm::DeclareFacts(const std::map<int, std::set<std::string>>& kept)
+{
+  this->FactsPort = static_cast<int>(this->OutputTypes.size());
+  this->KeptFacts = kept;
+  this->DeclareOutput("vtkTable");
+}
+
+void vtkShapeAlgorithm::DeclareShown(int port, const std::vector<std::string>& names)
+{
+  this->Shown[port] = names;
+}
+
+void vtkShapeAlgorithm::Warn(const std::string& text)
+{
+  this->Warnings.push_back(text);
+}
+
 int vtkShapeAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
   const InputPort& declared = this->InputPorts[port];
@@ -121,7 +147,7 @@ int vtkShapeAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
   // Accepted by every port: the default composite executive would run the filter once for each
   // block.
   info->Append(INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  info->Set(INPUT_IS_OPTIONAL(), declared.Use != PortUse::Required);
+  info->Set(INPUT_IS_OPTIONAL(), port > 0 || declared.Use != PortUse::Required);
   info->Set(INPUT_IS_REPEATABLE(), declared.Use == PortUse::OptionalRepeatable);
   return 1;
 }
@@ -232,7 +258,7 @@ int vtkShapeAlgorithm::CreateOutputs(vtkInformationVector** inputs, vtkInformati
     std::string type = this->OutputTypes[port];
     if (type.empty())
     {
-      // If a required input is missing, the pipeline stops after this pass, with a message.
+      // If a required input is missing, the request for data fails with a message.
       const auto points = this->MovedOutputs.count(port) ? vtkShapeComposite::Points::Moved
                                                          : vtkShapeComposite::Points::Kept;
       // The type is known only now, because an output like an input has the type of that input.
@@ -256,6 +282,10 @@ void vtkShapeAlgorithm::PrepareInputs()
   for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
   {
     const InputPort& declared = this->InputPorts[port];
+    if (declared.Use == PortUse::Required && this->GetNumberOfInputConnections(port) == 0)
+    {
+      throw shape::InvalidInput(declared.Name + " is not connected; choose it under Inputs");
+    }
     for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
     {
       // A selection may be empty, and is gathered with the surface that it marks.
@@ -323,17 +353,95 @@ void vtkShapeAlgorithm::WriteCounts(vtkInformationVector* outputs)
   }
 }
 
-void vtkShapeAlgorithm::RenewMeasures(vtkInformationVector* outputs)
+std::string vtkShapeAlgorithm::GetFactPrefix()
 {
-  vtkShapeMeasures::Filter filter;
-  filter.Name = std::string(this->GetClassName()).substr(std::string("vtkShape").size());
-  filter.Made = this->MadeMeasures;
+  return std::string(this->GetClassName()).substr(std::strlen("vtkShape")) + ".";
+}
+
+std::vector<vtkDataObject*> vtkShapeAlgorithm::GetInputs()
+{
+  std::vector<vtkDataObject*> inputs;
   for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
   {
     for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
     {
-      filter.Inputs.push_back(this->GetInputDataObject(port, i));
+      inputs.push_back(this->GetInputDataObject(port, i));
     }
+  }
+  return inputs;
+}
+
+void vtkShapeAlgorithm::WriteWarnings(vtkInformationVector* outputs)
+{
+  if (this->Warnings.empty() || (this->Controller && this->Controller->GetLocalProcessId() != 0))
+  {
+    return;
+  }
+  std::string all;
+  for (const std::string& warning : this->Warnings)
+  {
+    vtkWarningMacro(<< this->GetLabel() << ": " << warning);
+    all += (all.empty() ? "" : "; ") + warning;
+  }
+  vtkShapeConvert::AddFact(
+    vtkDataObject::GetData(outputs, 0), this->GetFactPrefix() + "Warning", all);
+}
+
+void vtkShapeAlgorithm::MoveFacts(vtkInformationVector* outputs)
+{
+  if (this->FactsPort == -1)
+  {
+    return;
+  }
+  const std::vector<vtkDataObject*> inputs = this->GetInputs();
+  vtkNew<vtkTable> facts;
+  for (int port = 0; port < this->FactsPort; ++port)
+  {
+    const auto kept = this->KeptFacts.find(port);
+    vtkShapeFacts::Move(this->GetFactPrefix(), inputs,
+      kept == this->KeptFacts.end() ? std::set<std::string>() : kept->second,
+      vtkDataObject::GetData(outputs, port), facts);
+  }
+  vtkDataObject* table = vtkDataObject::GetData(outputs, this->FactsPort);
+  table->Initialize();
+  // One row in all, not one for each process.
+  if (!this->Controller || this->Controller->GetLocalProcessId() == 0)
+  {
+    table->ShallowCopy(facts);
+  }
+}
+
+void vtkShapeAlgorithm::ActivateShown(vtkInformationVector* outputs)
+{
+  for (const auto& [port, names] : this->Shown)
+  {
+    for (vtkDataSet* leaf : vtkShapeComposite::Of(vtkDataObject::GetData(outputs, port)))
+    {
+      vtkDataSetAttributes* const kinds[] = { leaf->GetCellData(), leaf->GetPointData() };
+      for (const std::string& name : names)
+      {
+        if (!kinds[0]->HasArray(name.c_str()) && !kinds[1]->HasArray(name.c_str()))
+        {
+          continue;
+        }
+        for (vtkDataSetAttributes* kind : kinds)
+        {
+          kind->SetActiveScalars(kind->HasArray(name.c_str()) ? name.c_str() : nullptr);
+        }
+        break;
+      }
+    }
+  }
+}
+
+void vtkShapeAlgorithm::RenewMeasures(vtkInformationVector* outputs)
+{
+  vtkShapeMeasures::Filter filter;
+  filter.Name = std::string(this->GetClassName()).substr(std::strlen("vtkShape"));
+  filter.Made = this->MadeMeasures;
+  filter.Inputs = this->GetInputs();
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
     for (const GatheredInput& whole : this->GatheredInputs[port])
     {
       filter.Inputs.push_back(
@@ -346,6 +454,38 @@ void vtkShapeAlgorithm::RenewMeasures(vtkInformationVector* outputs)
   }
 }
 
+namespace
+{
+
+/// Lets the error through, unless it only repeats that the request failed.
+void OnExecutiveError(vtkObject* executive, unsigned long, void* command, void* text)
+{
+  auto* self = static_cast<vtkCallbackCommand*>(command);
+  const auto* message = static_cast<const char*>(text);
+  if (message && std::strstr(message, "returned failure for request"))
+  {
+    self->AbortFlagOn();
+  }
+  const bool isHeard = self->GetAbortFlag();
+  executive->RemoveObserver(self);
+  if (!isHeard && message && !executive->HasObserver(vtkCommand::ErrorEvent))
+  {
+    vtkOutputWindowDisplayErrorText(message);
+  }
+}
+
+/// If a request fails, the executive adds an error without a reason to the one that has been shown.
+void SilenceExecutive(vtkExecutive* executive)
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(OnExecutiveError);
+  command->SetClientData(command);
+  constexpr float first = 1e6F; // before other observers
+  executive->AddObserver(vtkCommand::ErrorEvent, command, first);
+}
+
+} // namespace
+
 /// The only place that catches the exceptions of kernels and wrappers. After it, all processes
 /// agree on failure, before the next collective.
 int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
@@ -356,6 +496,7 @@ int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
   {
     this->UpdateProgress(0.0);
     this->Counts.clear();
+    this->Warnings.clear();
     this->PrepareInputs();
     this->Execute(this->MakeProgress());
     this->RenewMeasures(outputs);
@@ -379,6 +520,9 @@ int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
   if (!stopped)
   {
     this->WriteCounts(outputs);
+    this->WriteWarnings(outputs);
+    this->MoveFacts(outputs);
+    this->ActivateShown(outputs);
     this->UpdateProgress(1.0);
     return 1;
   }
@@ -393,6 +537,7 @@ int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
     return 1;
   }
   vtkErrorMacro(<< this->GetLabel() << ": " << message);
+  SilenceExecutive(this->GetExecutive());
   return 0;
 }
 

@@ -15,6 +15,8 @@
  *   request fails. If one process fails, all processes fail.
  * - An output that is declared like an input (DeclareOutputLikeInput, DeclareMovedOutput) has the
  *   type of that input.
+ * - The facts of a run, such as counts and errors, are the columns of a table of one row: the last
+ *   output, Facts. In parallel, the first process has the row.
  * - If the points of an output differ from the points of the inputs, the measures of the inputs'
  *   geometry are removed from it: see vtkShapeMeasures.
  */
@@ -137,6 +139,8 @@ protected:
     WholeGrid,    ///< one vtkUnstructuredGrid, which may contain solid cells
     Selection     ///< a vtkSelection, or the cells that it extracted; may be empty
   };
+  /// An input that is Required and not the first is optional for VTK: Run then says in the words of
+  /// the panel that it is missing.
   enum class PortUse
   {
     Required,
@@ -158,6 +162,21 @@ protected:
   void DeclareMovedOutput();
   ///@}
 
+  /// Appends the last output port, Facts. If Execute has called vtkShapeConvert::AddFact with names
+  /// that begin with the filter's, such as `HexRemesh.`, these facts are moved there. kept: for an
+  /// output port, the names without this prefix of facts that also stay in its field data, because
+  /// other filters read them.
+  void DeclareFacts(const std::map<int, std::set<std::string>>& kept = {});
+
+  /// Declares the array that the window shows on an output at first: the first of `names` that the
+  /// output has becomes its active scalars.
+  void DeclareShown(int port, const std::vector<std::string>& names);
+
+  /// Tells the user in one line about a doubtful input or result. `text` names the fact and the
+  /// remedy. The fact `Warning` has all warnings of a run. In parallel, only those of the first
+  /// process are shown.
+  void Warn(const std::string& text);
+
   /// Declares the names of the measures that Execute computes for the outputs. If the points of an
   /// output differ from the points of the inputs, all other measures on it still describe the
   /// inputs. They are removed or computed again after Execute.
@@ -167,7 +186,7 @@ protected:
   /// Execute, every process calls this function for the same names in the same order.
   void AddCount(int port, const std::string& name, double own);
 
-  /// Computes the outputs. It is called only if all required inputs are present and have points.
+  /// Computes the outputs. It is called only if all required inputs are connected and have points.
   /// Throws shape::InvalidInput, shape::SolveFailure, shape::Aborted.
   virtual void Execute(const shape::Progress& progress) = 0;
 
@@ -212,6 +231,11 @@ private:
   int Run(vtkInformationVector* outputs);
   void WriteCounts(vtkInformationVector* outputs);
   void RenewMeasures(vtkInformationVector* outputs);
+  void WriteWarnings(vtkInformationVector* outputs);
+  void MoveFacts(vtkInformationVector* outputs);
+  void ActivateShown(vtkInformationVector* outputs);
+  std::vector<vtkDataObject*> GetInputs();
+  std::string GetFactPrefix(); ///< "HexRemesh."
   void PrepareInputs();
   shape::Progress MakeProgress();
 
@@ -220,6 +244,10 @@ private:
   std::map<int, int> LikeInput;         ///< from output to input, if the input is not the first
   std::set<int> MovedOutputs;
   std::set<std::string> MadeMeasures;
+  int FactsPort = -1; ///< -1: there is none
+  std::map<int, std::set<std::string>> KeptFacts;
+  std::map<int, std::vector<std::string>> Shown;
+  std::vector<std::string> Warnings;
   std::vector<std::vector<GatheredInput>> GatheredInputs;
   std::vector<Count> Counts;
   vtkMultiProcessController* Controller = nullptr;

@@ -2,6 +2,7 @@
 
 #include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
+#include "vtkShapeMapColors.h"
 
 #include "Correspondence/Landmarks/LandmarkPairs.h"
 #include "Mesh/Surface.h"
@@ -98,6 +99,9 @@ vtkShapeCorrespondence::vtkShapeCorrespondence()
   this->DeclareInput("Landmarks", PortData::WholeGrid, PortUse::Optional, { "vtkDataSet" });
   this->DeclareOutputLikeInput(0);
   this->DeclareOutputLikeInput(1);
+  this->DeclareFacts();
+  this->DeclareShown(0, { "MapColors" });
+  this->DeclareShown(1, { "MapColors" });
 }
 
 /// Every process computes the same maps from the gathered surfaces, and writes the rows of its own
@@ -119,6 +123,8 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
     shape::ComputeCorrespondence(a, b, landmarks, this->Options, progress);
   this->WriteMap(0, result.Maps.AToB, b, 1);
   this->WriteMap(1, result.Maps.BToA, a, 0);
+  vtkShapeMapColors::Add(this->GetOutputDataObject(0), "TargetPosition", b.Points());
+  vtkShapeMapColors::Add(this->GetOutputDataObject(1), "", b.Points());
   for (const int port : { 0, 1 })
   {
     const auto add = [&](const std::string& fact, double value)

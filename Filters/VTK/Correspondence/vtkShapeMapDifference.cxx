@@ -23,6 +23,8 @@ vtkShapeMapDifference::vtkShapeMapDifference()
   this->DeclareInput("SurfaceB", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
   this->DeclareOutputLikeInput();
   this->DeclareOutput("vtkTable");
+  this->DeclareFacts({ { 0, { "AreaEigenvalues", "ConformalEigenvalues" } } });
+  this->DeclareShown(0, { "AreaDifference" });
 }
 
 namespace

@@ -18,6 +18,7 @@ vtkShapeMapErrorCurve::vtkShapeMapErrorCurve()
   this->DeclareInput("Target", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
   this->DeclareInput("Truth", PortData::WholeGrid, PortUse::Required, { "vtkDataSet" });
   this->DeclareOutput("vtkTable");
+  this->DeclareFacts();
 }
 
 void vtkShapeMapErrorCurve::Execute(const shape::Progress& progress)

@@ -42,6 +42,7 @@ vtkShapeCutFeature::vtkShapeCutFeature()
     "Selection", PortData::Selection, PortUse::Optional, { "vtkSelection", "vtkDataSet" });
   this->DeclareOutput("vtkPolyData");
   this->DeclareOutput("vtkPolyData");
+  this->DeclareFacts({ { 0, { "SeedNormal", "SeedDirection", "ConformalRadius", "Refined" } } });
   this->DeclareMeasures({ "Normals" });
 }
 

@@ -58,6 +58,7 @@ vtkShapePasteFeature::vtkShapePasteFeature()
   this->DeclareInput("Feature", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
   this->DeclareInput("Target", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
   this->DeclareOutput("vtkPolyData");
+  this->DeclareFacts();
 }
 
 vtkShapePasteFeature::~vtkShapePasteFeature() = default;

@@ -19,6 +19,7 @@ vtkShapeDeform::vtkShapeDeform()
   this->DeclareInput("Input", PortData::WholeGrid, PortUse::Required, { "vtkDataSet" });
   this->DeclareInput("Boundary", PortData::WholeGrid, PortUse::Required, { "vtkDataSet" });
   this->DeclareMovedOutput();
+  this->DeclareFacts();
   this->DeclareMeasures({ "Normals" });
 }
 

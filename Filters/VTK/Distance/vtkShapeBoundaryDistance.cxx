@@ -18,6 +18,7 @@ vtkShapeBoundaryDistance::vtkShapeBoundaryDistance()
   this->DeclareInput("Input", PortData::Pieces, PortUse::Required, { "vtkDataSet" });
   this->DeclareInput("Surface", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
   this->DeclareOutputLikeInput();
+  this->DeclareShown(0, { "BoundaryDistance" });
 }
 
 void vtkShapeBoundaryDistance::Execute(const shape::Progress& progress)

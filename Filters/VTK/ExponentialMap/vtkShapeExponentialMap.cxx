@@ -26,6 +26,7 @@ vtkShapeExponentialMap::vtkShapeExponentialMap()
 {
   this->DeclareInput("Input", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
   this->DeclareOutput("vtkPolyData");
+  this->DeclareFacts();
   this->DeclareMeasures({ "Normals", "GeodesicDistance", "ConformalDistortion",
     "SymmetricDirichlet", "Flipped", "Torn" });
 }

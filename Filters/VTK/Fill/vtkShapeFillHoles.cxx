@@ -38,6 +38,8 @@ vtkShapeFillHoles::vtkShapeFillHoles()
 {
   this->DeclareInput("Input", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
   this->DeclareOutput("vtkPolyData");
+  this->DeclareFacts();
+  this->DeclareShown(0, { "Filled" });
   this->DeclareMeasures({ "Normals" });
 }
 

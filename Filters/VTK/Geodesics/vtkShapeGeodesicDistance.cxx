@@ -14,6 +14,8 @@ vtkShapeGeodesicDistance::vtkShapeGeodesicDistance()
   this->DeclareInput("Input", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
   this->DeclareInput("Seeds", PortData::WholeGrid, PortUse::Required, { "vtkDataSet" });
   this->DeclareOutputLikeInput();
+  this->DeclareFacts();
+  this->DeclareShown(0, { "GeodesicDistance" });
 }
 
 void vtkShapeGeodesicDistance::Execute(const shape::Progress& progress)

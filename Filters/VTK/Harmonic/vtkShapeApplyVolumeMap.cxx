@@ -26,6 +26,7 @@ vtkShapeApplyVolumeMap::vtkShapeApplyVolumeMap()
   this->DeclareInput("Input", PortData::Pieces, PortUse::Required, { "vtkDataSet" });
   this->DeclareInput("Map", PortData::Whole, PortUse::Required, { "vtkPolyData" });
   this->DeclareMovedOutput();
+  this->DeclareFacts();
 }
 
 void vtkShapeApplyVolumeMap::Execute(const shape::Progress& progress)

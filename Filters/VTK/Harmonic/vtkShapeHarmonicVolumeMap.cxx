@@ -41,6 +41,7 @@ vtkShapeHarmonicVolumeMap::vtkShapeHarmonicVolumeMap()
   this->DeclareMovedOutput();
   this->DeclareOutput("vtkPolyData");
   this->DeclareOutput("vtkTable");
+  this->DeclareFacts({ { 1, { "OffsetDistance" } } });
   this->DeclareMeasures({ "Inverted" });
 }
 

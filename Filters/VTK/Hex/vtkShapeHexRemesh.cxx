@@ -27,6 +27,9 @@ vtkShapeHexRemesh::vtkShapeHexRemesh()
     "InnerSurfaces", PortData::WholeSurface, PortUse::OptionalRepeatable, { "vtkPolyData" });
   this->DeclareOutput("vtkUnstructuredGrid");
   this->DeclareOutput("vtkPolyData");
+  this->DeclareFacts();
+  this->DeclareShown(0, { "ScaledJacobian" });
+  this->DeclareShown(1, { "Patch" });
   // These are new: they belong to the hexahedra, not to the input.
   std::set<std::string> measures = { "Distance" };
   measures.insert(

@@ -18,6 +18,9 @@ vtkShapePolycube::vtkShapePolycube()
   this->DeclareInput("Input", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
   this->DeclareOutputLikeInput();
   this->DeclareMovedOutput();
+  this->DeclareFacts();
+  this->DeclareShown(0, { "Label" });
+  this->DeclareShown(1, { "Label" });
 }
 
 namespace

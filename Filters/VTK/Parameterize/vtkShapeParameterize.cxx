@@ -3,6 +3,7 @@
 #include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeCutImage.h"
+#include "vtkShapeMapColors.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkObjectFactory.h"
@@ -18,6 +19,9 @@ vtkShapeParameterize::vtkShapeParameterize()
   this->DeclareInput("Landmarks", PortData::WholeGrid, PortUse::Optional, { "vtkDataSet" });
   this->DeclareOutputLikeInput();
   this->DeclareMovedOutput();
+  this->DeclareFacts();
+  this->DeclareShown(0, { "MapColors" });
+  this->DeclareShown(1, { "MapColors" });
 }
 
 void vtkShapeParameterize::Execute(const shape::Progress& progress)
@@ -56,6 +60,8 @@ void vtkShapeParameterize::Execute(const shape::Progress& progress)
         vtkShapeConvert::ToArray(vtkShapeConvert::ToPoints(from), "SourcePosition"));
     });
 
+  vtkShapeMapColors::Add(surface, "", mesh.Points());
+  vtkShapeMapColors::Add(image, "SourcePosition", mesh.Points());
   for (vtkDataObject* output : { surface, image })
   {
     vtkShapeConvert::AddFact(output, "Parameterize.Method", map.Method);

@@ -28,6 +28,8 @@ vtkShapeMapQuality::vtkShapeMapQuality()
   this->DeclareInput("Input", PortData::Pieces, PortUse::Required, { "vtkDataSet" });
   this->DeclareOutputLikeInput();
   this->DeclareOutput("vtkTable");
+  this->DeclareFacts();
+  this->DeclareShown(0, { "SymmetricDirichlet" });
 }
 
 namespace

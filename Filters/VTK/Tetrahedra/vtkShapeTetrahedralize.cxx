@@ -25,6 +25,8 @@ vtkShapeTetrahedralize::vtkShapeTetrahedralize()
   this->DeclareInput(
     "InnerSurfaces", PortData::WholeSurface, PortUse::OptionalRepeatable, { "vtkPolyData" });
   this->DeclareOutput("vtkUnstructuredGrid");
+  this->DeclareFacts();
+  this->DeclareShown(0, { "RegionId" });
 }
 
 void vtkShapeTetrahedralize::AddInnerSurfaces(vtkAlgorithmOutput* surface)

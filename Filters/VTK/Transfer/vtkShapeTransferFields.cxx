@@ -29,6 +29,7 @@ vtkShapeTransferFields::vtkShapeTransferFields()
   this->DeclareInput("Input", PortData::Pieces, PortUse::Required, { "vtkDataSet" });
   this->DeclareInput("Source", PortData::WholeGrid, PortUse::Required, { "vtkDataSet" });
   this->DeclareOutputLikeInput();
+  this->DeclareFacts();
 }
 
 namespace
@@ -153,6 +154,19 @@ int CountOwn(const Eigen::VectorXi& marks, vtkUnsignedCharArray* ghosts)
   return count;
 }
 
+/// Returns the transferred arrays, the one that the giver shows first.
+std::vector<std::string> NamesToShow(vtkDataSet* giver, const std::vector<Field>& fields)
+{
+  std::vector<std::string> names;
+  for (const Field& field : fields)
+  {
+    const bool isShown = field.Values == giver->GetPointData()->GetScalars() ||
+      field.Values == giver->GetCellData()->GetScalars();
+    names.insert(isShown ? names.begin() : names.end(), field.Name);
+  }
+  return names;
+}
+
 } // namespace
 
 // 1. Build the search structure of the giver: at its positions, or at their images for Push.
@@ -248,6 +262,7 @@ void vtkShapeTransferFields::Execute(const shape::Progress& progress)
         precise ? CountOwn(Eigen::VectorXi::Ones(from->GetNumberOfPoints()), ghosts) : 0;
       done = next;
     });
+  this->DeclareShown(0, NamesToShow(giver, fields));
   this->AddCount(0, "TransferFields.OutsidePoints", static_cast<double>(outsidePoints));
   this->AddCount(0, "TransferFields.PrecisePoints", static_cast<double>(precisePoints));
 }

@@ -22,6 +22,8 @@ vtkShapeUntangle::vtkShapeUntangle()
   this->DeclareInput("Input", PortData::WholeGrid, PortUse::Required, { "vtkDataSet" });
   this->DeclareInput("RestShape", PortData::WholeGrid, PortUse::Optional, { "vtkDataSet" });
   this->DeclareOutput("vtkUnstructuredGrid");
+  this->DeclareFacts();
+  this->DeclareShown(0, { "ScaledJacobian" });
   this->DeclareMeasures({ "Inverted" });
 }
 
