@@ -1,6 +1,6 @@
 """Writes the state of a session with every filter, as this version saves it: NAME.pvsm and NAME.py in
 this folder, and NAME.json with what the filters returned. Files that are there are never written again:
-they are what users have. Utilities/pvpython.sh Testing/Conformance/States/make_state.py NAME"""
+they are what users have. PYTHONPATH=Testing Utilities/pvpython.sh Testing/Conformance/States/make_state.py NAME"""
 import json
 import os
 import re
