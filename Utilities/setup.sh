@@ -21,7 +21,7 @@ packages=(
 )
 test_packages=(
   # frameworks, style, types, keys and pictures of a window, readers of what is written
-  libgtest-dev clang-format-14 clang-tidy-14 mypy xdotool imagemagick gmsh calculix-ccx
+  libgtest-dev clang-format-14 clang-tidy-14 mypy python3-venv unzip xdotool imagemagick gmsh calculix-ccx
 )
 targets=(ShapeMap vtkShapeFiltersPython)
 if [ "$what" = all ]; then
