@@ -20,8 +20,8 @@ packages=(
   xvfb xauth libcgal-demo
 )
 test_packages=(
-  # frameworks, style, keys and pictures of a window, readers of what is written
-  libgtest-dev clang-format-14 clang-tidy-14 xdotool imagemagick gmsh calculix-ccx
+  # frameworks, style, types, keys and pictures of a window, readers of what is written
+  libgtest-dev clang-format-14 clang-tidy-14 mypy python3-venv unzip xdotool imagemagick gmsh calculix-ccx
 )
 targets=(ShapeMap vtkShapeFiltersPython)
 if [ "$what" = all ]; then
