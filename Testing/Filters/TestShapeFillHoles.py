@@ -190,3 +190,29 @@ for algorithm, words in (
     assert 'Shape Fill Holes: ' in message and words in message, message
     assert algorithm.GetOutputDataObject(0).GetNumberOfPoints() == 0
 print('a sphere is whole again, and wires have faces')
+
+# Two spheres that share one point, and a hole in the first: each gets a copy of the point, with its data, and is a
+# solid then.
+sphere = read('DentedSphere600.vtp')
+n = sphere.GetNumberOfPoints()
+faces = shapetesting.triangles(sphere)
+first = int(points(sphere)[:, 2].argmax())
+lower = points(sphere) * [1.0, 1.0, -1.0]
+lower += points(sphere)[first] - lower[first]
+lower[:, 2] += 2.0 * (points(sphere)[first, 2] - lower[first, 2])
+hole = int(numpy.argmin(points(sphere)[faces].mean(axis=1)[:, 2]))
+other = numpy.where(faces == first, first, faces + n)[:, ::-1]
+touching = vtkPolyData()
+touching.SetPoints(vtkPoints())
+shapetesting.set_points(touching, numpy.vstack([points(sphere), lower]))
+touching.SetPolys(vtkCellArray())
+for face in numpy.vstack([numpy.delete(faces, hole, axis=0), other]).tolist():
+    touching.InsertNextCell(5, 3, face)
+shapetesting.add_array(touching, numpy.arange(2.0 * n), 'Number')
+shapetesting.check_refused(shapetesting.new(shapemap.vtkShapeHexRemesh, filled(touching, SplitSheets=False)),
+                           '1 point where two sheets touch', 'split them with Shape Fill Holes')
+split = filled(touching)
+assert facts(split, 'CopiedPoints') == [1.0]
+assert split.GetNumberOfPoints() == 2 * n + 1 and split.GetPoint(2 * n) == split.GetPoint(first)
+assert array(split, 'Number')[2 * n] == first
+assert shapetesting.euler(split) == 4 and open_edges(split) == 0

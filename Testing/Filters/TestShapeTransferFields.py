@@ -341,7 +341,7 @@ assert "'TargetCell' of the Input has 3 components, not 1" in message, message
 message = error_of(receiver, giver)
 assert "Shape Transfer Fields: the Input has no point array 'TargetPosition'" in message, message
 message = error_of(target, giver, 'Push')
-assert "the Source has no point array 'TargetPosition'; it has Temperature" in message, message
+assert "the Source has no point array 'TargetPosition'; make it with Shape Correspondence" in message, message
 cloud = vtkPolyData()
 cloud.SetPoints(vtkPoints())
 cloud.GetPoints().InsertNextPoint(0, 0, 0)

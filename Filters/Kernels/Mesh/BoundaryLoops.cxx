@@ -298,7 +298,7 @@ void RequireSurfaceWithBoundary(const Surface& surface, LoopCount loops)
     throw InvalidInput("the surface has Euler number " + std::to_string(topology.EulerNumber) +
       " (genus " + std::to_string((flat - topology.EulerNumber) / 2) +
       "); a map to the plane needs" + " Euler number " + std::to_string(flat) +
-      ": cut its handles and fill the holes");
+      ": cut each handle with Clip and close the cuts with Shape Fill Holes");
   }
   const auto unused = (topology.ComponentId.array() < 0).count();
   if (unused > 0)

@@ -106,7 +106,7 @@ void CheckManifold(const Surface& surface, const Topology& topology, const std::
   {
     throw InvalidInput(Found(name, topology.NonManifoldPoints, "point where two sheets touch",
                          "points where two sheets touch", topology.FirstPinchedPoint) +
-      "duplicate them, one for each sheet");
+      "split them with Shape Fill Holes");
   }
   if (topology.MisorientedEdges > 0 && IsOneSided(surface))
   {
@@ -274,7 +274,7 @@ Topology RequireClosedSurface(const Surface& surface, const std::string& name)
   {
     throw InvalidInput(
       Found(name, topology.BoundaryLoops, "open loop", "open loops", topology.FirstOpenPoint) +
-      "close it with Fill Holes, or merge its duplicate points with Clean");
+      "close it with Shape Fill Holes, or merge its duplicate points with Clean");
   }
   CheckManifold(surface, topology, name);
   return topology;

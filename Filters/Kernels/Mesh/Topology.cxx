@@ -3,6 +3,7 @@
 #include "Base/DisjointSets.h"
 #include "Base/Errors.h"
 #include "Mesh/SurfaceWork.h"
+#include "Mesh/TouchingSheets.h"
 
 #include <vector>
 
@@ -29,23 +30,7 @@ void RequireDistinctCorners(const Mesh& mesh)
 /// that are connected by edges at the point.
 void CountPinchedPoints(const Mesh& mesh, const std::vector<HalfEdge>& sides, Topology& topology)
 {
-  // A corner is 3 * triangle + corner; corners of one point are joined across a shared edge.
-  DisjointSets fans(static_cast<int>(3 * mesh.Triangles.rows()));
-  const auto cornerOf = [&](int triangle, int point)
-  {
-    const auto row = mesh.Triangles.row(triangle);
-    return 3 * triangle + (row(0) == point ? 0 : row(1) == point ? 1 : 2);
-  };
-  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
-  {
-    const HalfEdge& a = sides[i];
-    const HalfEdge& b = sides[i + 1];
-    if (a.Low() == b.Low() && a.High() == b.High())
-    {
-      fans.Merge(cornerOf(a.Triangle, a.Low()), cornerOf(b.Triangle, a.Low()));
-      fans.Merge(cornerOf(a.Triangle, a.High()), cornerOf(b.Triangle, a.High()));
-    }
-  }
+  const std::vector<int> fans = FindFans(mesh, sides);
   std::vector<int> fanOfPoint(mesh.Points.rows(), -1);
   std::vector<char> pinched(mesh.Points.rows(), 0);
   for (int t = 0; t < mesh.Triangles.rows(); ++t)
@@ -53,7 +38,7 @@ void CountPinchedPoints(const Mesh& mesh, const std::vector<HalfEdge>& sides, To
     for (int corner = 0; corner < 3; ++corner)
     {
       const int point = mesh.Triangles(t, corner);
-      const int fan = fans.Find(3 * t + corner);
+      const int fan = fans[3 * t + corner];
       if (fanOfPoint[point] == -1)
       {
         fanOfPoint[point] = fan;

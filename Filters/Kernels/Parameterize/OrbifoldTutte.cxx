@@ -38,7 +38,8 @@ void RequireSphere(const Surface& surface)
   {
     throw InvalidInput("the surface has Euler number " + std::to_string(topology.EulerNumber) +
       " (genus " + std::to_string((2 - topology.EulerNumber) / 2) +
-      "); an orbifold needs genus 0: cut its handles and fill the holes");
+      "); an orbifold needs genus 0: cut each handle with Clip and close the cuts with "
+      "Shape Fill Holes");
   }
   const auto unused = (topology.ComponentId.array() < 0).count();
   if (unused > 0)

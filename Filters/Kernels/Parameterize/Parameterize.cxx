@@ -207,9 +207,10 @@ void RequireDomain(const Surface& surface, ParameterizeOptions::DomainType domai
     throw InvalidInput("the surface has " + std::to_string(topology.BoundaryLoops) +
       (topology.BoundaryLoops == 1 ? " open loop" : " open loops") + " (first at point " +
       std::to_string(topology.FirstOpenPoint) + "), but the Domain needs " +
-      (isForClosed ? "a closed surface; choose FreeBoundary, close the surface with Fill Holes, or "
-                     "merge its duplicate points with Clean"
-                   : "one; choose FreeBoundary, or close all but the outer one with Fill Holes"));
+      (isForClosed
+          ? "a closed surface; choose FreeBoundary, close the surface with Shape Fill Holes, or "
+            "merge its duplicate points with Clean"
+          : "one; choose FreeBoundary, or close all but the outer one with Shape Fill Holes"));
   }
 }
 

@@ -43,7 +43,8 @@ void Check(const Surface& surface, const SphereMapOptions& options)
   {
     throw InvalidInput("the surface has Euler number " + std::to_string(topology.EulerNumber) +
       " (genus " + std::to_string(1 - topology.EulerNumber / 2) +
-      "); a sphere map needs Euler number 2: cut its handles and fill the holes");
+      "); a sphere map needs Euler number 2: cut each handle with Clip and close the "
+      "cuts with Shape Fill Holes");
   }
   const auto unused = (topology.ComponentId.array() < 0).count();
   if (unused > 0)

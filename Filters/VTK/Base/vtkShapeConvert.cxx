@@ -243,6 +243,29 @@ shape::CellSimplices vtkShapeConvert::ToSimplices(
   return cells;
 }
 
+namespace
+{
+
+/// The remedy if a point array is missing.
+std::string WhoMakes(const std::string& array, const std::string& name)
+{
+  if (name == "the Landmarks")
+  {
+    return "; make them with Shape Landmarks";
+  }
+  if (array == "TargetPosition")
+  {
+    return "; make it with Shape Correspondence, Shape Parameterize or Shape Polycube";
+  }
+  if (array == "SourcePosition")
+  {
+    return "; take the second output of Shape Parameterize or Shape Polycube";
+  }
+  return "; choose another array, or add it with Calculator";
+}
+
+} // namespace
+
 Eigen::MatrixXd vtkShapeConvert::ToPointArray(
   vtkDataSet* data, const std::string& array, int components, const std::string& name)
 {
@@ -265,8 +288,9 @@ Eigen::MatrixXd vtkShapeConvert::ToPointArray(
       const char* other = data->GetPointData()->GetArrayName(i);
       present += (present.empty() ? "" : ", ") + std::string(other ? other : "(unnamed)");
     }
-    throw shape::InvalidInput(name + " has no point array '" + array + "'" +
-      (present.empty() ? ", and no other point array" : "; it has " + present));
+    throw shape::InvalidInput(name + (name == "the Landmarks" ? " have" : " has") +
+      " no point array '" + array + "'" + WhoMakes(array, name) +
+      (present.empty() ? "" : " (present: " + present + ")"));
   }
   if (values->GetNumberOfComponents() != components)
   {

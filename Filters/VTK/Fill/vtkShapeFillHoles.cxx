@@ -182,13 +182,15 @@ void vtkShapeFillHoles::Execute(const shape::Progress& progress)
   const shape::FilledSurface filled = kept.Filler->Fill(this->Fill, progress.Part(0.1, 0.9));
   auto* output = vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
   vtkShapeFilledData::Write(filled, kept.Surface, this->GetGatheredInput(0).Data, output);
+  const int copies =
+    this->SplitSheets ? vtkShapeFilledData::Split(filled, kept.Surface, output) : 0;
   progress(0.95);
   const bool areCurves = kept.Surface.Surface.Triangles.rows() == 0;
   const std::pair<const char*, double> facts[] = {
     { "Loops",
       static_cast<double>(areCurves ? kept.Curves.Loops.size() : kept.Border.Loops.size()) },
     { "UnclosedSides", kept.Border.UnclosedSides }, { "LooseSegments", kept.Curves.LooseSegments },
-    { "SkippedFaces", kept.Curves.SkippedFaces }
+    { "SkippedFaces", kept.Curves.SkippedFaces }, { "CopiedPoints", copies }
   };
   for (const auto& [fact, value] : facts)
   {

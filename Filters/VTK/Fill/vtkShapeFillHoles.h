@@ -13,7 +13,9 @@
  * cells of the input and their data do not change. On fills, floating-point values and colours
  * continue smoothly from the loop, and normals are computed from the fill. Other point data are
  * copied from the nearest point of the loop, and cell data from a cell at this point. Loops that
- * touch themselves at a point are split at this point. In parallel, the first process has the
+ * touch themselves at a point are split at this point. If SplitSheets is on, a point where sheets
+ * of the filled surface touch gets a copy for each further sheet, after all other points. In
+ * parallel, the first process has the
  * output.
  *
  * The parameters of vtkShapeDeformingAlgorithm apply to the FillMethod Deformation and may be
@@ -23,6 +25,7 @@
  * Field data, with the prefix FillHoles
  * - .Loops: number of loops found. .UnclosedSides: number of boundary edges that belong to no
  *   closed loop.
+ * - .CopiedPoints: number of copies of points where sheets touch.
  * - .LooseSegments, .SkippedFaces: for input without polygons, see shape::CurveNetwork.
  * These arrays have a tuple for each filled loop:
  * - .Loop: index of the loop, 0 for the longest. .LoopPoints: number of its points. .Method and
@@ -67,6 +70,8 @@ public:
   void SetLoopIndices(int index, int loop);
   std::vector<int> GetLoopIndices() { return this->Choice.Indices; }
   vtkShapeOptionOf(Choice, MaximumLength, double);
+  vtkSetMacro(SplitSheets, bool);
+  vtkGetMacro(SplitSheets, bool);
   vtkShapeOptionOf(Fill.Filler, EdgeGrowth, double);
   vtkShapeOptionOf(Fill.Filler, MaximumPoints, int);
   vtkShapeOption(Scale, double);
@@ -88,6 +93,7 @@ private:
 
   shape::FillHolesOptions Fill;
   shape::LoopChoice Choice;
+  bool SplitSheets = true;
   std::unique_ptr<Kept> Cache;
 };
 

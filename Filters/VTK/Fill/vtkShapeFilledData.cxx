@@ -15,6 +15,7 @@
 #include "vtkStringArray.h"
 
 #include "Fill/FillHoles.h"
+#include "Mesh/TouchingSheets.h"
 
 #include <functional>
 #include <numeric>
@@ -107,6 +108,60 @@ void vtkShapeFilledData::Write(const FilledSurface& filled, const shape::Numbere
   Eigen::VectorXi isFilled = Eigen::VectorXi::Zero(output->GetNumberOfCells());
   isFilled.segment(begin, filled.Surface.Triangles.rows() - first).setOnes();
   output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(isFilled, "Filled"));
+}
+
+int vtkShapeFilledData::Split(
+  const FilledSurface& filled, const shape::NumberedSurface& numbered, vtkPolyData* output)
+{
+  const shape::SplitSheets split = shape::SplitTouchingSheets(filled.Surface);
+  const auto copies = static_cast<int>(split.Copied.size() - filled.Surface.Points.rows());
+  if (copies == 0)
+  {
+    return 0;
+  }
+  vtkNew<vtkPolyData> touching;
+  touching->ShallowCopy(output);
+  vtkNew<vtkPoints> points;
+  points->SetDataType(touching->GetPoints()->GetDataType());
+  points->Allocate(static_cast<vtkIdType>(split.Copied.size()));
+  for (const int point : split.Copied)
+  {
+    points->InsertNextPoint(touching->GetPoint(point));
+  }
+  output->SetPoints(points);
+  if (output->GetNumberOfStrips() > 0)
+  {
+    vtkNew<vtkCellArray> strips; // these are still the input's
+    strips->DeepCopy(output->GetStrips());
+    output->SetStrips(strips);
+  }
+  output->BuildCells();
+  const Eigen::Index given = numbered.Surface.Triangles.rows();
+  const vtkIdType fills = filled.Surface.Triangles.rows() - given;
+  // Strips come after the polygons, so the fills pushed them back.
+  const vtkIdType begin = output->GetNumberOfCells() - output->GetNumberOfStrips() - fills;
+  for (Eigen::Index t = 0; t < filled.Surface.Triangles.rows(); ++t)
+  {
+    const vtkIdType source = t < given ? numbered.Cells(t) : -1;
+    const vtkIdType cell = t >= given ? begin + t - given
+      : source < begin                ? source
+                                      : source + fills;
+    for (int k = 0; k < 3; ++k)
+    {
+      if (split.Surface.Triangles(t, k) != filled.Surface.Triangles(t, k))
+      {
+        output->ReplaceCellPoint(
+          cell, filled.Surface.Triangles(t, k), split.Surface.Triangles(t, k));
+      }
+    }
+  }
+  output->DeleteCells(); // only needed to replace points
+  const auto cells = static_cast<int>(output->GetNumberOfCells());
+  vtkShapeCarry::Carry({ { touching,
+                         shape::TraceCopies(split.Copied, filled.Surface.Points.rows(),
+                           Eigen::VectorXi::LinSpaced(cells, 0, cells - 1)) } },
+    output);
+  return copies;
 }
 
 void vtkShapeFilledData::AddFacts(

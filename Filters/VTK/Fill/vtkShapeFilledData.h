@@ -16,6 +16,11 @@ namespace vtkShapeFilledData
 void Write(const shape::FilledSurface& filled, const shape::NumberedSurface& numbered,
   vtkPolyData* input, vtkPolyData* output);
 
+/// Splits the points of the written output where sheets touch (shape::SplitTouchingSheets). Returns
+/// the number of copies.
+int Split(
+  const shape::FilledSurface& filled, const shape::NumberedSurface& numbered, vtkPolyData* output);
+
 /// Adds the field data that describe each fill. loops: for each fill, the index of its loop among
 /// all loops.
 void AddFacts(

@@ -2,6 +2,7 @@
 #include "Mesh/HalfEdges.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
+#include "Mesh/TouchingSheets.h"
 #include "Support/Refusals.h"
 #include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
@@ -188,4 +189,33 @@ TEST(Topology, ASurfaceThatFacesInwardsIsTurned)
   EXPECT_DOUBLE_EQ(shape::ComputeEnclosedVolume(shape::OrientOutwards(mesh)), volume);
   EXPECT_DOUBLE_EQ(
     shape::ComputeEnclosedVolume(shape::OrientOutwards(shapetest::Icosphere(1))), volume);
+}
+
+TEST(TouchingSheets, EachSheetGetsAPointOfItsOwn)
+{
+  // Two spheres that share their first point.
+  const shape::Mesh one = shapetest::Icosphere(1);
+  const auto n = static_cast<int>(one.Points.rows());
+  shape::Mesh touching = shapetest::Twice(one);
+  for (int& corner : touching.Triangles.reshaped())
+  {
+    corner = corner == n ? 0 : corner;
+  }
+  EXPECT_EQ(shape::ComputeTopology(touching).NonManifoldPoints, 1);
+  const shape::SplitSheets split = shape::SplitTouchingSheets(touching);
+  EXPECT_EQ(split.Surface.Points.rows(), touching.Points.rows() + 1);
+  EXPECT_EQ(split.Copied.back(), 0);
+  EXPECT_EQ(split.Surface.Points, touching.Points(split.Copied, Eigen::all));
+  const shape::Topology topology = shape::ComputeTopology(split.Surface);
+  EXPECT_EQ(topology.NonManifoldPoints, 0);
+  EXPECT_EQ(topology.Components, 2);
+  EXPECT_EQ(topology.EulerNumber, 4);
+}
+
+TEST(TouchingSheets, AManifoldStaysAsItIs)
+{
+  const shape::Mesh open = shapetest::WithoutLast(shapetest::Icosphere(2), 3);
+  const shape::SplitSheets split = shape::SplitTouchingSheets(open);
+  EXPECT_EQ(split.Surface.Points, open.Points);
+  EXPECT_EQ(split.Surface.Triangles, open.Triangles);
 }

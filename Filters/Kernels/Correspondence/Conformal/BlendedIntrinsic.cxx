@@ -46,7 +46,8 @@ bool RequireGenusZero(const Surface& surface, const std::string& name)
   if (genus != 0)
   {
     throw InvalidInput(name + " has genus " + std::to_string(genus) +
-      "; maps through the sphere need genus 0: cut the handles and fill the holes, or take another "
+      "; maps through the sphere need genus 0: cut each handle with Clip and close the cuts with "
+      "Shape Fill Holes, or take another "
       "method");
   }
   return topology.BoundaryLoops > 0;

@@ -84,7 +84,8 @@ void RequireSphereLike(const Topology& topology, const std::string& name, Method
   {
     throw InvalidInput(name + " has " + Counted(topology.BoundaryLoops, "open loop") +
       " (first at point " + std::to_string(topology.FirstOpenPoint) + "), but " + NameOf(method) +
-      " needs closed surfaces: close it with Fill Holes, merge its duplicate points with Clean, "
+      " needs closed surfaces: close it with Shape Fill Holes, merge its duplicate points with "
+      "Clean, "
       "or take ReversibleHarmonic, FunctionalMap or BlendedIntrinsic");
   }
   // From the Euler number V - E + F = 2 - 2 genus - loops of a connected surface.
@@ -92,7 +93,8 @@ void RequireSphereLike(const Topology& topology, const std::string& name, Method
   if ((needsClosed || method == Method::BlendedIntrinsic) && genus > 0)
   {
     throw InvalidInput(name + " has genus " + std::to_string(genus) + ", but " + NameOf(method) +
-      " needs genus 0: cut its handles and fill the holes, or take ReversibleHarmonic or "
+      " needs genus 0: cut each handle with Clip and close the cuts with Shape Fill Holes, or take "
+      "ReversibleHarmonic or "
       "FunctionalMap");
   }
 }
