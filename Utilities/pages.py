@@ -106,11 +106,11 @@ class Source:
         parts = sections(text)
         page = [parts[0][1]]
         for heading, body in parts[1:]:
-            if heading == 'Inputs and outputs':
-                page += ['## What it does\n', *('%s\n' % line for line in proxy.description),
-                         '## Inputs and outputs\n', inputs(proxy)]
-            elif heading == 'What the file holds':
-                page += ['## What the file holds\n', *('%s\n' % line for line in proxy.description)]
+            if heading in ('Outputs and facts', 'What the file holds'):
+                page += ['## What it does\n', *('%s\n' % line for line in proxy.description)]
+                page += ['## Inputs\n', inputs(proxy)] if proxy.inputs else []
+                page.append('## %s\n' % heading)
+                page += ['Outputs: %s.\n' % ', '.join(proxy.outputs)] if len(proxy.outputs) > 1 else []
             elif heading == EFFECTS:
                 body = re.sub(r'(?m)^\|.*\n', '', body)
                 page += ['## Properties\n', self.properties(proxy)]
@@ -177,9 +177,7 @@ def anchor_of(words):
 def inputs(proxy):
     lines = ['| input | data | | about |\n|---|---|---|---|']
     lines += ['| %s | %s | %s | %s |' % (row.label, row.kind, row.needed(), row.help) for row in proxy.inputs]
-    outputs = ['Outputs: %s.\n' % '; '.join(
-        '%d %s' % (number, name) for number, name in enumerate(proxy.outputs))] if proxy.outputs else []
-    return '\n'.join(lines) + '\n\n' + '\n'.join(outputs) if proxy.inputs else '\n'.join(outputs)
+    return '\n'.join(lines) + '\n'
 
 
 def body_of(text):
