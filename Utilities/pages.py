@@ -107,7 +107,7 @@ class Source:
         page = [parts[0][1]]
         for heading, body in parts[1:]:
             if heading in ('Outputs and facts', 'What the file holds'):
-                page += ['## What it does\n', *('%s\n' % line for line in proxy.description)]
+                page += ['## What it does\n', *('%s\n' % as_code(line) for line in proxy.description)]
                 page += ['## Inputs\n', inputs(proxy)] if proxy.inputs else []
                 page.append('## %s\n' % heading)
                 page += ['Outputs: %s.\n' % ', '.join(proxy.outputs)] if len(proxy.outputs) > 1 else []
@@ -127,7 +127,7 @@ class Source:
         for row in proxy.properties:
             lines.append('### %s\n' % row.label)
             lines.append('*%s%s*\n' % (row.value(), '; advanced' if row.advanced else ''))
-            lines.append(row.help + '\n')
+            lines.append(as_code(row.help) + '\n')
             if row.entries and row.kind == 'choice':
                 lines.append('Values: %s.\n' % ', '.join('`%s`' % entry for entry in row.entries))
             small, large = self.effects.get((row.owner, row.name), ('', ''))
@@ -147,16 +147,19 @@ class Source:
 
         def picture(found):
             target = os.path.normpath(os.path.join(folder, found.group(2)))
-            self.pictures[os.path.basename(target)] = target
-            return '![%s](%s)' % (found.group(1), os.path.basename(target))
+            # ParaView packs one folder without those below it.
+            name = target.replace('Documentation/', '').replace('/', '.')
+            self.pictures[name] = target
+            return '![%s](%s)' % (found.group(1), name)
 
         text = re.sub(r'!\[([^\]]*)\]\(([^)\s]+)\)', picture, text)
         text = re.sub(r'(?<!!)\[([^\]]+)\]\((?!\w+:|[^)]*\.png)([^)#\s]+)(#[^)]*)?\)', link, text)
         if 'Bibliography.md' in path:
             return re.sub(r'(?m)^- \*\*(.+?)\*\*', lambda found: '- <a id="%s"></a>**%s**' % (
-                anchor_of(found.group(1)), found.group(1)), re.sub(r'\n  Used in:[^\n]*(\n  [^\n]*)*', '', text))
-        return re.sub(r'\[([A-Z][\w ]+\s(?:19|20)\d\d[ab]?)\](?!\()', lambda found: '[%s](Bibliography.html#%s)' % (
-            found.group(1), anchor_of(found.group(1))), text)
+                anchor_of(found.group(1)), found.group(1)), re.sub(
+                    r'\n  Used in:[^\n]*(\n  [^\n]*)*', '', text))
+        return re.sub(r'\[([A-Z][\w ]+\s(?:19|20)\d\d[ab]?)\](?!\()', lambda found: (
+            '[%s](Bibliography.html#%s)' % (found.group(1), anchor_of(found.group(1)))), text)
 
     def contents(self):
         """(title, page, children) of the whole help, as a tree."""
@@ -174,9 +177,15 @@ def anchor_of(words):
     return re.sub(r'\W+', '-', words.lower()).strip('-')
 
 
+def as_code(text):
+    """Names of arrays and the like in the help of the XML, which has no marks for them, as code."""
+    return re.sub(r'\b(?!%s)[A-Z][a-z]+(?:[A-Z]\w*)+\b' % '|'.join(
+        ('ParaView', 'ShapeMap', 'TetGen', 'CalculiX')), lambda found: '`%s`' % found.group(0), text)
+
+
 def inputs(proxy):
     lines = ['| input | data | | about |\n|---|---|---|---|']
-    lines += ['| %s | %s | %s | %s |' % (row.label, row.kind, row.needed(), row.help) for row in proxy.inputs]
+    lines += ['| %s | %s | %s | %s |' % (row.label, row.kind, row.needed(), as_code(row.help)) for row in proxy.inputs]
     return '\n'.join(lines) + '\n'
 
 
@@ -215,9 +224,8 @@ def make(folder, product):
         body = body_of(source.markdown(path))
         title = title_of(read(path))
         if product == 'help':
-            body = body.replace('<div class="wide"><table>', '<table border="1" cellspacing="0" cellpadding="4">').replace(
-                '<th>', '<th align="left">')
-            body = body.replace('</table></div>', '</table><p></p>')
+            body = body.replace('<div class="wide"><table>', '<table border="1" cellspacing="0" cellpadding="4">')
+            body = body.replace('</table></div>', '</table><p></p>').replace('<th>', '<th align="left">')
             body = re.sub(r'<img ', '<img width="560" ', body)
         proxy = source.proxies.get(os.path.splitext(os.path.basename(path))[0])
         found.append({'page': name, 'title': title, 'text': plain(body),

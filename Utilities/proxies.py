@@ -76,6 +76,8 @@ class Input:
         self.help = words(element.find('Documentation'))
         self.optional = element.find('Hints/Optional') is not None
         self.repeatable = element.get('multiple_input') == '1'
+        # Those with commands of their own follow.
+        self.port = int(element.get('port_index', 0 if 'InputConnection' in element.get('command', '') else 99))
         kinds = [KINDS.get(kind.get('value'), kind.get('value')) for kind in element.iter('DataType')]
         self.kind = ' or '.join(dict.fromkeys(kind for kind in kinds if kind))
 
@@ -102,15 +104,17 @@ class Proxy:
         if core is not None:
             inner = elements.get((core.get('proxygroup'), core.get('proxyname')))
             chain += [base for base in lineage(inner, elements) if base not in chain]
-        self.inputs, self.outputs, rows = [], [], {}
+        self.outputs, rows, inputs = [], {}, {}
         for base in chain:
             for child in base:
-                if child.tag == 'InputProperty' and child.get('name') not in [i.name for i in self.inputs]:
-                    self.inputs.append(Input(child))
+                if child.tag == 'InputProperty':
+                    inputs.setdefault(child.get('name'), Input(child))
                 elif child.tag == 'OutputPort' and base is element:
                     self.outputs.append(child.get('name'))
                 elif child.tag.endswith('VectorProperty'):
                     rows.setdefault(child.get('name'), Property(child, base.get('name')))
+        # The first port has no index.
+        self.inputs = sorted(inputs.values(), key=lambda row: row.port)
         self.properties = [row for row in rows.values() if not row.hidden and row.help and (
             core is None or row.name in shown)]
 
