@@ -334,6 +334,50 @@ def MeditWriter():
     return (0.2, -1.0, 0.3), (0, 0, 1)
 
 
+@drawing
+def HexRemeshCells():
+    """Cells On Longest Side 10 and 24."""
+    for number, x in ((10, -0.62), (24, 0.62)):
+        solid = ShapeHexRemesh(Surface=shape('FigureA.vtp'), Method='Grid', CellsOnLongestSide=number)
+        show(OutputPort(solid, 1), (x, 0, 0), colour=[0.55, 0.74, 0.80], edges=True)
+    return FRONT
+
+
+@drawing
+def ParameterizeAreaWeight():
+    """Area Weight 0 and 1: the image of a figure."""
+    for weight, x in ((0.0, -1.1), (1.0, 1.1)):
+        sphere = ShapeParameterize(Input=shape('FigureA.vtp'), AreaWeight=weight)
+        show(checkered(OutputPort(sphere, 1), 'SourcePosition', 0.06), (x, 0, 0), array='Checker',
+             preset='Cool to Warm')
+    return FRONT
+
+
+@drawing
+def DeformRigidity():
+    """Rigidity 0.5, 1 and 3: the boundary of a square with a bump is bent."""
+    plane = Plane(Origin=[-1, -1, 0], Point1=[1, -1, 0], Point2=[-1, 1, 0], XResolution=50, YResolution=50)
+    bump = Calculator(Input=plane, CoordinateResults=1,
+                      Function='coords + 0.5*exp(-12*(coordsX^2 + coordsY^2))*kHat')
+    border = FeatureEdges(Input=bump, BoundaryEdges=1, FeatureEdges=0, NonManifoldEdges=0, ManifoldEdges=0)
+    handle = Calculator(Input=border, ResultArrayName='SourcePosition', Function='coords')
+    saddle = Calculator(Input=handle, CoordinateResults=1,
+                        Function='coords + 0.4*(coordsX^2 - coordsY^2)*kHat')
+    for rigidity, x in ((0.5, -2.4), (1.0, 0.0), (3.0, 2.4)):
+        show(ShapeDeform(Input=bump, Boundary=saddle, Rigidity=rigidity), (x, 0, 0))
+    return (0.3, -1.0, 0.5), (0, 0, 1)
+
+
+@drawing
+def FillHolesEdgeGrowth():
+    """Edge Growth 0 and 0.5: the fill of half a sphere."""
+    dome = Clean(Input=Sphere(ThetaResolution=50, PhiResolution=50, EndPhi=90.0))
+    for growth, x in ((0.0, -0.6), (0.5, 0.6)):
+        show(ShapeFillHoles(Input=dome, EdgeGrowth=growth), (x, 0, 0), array='Filled', kind='CELLS',
+             preset='Cool to Warm', edges=True)
+    return (0.1, -0.6, -1.0), (0, 0, 1)
+
+
 def draw(name):
     view = CreateRenderView(ViewSize=[1120, 760], OrientationAxesVisibility=0, UseColorPaletteForBackground=0,
                             Background=[1, 1, 1], CameraParallelProjection=1)
