@@ -66,9 +66,8 @@ class Source:
         self.pages = {'Documentation/Welcome.md': 'index.html',
                       'Documentation/Tutorials/README.md': 'Tutorials.html'}
         for path in [*FIRST, OVERVIEW, *tutorials(), *LAST]:
-            name = os.path.splitext(os.path.basename(path))[0].capitalize() if path.isupper() else \
-                os.path.splitext(os.path.basename(path))[0]
-            self.pages.setdefault(path, ('Changelog' if path == 'CHANGELOG.md' else name) + '.html')
+            name = os.path.splitext(os.path.basename(path))[0]
+            self.pages.setdefault(path, '%s.html' % (name.capitalize() if name.isupper() else name))
         for stem, proxy in self.proxies.items():
             path = 'Documentation/Filters/%s.md' % stem
             if os.path.exists(os.path.join(ROOT, path)):
@@ -77,7 +76,7 @@ class Source:
         self.effects = self.all_effects()
 
     def all_effects(self):
-        """{(proxy that declares a property, its label): (small, large)} from the pages' tables."""
+        """{(proxy that declares a property, its name): (small, large)} from the pages' tables."""
         found = {}
         for stem, proxy in self.proxies.items():
             path = 'Documentation/Filters/%s.md' % stem
