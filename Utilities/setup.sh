@@ -18,6 +18,8 @@ packages=(
   libsuitesparse-dev libtet1.5-dev libboost-dev
   # a display and real models
   xvfb xauth libcgal-demo
+  # pages of the help and of the site
+  python3-markdown python3-pygments
 )
 test_packages=(
   # frameworks, style, types, keys and pictures of a window, readers of what is written

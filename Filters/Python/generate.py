@@ -47,7 +47,9 @@ class Parameter:
     def read_input(self):
         types = [each.get('value') for each in self.element.iter('DataType')]
         solid = 'vtkPolyData' not in types
-        self.required = self.element.find('Hints/Optional') is None
+        # A needed input is optional for the window alone, which lets one choose it in the panel.
+        optional = self.element.find('Hints/Optional')
+        self.required = optional is None or optional.get('needed') == '1'
         command = self.element.get('command')
         port = int(self.element.get('port_index', 0)) if command == 'SetInputConnection' else None
         connect = 'run.connect(%r, %r, %%s, %r, %r)' % (command, port, self.name, solid)
@@ -136,7 +138,6 @@ class Filter:
         self.required = [each for each in self.inputs if each.required]
         ports = sorted((int(each.get('index')), each.get('name')) for each in self.proxy.findall('OutputPort'))
         self.outputs = [(index, snake(name)) for index, name in ports if name != 'Facts']
-        self.facts = next((index for index, name in ports if name == 'Facts'), None)
 
     def cells(self):
         """The name of the parameter for cells, beside a first one with points; only for one input."""

@@ -1,7 +1,7 @@
 """The pages say what is there: no dead link, a page and a row for every filter and writer, every
 benchmark on its page, the rooms of the code in their order, an entry for every paper that a comment
-cites, generated parts that are up to date, and none of the words that the glossary forbids. Run with
-python3 TestDocumentation.py ROOT."""
+cites, the effect of small and large values of every number, generated parts that are up to date, and none
+of the words that the glossary forbids. Run with python3 TestDocumentation.py ROOT."""
 import glob
 import os
 import re
@@ -11,11 +11,12 @@ root = os.path.abspath(sys.argv[1])
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.join(root, 'Utilities'))
 import documentation
+import pages as pages_of
 
 LONGEST = 110  # characters in a line
 ONE_SCREEN = 64  # lines
 # Forbidden words inside these phrases are the field's.
-ALLOWED = ['at least', 'least squares', 'least-squares']
+ALLOWED = ['at least', 'Least Gain', 'least squares', 'least-squares']
 CITATION = re.compile(r'(?:[A-Z][a-z]+(?: et al\.| and others)?,? \(?|", |\()(%s)' % documentation.YEAR)
 
 faults = []
@@ -71,10 +72,24 @@ for name, room in sorted(names):
     if page not in texts:
         faults.append('there is no ' + page)
         continue
-    for part in ('# %s\n' % label, '../../Filters/VTK/%s/vtkShape%s.h' % (room, name), '## Limits',
-                 '## Example', '```python\n'):
-        if part not in texts[page]:
+    for part in ('# %s\n' % label, '../../Filters/VTK/%s/vtkShape%s.h' % (room, name), '](../Pictures/',
+                 '\n## When to use', '\n## Small and large values', '\n## Limits', '\n## Example', '```python\n'):
+        # A picture of several filters is in the root folder.
+        if part not in texts[page].replace('](../../Correspondence.png', '](../Pictures/'):
             faults.append('%s has no %s' % (page, part.strip()))
+    if '## Outputs and facts' not in texts[page] and '## What the file holds' not in texts[page]:
+        faults.append(page + ' does not say what comes out')
+
+# The effect of small and large values of every number; the overview groups filters as the menu does.
+source = pages_of.Source()
+menu = {stem: task for task, stems in pages_of.tasks() for stem in stems}
+for stem, proxy in source.proxies.items():
+    for row in proxy.properties:
+        if row.is_number() and (row.owner, row.name) not in source.effects:
+            faults.append('no page has the effect of small and large values of %s.%s' % (row.owner, row.name))
+    if proxy.task and menu.get(stem) != proxy.task:
+        faults.append('Documentation/Filters.md has %s under %s, and its XML under %s' % (
+            proxy.label, menu.get(stem), proxy.task))
 for page in texts:
     stem = os.path.basename(page)[:-len('.md')]
     if page.startswith('Documentation/Filters/') and stem not in dict(names):

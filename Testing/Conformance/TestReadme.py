@@ -1,5 +1,6 @@
-"""README's example and those of the pages run as they stand there, and every filter and writer has its
-row in the overview."""
+"""README's example, those of the pages and the tutorials run as they stand there, and every filter and
+writer has its row in the overview. What the tutorials say about numbers, their scripts assert."""
+import glob
 import os
 import re
 
@@ -45,6 +46,14 @@ for name in filters.names() + filters.writers():
     run(page, examples[0])
     simple.ResetSession()
 
+for path in ['Documentation/FirstSteps.md', *sorted(glob.glob('Documentation/Tutorials/[A-Z]*.md'))]:
+    examples = examples_of(text_of(path))
+    assert len(examples) == (0 if path.endswith('README.md') else 1), path
+    for example in examples:
+        assert 'assert ' in example, path + ' states no fact'
+        run(path, example)
+        simple.ResetSession()
+
 examples = examples_of(text)
 assert len(examples) == 1
 solid = run('README.md', examples[0])['solid']
@@ -54,4 +63,4 @@ bounds = solid.GetDataInformation().GetBounds()
 sides = [bounds[2 * i + 1] - bounds[2 * i] for i in range(3)]
 assert 0.5 < sides[0] < 2.0, 'the image lies within the ellipsoid: %s' % sides
 assert sides[0] > max(sides[1:]), 'the image is long where the ellipsoid is: %s' % sides
-print("README's example and those of the pages run, and every filter has its page")
+print("README's example, those of the pages and the tutorials run, and every filter has its page")

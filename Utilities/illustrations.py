@@ -1,0 +1,405 @@
+"""Draws the picture of each filter's page from the shapes of the build:
+Utilities/pvpython.sh Utilities/illustrations.py [filter ...]
+
+The pictures in Documentation/Pictures are part of the source, because the help window has them as soon
+as the plugin is built. Draw one again when its filter's result changes, and look at it."""
+import math
+import os
+import subprocess
+import sys
+
+from paraview.simple import *
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+FOLDER = os.path.join(ROOT, 'Documentation', 'Pictures')
+SHAPES = os.path.join(ROOT, 'build', 'Data')
+INK, PLAIN, ACCENT = [0.13, 0.16, 0.22], [0.80, 0.82, 0.85], [0.93, 0.55, 0.24]
+# From an inverted cell, in red, to a perfect one.
+QUALITY = [0.0, 0.75, 0.13, 0.15, 0.25, 0.95, 0.55, 0.25, 0.5, 0.98, 0.86, 0.5,
+           0.75, 0.60, 0.80, 0.78, 1.0, 0.22, 0.50, 0.66]
+FRONT, ABOVE = ((0.3, -1.0, 0.25), (0.0, 0.0, 1.0)), ((0.6, 0.5, 1.0), (0.0, 1.0, 0.0))
+
+drawings = {}
+
+
+def drawing(function):
+    drawings[function.__name__] = function
+    return function
+
+
+def shape(name):
+    """A shape of Data/, the large one if there is one."""
+    return OpenDataFile(os.path.join(SHAPES, name))
+
+
+def figures():
+    return shape('FigureA.vtp'), shape('FigureB.vtp')
+
+
+def place(source, shift):
+    moved = Transform(Input=source)
+    moved.Transform.Translate = shift
+    return moved
+
+
+def show(source, shift=(0, 0, 0), colour=None, array=None, kind='POINTS', part='', limits=None, edges=False,
+         preset=None, opacity=1.0, discrete=False):
+    """Adds a source to the picture, in one colour or coloured by an array."""
+    shown = Show(source, GetActiveView())
+    shown.Representation = 'Surface With Edges' if edges else 'Surface'
+    shown.EdgeColor, shown.LineWidth, shown.Ambient, shown.Diffuse = INK, 1.0, 0.3, 0.75
+    shown.Position, shown.Opacity = list(shift), opacity
+    shown.DiffuseColor = shown.AmbientColor = colour or PLAIN
+    shown.ColorArrayName = [None, '']
+    if array:
+        ColorBy(shown, (kind, array, part) if part else (kind, array))
+        table = GetColorTransferFunction(array)
+        if preset == 'quality':
+            table.ColorSpace, table.RGBPoints = 'RGB', QUALITY
+        else:
+            table.ApplyPreset(preset or 'Viridis (matplotlib)', True)
+        if limits:
+            table.RescaleTransferFunction(*limits)
+        if discrete:
+            table.Discretize, table.NumberOfTableValues = 1, discrete
+        shown.SetScalarBarVisibility(GetActiveView(), False)
+    return shown
+
+
+def checkered(source, array, size, axes='XZ'):
+    """Adds Checker to a source: a wave from -1 to 1 in squares of this size, by the coordinates x and z, or
+    x and y, of an array."""
+    waves = '*'.join('sin(%g*%s_%s)' % (math.pi / size, array, axis) for axis in axes)
+    return Calculator(Input=source, ResultArrayName='Checker', Function=waves)
+
+
+def cut(source, origin=(0, 0, 0), normal=(0, 1, 0)):
+    half = Clip(Input=source, ClipType='Plane', Crinkleclip=1)
+    half.ClipType.Origin, half.ClipType.Normal = list(origin), list(normal)
+    return half
+
+
+def horned():
+    ball = Sphere(ThetaResolution=80, PhiResolution=80)
+    bumped = Calculator(
+        Input=ball, CoordinateResults=1,
+        Function='coords*(1 + 1.2*max(0, 1 - ((coordsX-0.5)^2 + coordsY^2 + coordsZ^2)/0.05)^3)')
+    loop = [part for k in range(40) for part in (
+        0.41, 0.28 * math.cos(math.pi * k / 20), 0.28 * math.sin(math.pi * k / 20))]
+    return ShapeCutFeature(Input=bumped, LoopPoints=loop)
+
+
+@drawing
+def FillHoles():
+    opened = Clip(Input=shape('FigureA.vtp'), ClipType='Plane')
+    opened.ClipType.Origin, opened.ClipType.Normal = [0, 0, 0.86], [0, 0, -1]
+    opened.Invert = 0
+    surface = Clean(Input=ExtractSurface(Input=opened))
+    show(surface, (-0.62, 0, 0))
+    show(ShapeFillHoles(Input=surface), (0.62, 0, 0), array='Filled', kind='CELLS', preset='Cool to Warm')
+    return (0.3, -1.0, 0.6), FRONT[1]
+
+
+@drawing
+def Tetrahedralize():
+    solid = ShapeTetrahedralize(Input=shape('FigureA.vtp'), PreserveBoundary=0)
+    show(cut(solid, (0, 0.02, 0), (0.1, -1, 0)), edges=True, colour=[0.55, 0.74, 0.80])
+    return FRONT
+
+
+@drawing
+def Parameterize():
+    sphere = ShapeParameterize(Input=shape('FigureA.vtp'), AreaWeight=1.0)
+    image = Calculator(Input=OutputPort(sphere, 1), ResultArrayName='TargetPosition', Function='coords')
+    surface = checkered(OutputPort(sphere, 0), 'TargetPosition', 0.3)
+    shrunk = Transform(Input=checkered(image, 'TargetPosition', 0.3))
+    shrunk.Transform.Scale = [0.45] * 3
+    show(surface, (-0.5, 0, -0.55), array='Checker', preset='Cool to Warm')
+    show(shrunk, (0.62, 0, 0), array='Checker', preset='Cool to Warm')
+    return FRONT
+
+
+@drawing
+def Correspondence():
+    a, b = figures()
+    both = ShapeCorrespondence(SurfaceA=a, SurfaceB=b)
+    onto = Calculator(Input=both, ResultArrayName='Position', Function='TargetPosition')
+    itself = Calculator(Input=b, ResultArrayName='Position', Function='coords')
+    for source, x in ((onto, -0.65), (itself, 0.65)):
+        show(checkered(source, 'Position', 0.08), (x, 0, 0), array='Checker', preset='Cool to Warm')
+    return FRONT
+
+
+@drawing
+def TransferFields():
+    a, b = figures()
+    height = Calculator(Input=b, ResultArrayName='Field', Function='sin(14*coordsZ)*cos(9*coordsX)')
+    carried = ShapeTransferFields(Input=a, Source=height)
+    show(height, (0.65, 0, 0), array='Field', preset='Viridis (matplotlib)')
+    show(carried, (-0.65, 0, 0), array='Field', preset='Viridis (matplotlib)')
+    return FRONT
+
+
+@drawing
+def ExponentialMap():
+    surface = shape('DentedSphere10k.vtp')
+    patch = ShapeExponentialMap(Input=surface, Seed=[0.3, 0.2, 1.0], Radius=0.7)
+    checker = checkered(Calculator(Input=patch, ResultArrayName='Position',
+                                   Function='TargetPosition+0.07*kHat'), 'Position', 0.14, 'XY')
+    flat = Calculator(Input=checker, CoordinateResults=1, Function='TargetPosition')
+    show(surface, (-0.9, 0, 0))
+    lifted = Calculator(Input=checker, CoordinateResults=1, Function='coords*1.003')
+    show(lifted, (-0.9, 0, 0), array='Checker', preset='Cool to Warm')
+    show(flat, (1.0, 0, 0), array='Checker', preset='Cool to Warm')
+    return (0.0, 0.1, 1.0), (0, 1, 0)
+
+
+@drawing
+def LaplaceSpectrum():
+    spectrum = ShapeLaplaceSpectrum(Input=shape('FigureA.vtp'), NumberOfEigenpairs=20)
+    for number, x in ((2, -1.15), (5, 0.0), (9, 1.15)):
+        one = Calculator(Input=spectrum, ResultArrayName='Mode%d' % number,
+                         Function='Eigenfunctions_%d' % number)
+        show(one, (x, 0, 0), array='Mode%d' % number, preset='Cool to Warm')
+    return FRONT
+
+
+@drawing
+def HarmonicVolumeMap():
+    ball = shape('Ball.vtu')
+    sphere = ShapeParameterize(Input=shape('DentedSphere10k.vtp'))
+    moved = ShapeHarmonicVolumeMap(Domain=ball, Boundary=OutputPort(sphere, 1), MapArray='SourcePosition')
+    start = Calculator(Input=ball, ResultArrayName='SourcePosition', Function='coords')
+    for source, x in ((start, -1.3), (moved, 1.3)):
+        show(cut(source, normal=(0.3, 0.2, 1)), (x, 0, 0), array='SourcePosition', part='Magnitude', edges=True)
+    return (0.25, 0.2, 1.0), (0, 1, 0)
+
+
+@drawing
+def ApplyVolumeMap():
+    grid = Wavelet(WholeExtent=[-9, 9, -9, 9, 0, 0])
+    inside = Transform(Input=grid)
+    inside.Transform.Scale = [0.06, 0.06, 1.0]
+    plane = Calculator(Input=inside, ResultArrayName='From', Function='coords')
+    moved = ShapeApplyVolumeMap(Input=plane, Map=shape('DentedSphereCharges.vtp'))
+    kept = Threshold(Input=moved, Scalars=['POINTS', 'OutsideDomain'], ThresholdMethod='Between',
+                     LowerThreshold=0, UpperThreshold=0)
+    show(plane, (-0.7, 0, 0), array='From', part='X', edges=True)
+    show(kept, (0.8, 0, 0), array='From', part='X', edges=True)
+    return (0, 0, 1), (0, 1, 0)
+
+
+@drawing
+def Untangle():
+    ball = shape('BallSmall.vtu')
+    folded = Calculator(Input=ball, CoordinateResults=1,
+                        Function='coords+iHat*0.6*sin(6*coordsX)*(1-mag(coords))')
+    for source, x in ((folded, -1.15), (ShapeUntangle(Input=folded, RestShape=ball), 1.15)):
+        measured = MeshQuality(Input=source, HexQualityMeasure='Scaled Jacobian')
+        show(cut(measured, normal=(0.2, 0.2, 1)), (x, 0, 0), array='Quality', kind='CELLS', limits=(0, 1),
+             preset='quality', edges=True)
+    return (0.2, 0.2, 1.0), (0, 1, 0)
+
+
+@drawing
+def HexRemesh():
+    surface = shape('FigureA.vtp')
+    solid = ShapeHexRemesh(Surface=surface, Method='Grid', CellsOnLongestSide=20)
+    show(surface, (-0.62, 0, 0))
+    show(cut(solid, (0, 0.02, 0), (0.1, -1, 0)), (0.62, 0, 0), array='ScaledJacobian', kind='CELLS',
+         limits=(0, 1), preset='quality', edges=True)
+    return FRONT
+
+
+@drawing
+def Polycube():
+    polycube = ShapePolycube(Input=shape('TwistedBar.vtp'))
+    for port, shift in ((0, (-1.2, 0, 0)), (1, (3.6, 0, 0))):
+        show(OutputPort(polycube, port), shift, array='Label', kind='CELLS', preset='Turbo', limits=(0, 5),
+             discrete=6)
+    return (0.5, 0.6, 1.0), (0, 1, 0)
+
+
+@drawing
+def CutFeature():
+    feature = horned()
+    show(OutputPort(feature, 0), (0.35, 0, 0), colour=ACCENT)
+    show(OutputPort(feature, 1), (-0.25, 0, 0))
+    return (-0.1, 0.5, 1.0), (0, 1, 0)
+
+
+@drawing
+def PasteFeature():
+    planet = Sphere(ThetaResolution=90, PhiResolution=90, Radius=1.2)
+    pasted = ShapePasteFeature(Feature=horned(), Target=planet, Seed=[0.5, 1.0, 0.5], Rotation=30.0)
+    show(pasted, array='Part', kind='CELLS', preset='Cool to Warm')
+    return (-0.4, 0.35, 1.0), (0, 1, 0)
+
+
+@drawing
+def Deform():
+    plane = Plane(Origin=[-1, -1, 0], Point1=[1, -1, 0], Point2=[-1, 1, 0], XResolution=50, YResolution=50)
+    bump = Calculator(Input=plane, CoordinateResults=1,
+                      Function='coords + 0.5*exp(-12*(coordsX^2 + coordsY^2))*kHat')
+    border = FeatureEdges(Input=bump, BoundaryEdges=1, FeatureEdges=0, NonManifoldEdges=0, ManifoldEdges=0)
+    handle = Calculator(Input=border, ResultArrayName='SourcePosition', Function='coords')
+    saddle = Calculator(Input=handle, CoordinateResults=1,
+                        Function='coords + 0.4*(coordsX^2 - coordsY^2)*kHat')
+    deformed = ShapeDeform(Input=bump, Boundary=saddle)
+    for surface, curve, x in ((bump, border, -1.5), (deformed, saddle, 1.5)):
+        show(surface, (x, 0, 0), edges=True)
+        show(curve, (x, 0, 0), colour=ACCENT).LineWidth = 5.0
+    return (0.3, -1.0, 0.7), (0, 0, 1)
+
+
+@drawing
+def Morph():
+    both = ShapeMorph(Input=shape('FigureA.vtp'))
+    for time, x in ((0.0, -1.15), (0.5, 0.0), (1.0, 1.15)):
+        frozen = ForceTime(Input=both, ForcedTime=time)
+        still = PassArrays(Input=frozen)
+        show(still, (x, 0, 0), colour=[0.55, 0.74, 0.80] if time in (0, 1) else ACCENT)
+    return FRONT
+
+
+@drawing
+def MapQuality():
+    a, b = figures()
+    quality = ShapeMapQuality(Input=ShapeCorrespondence(SurfaceA=a, SurfaceB=b))
+    show(quality, array='SymmetricDirichlet', kind='CELLS', limits=(4, 5))
+    return FRONT
+
+
+@drawing
+def MapErrorCurve():
+    a, b = shape('FigureASmall.vtp'), shape('FigureBSmall.vtp')
+    chart = CreateView('XYChartView')
+    SetActiveView(chart)
+    chart.LegendLocation, chart.LeftAxisTitle = 'BottomRight', 'share of points'
+    chart.BottomAxisTitle = 'error over the root of the area'
+    chart.LeftAxisTitleFontSize = chart.BottomAxisTitleFontSize = chart.LegendFontSize = 15
+    chart.LeftAxisTitleBold = chart.BottomAxisTitleBold = 0
+    chart.LeftAxisLabelFontSize = chart.BottomAxisLabelFontSize = 14
+    for method, colour in (('ReversibleHarmonic', INK), ('FunctionalMap', ACCENT)):
+        match = ShapeCorrespondence(SurfaceA=a, SurfaceB=b, Method=method)
+        shown = Show(ShapeMapErrorCurve(Input=match, Target=b, Truth=a, LargestError=0.1), chart)
+        shown.UseIndexForXAxis, shown.XArrayName, shown.SeriesVisibility = 0, 'Error', ['Share']
+        shown.SeriesLabel = ['Share', method]
+        shown.SeriesColor = ['Share'] + [str(part) for part in colour]
+        shown.SeriesLineThickness = ['Share', '3']
+    return None
+
+
+@drawing
+def MapDifference():
+    a, b = figures()
+    show(ShapeMapDifference(SurfaceA=a, SurfaceB=b), array='AreaDifference', preset='Cool to Warm',
+         limits=(0.5, 1.5))
+    return FRONT
+
+
+@drawing
+def GeodesicDistance():
+    surface = shape('FigureA.vtp')
+    seed = PointSource(Center=[0.508, 0.017, 0.792], NumberOfPoints=1, Radius=0.0)
+    distance = ShapeGeodesicDistance(Input=surface, Seeds=seed)
+    show(distance, array='GeodesicDistance', preset='Viridis (matplotlib)', discrete=16)
+    return FRONT
+
+
+@drawing
+def BoundaryDistance():
+    surface = shape('FigureA.vtp')
+    grid = Plane(Origin=[-0.7, 0.02, -0.1], Point1=[0.7, 0.02, -0.1], Point2=[-0.7, 0.02, 1.2],
+                 XResolution=280, YResolution=260)
+    distance = ShapeBoundaryDistance(Input=grid, Surface=surface)
+    shown = show(distance, array='BoundaryDistance', preset='Cool to Warm', limits=(-0.12, 0.12), discrete=24)
+    shown.Ambient, shown.Diffuse = 1.0, 0.0
+    return (0, -1, 0), (0, 0, 1)
+
+
+@drawing
+def AbaqusWriter():
+    solid = ShapeHexRemesh(Surface=shape('BentBar.vtp'), CellsOnLongestSide=16)
+    show(OutputPort(solid, 1), array='Patch', kind='CELLS', preset='Turbo', limits=(0, 5), discrete=6,
+         edges=True)
+    return (0.5, 0.6, 1.0), (0, 1, 0)
+
+
+@drawing
+def MeditWriter():
+    solid = ShapeTetrahedralize(Input=shape('PhantomHeadSmall.vtp'), InnerSurfaces=[
+        shape('PhantomBrainSmall.vtp')], PreserveBoundary=0)
+    show(cut(solid, (0, 0, 0), (0, -1, 0)), array='RegionId', kind='CELLS', preset='Cool to Warm', edges=True)
+    return (0.2, -1.0, 0.3), (0, 0, 1)
+
+
+@drawing
+def HexRemeshCells():
+    """Cells On Longest Side 10 and 24."""
+    for number, x in ((10, -0.62), (24, 0.62)):
+        solid = ShapeHexRemesh(Surface=shape('FigureA.vtp'), Method='Grid', CellsOnLongestSide=number)
+        show(OutputPort(solid, 1), (x, 0, 0), colour=[0.55, 0.74, 0.80], edges=True)
+    return FRONT
+
+
+@drawing
+def ParameterizeAreaWeight():
+    """Area Weight 0 and 1: the image of a figure."""
+    for weight, x in ((0.0, -1.1), (1.0, 1.1)):
+        sphere = ShapeParameterize(Input=shape('FigureA.vtp'), AreaWeight=weight)
+        show(checkered(OutputPort(sphere, 1), 'SourcePosition', 0.06), (x, 0, 0), array='Checker',
+             preset='Cool to Warm')
+    return FRONT
+
+
+@drawing
+def DeformRigidity():
+    """Rigidity 0.5, 1 and 3: the boundary of a square with a bump is bent."""
+    plane = Plane(Origin=[-1, -1, 0], Point1=[1, -1, 0], Point2=[-1, 1, 0], XResolution=50, YResolution=50)
+    bump = Calculator(Input=plane, CoordinateResults=1,
+                      Function='coords + 0.5*exp(-12*(coordsX^2 + coordsY^2))*kHat')
+    border = FeatureEdges(Input=bump, BoundaryEdges=1, FeatureEdges=0, NonManifoldEdges=0, ManifoldEdges=0)
+    handle = Calculator(Input=border, ResultArrayName='SourcePosition', Function='coords')
+    saddle = Calculator(Input=handle, CoordinateResults=1,
+                        Function='coords + 0.4*(coordsX^2 - coordsY^2)*kHat')
+    for rigidity, x in ((0.5, -2.4), (1.0, 0.0), (3.0, 2.4)):
+        show(ShapeDeform(Input=bump, Boundary=saddle, Rigidity=rigidity), (x, 0, 0))
+    return (0.3, -1.0, 0.5), (0, 0, 1)
+
+
+@drawing
+def FillHolesEdgeGrowth():
+    """Edge Growth 0 and 0.5: the fill of half a sphere."""
+    dome = Clean(Input=Sphere(ThetaResolution=50, PhiResolution=50, EndPhi=90.0))
+    for growth, x in ((0.0, -0.6), (0.5, 0.6)):
+        show(ShapeFillHoles(Input=dome, EdgeGrowth=growth), (x, 0, 0), array='Filled', kind='CELLS',
+             preset='Cool to Warm', edges=True)
+    return (0.1, -0.6, -1.0), (0, 0, 1)
+
+
+def draw(name):
+    view = CreateRenderView(ViewSize=[1120, 760], OrientationAxesVisibility=0, UseColorPaletteForBackground=0,
+                            Background=[1, 1, 1], CameraParallelProjection=1)
+    SetActiveView(view)
+    camera = drawings[name]()
+    if camera:
+        view.CameraFocalPoint, view.CameraPosition, view.CameraViewUp = [0, 0, 0], camera[0], camera[1]
+        ResetCamera(view)
+        view.GetActiveCamera().Zoom(1.25)
+    path = os.path.join(FOLDER, name + '.png')
+    SaveScreenshot(path, GetActiveView(), ImageResolution=[1120, 760])
+    subprocess.check_call(['convert', path, '-trim', '+repage', '-bordercolor', 'white', '-border', '12',
+                           '-resize', '560x380', '-colors', '96', '-strip', '-define',
+                           'png:compression-level=9', path])
+    print(name, os.path.getsize(path), flush=True)
+
+
+if __name__ == '__main__':
+    os.makedirs(FOLDER, exist_ok=True)
+    for chosen in sys.argv[1:] or sorted(drawings):
+        try:
+            draw(chosen)
+        except Exception as error:
+            print(chosen, 'FAILED', error, flush=True)
+        ResetSession()
