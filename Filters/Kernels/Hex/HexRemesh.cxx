@@ -117,7 +117,7 @@ HexRemeshResult ByPolycube(
   {
     result = WithNearCreases(surface, polycube, std::move(result), progress.Part(0.4, 0.9));
   }
-  SnapIfFar(result.Fit, surface, progress.Part(0.9, 1.0));
+  SnapIfFar(result.Fit, surface, progress.Part(0.9, 1.0, "moving the boundary onto the surface"));
   const char* maps[] = {
     "mapped by the harmonic map of the polycube's boundary",
     "mapped by the map of tetrahedra onto the polycube, because the harmonic map of its boundary "
@@ -132,14 +132,15 @@ HexRemeshResult ByGivenPolycube(const Surface& surface, const HexRemeshOptions& 
   const GivenPolycube& polycube, const Progress& progress)
 {
   const GivenPolycubeCells cells = BuildPolycubeCells(polycube, surface, options.CellSize,
-    OfMethod<HexMeshOptions>(options).MaximumHexahedra, progress.Part(0.0, 0.4));
+    OfMethod<HexMeshOptions>(options).MaximumHexahedra,
+    progress.Part(0.0, 0.4, "mapping the polycube"));
   HexRemeshResult result;
   result.Method = MethodType::Polycube;
   result.CellSize = cells.CellSize;
   result.Features = FindFeatures(surface, options, cells.CellSize);
   result.Fit = FitHexahedra(
     cells.Solid, surface, result.Features, { options.PaddingLayers }, progress.Part(0.4, 0.9));
-  SnapIfFar(result.Fit, surface, progress.Part(0.9, 1.0));
+  SnapIfFar(result.Fit, surface, progress.Part(0.9, 1.0, "moving the boundary onto the surface"));
   result.Reason =
     "the Polycube is given; its cells are mapped by the harmonic map of its SourcePosition";
   return result;
@@ -277,7 +278,8 @@ HexRemeshResult Made(const Surface& surface, const HexRemeshOptions& options,
     result.Reason += result.InnerCreasesKept ? "" : "; creases of InnerSurfaces are rounded";
     return result;
   }
-  if (const int crossings = ExtractSolidBoundary(surface, progress.Part(0.0, 0.02)).Crossings;
+  if (const int crossings =
+        ExtractSolidBoundary(surface, progress.Part(0.0, 0.02, "checking the surface")).Crossings;
       crossings > 0)
   {
     result = ByGrid(surface, options, progress.Part(0.02, 1.0));

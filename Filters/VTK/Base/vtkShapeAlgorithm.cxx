@@ -4,6 +4,7 @@
 #include "vtkShapeConvert.h"
 #include "vtkShapeGather.h"
 #include "vtkShapeMeasures.h"
+#include "vtkShapeProgress.h"
 
 #include "vtkDataObjectTypes.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -15,11 +16,9 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkVersionMacros.h"
 
 #include "Base/Errors.h"
 
-#include <algorithm>
 #include <cctype>
 
 struct vtkShapeAlgorithm::InputPort
@@ -295,17 +294,7 @@ const vtkShapeAlgorithm::GatheredInput& vtkShapeAlgorithm::GetGatheredInput(
 
 shape::Progress vtkShapeAlgorithm::MakeProgress()
 {
-  return shape::Progress(
-    [this](double fraction)
-    {
-      // Progress never decreases, even if a part was estimated wrongly.
-      this->UpdateProgress(std::clamp(fraction, this->GetProgress(), 1.0));
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111)
-      return !this->CheckAbort();
-#else
-      return !this->GetAbortExecute();
-#endif
-    });
+  return vtkShapeProgress::Make(this, this->GetLabel());
 }
 
 void vtkShapeAlgorithm::AddCount(int port, const std::string& name, double own)

@@ -238,13 +238,14 @@ HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& co
       progress.Part(worstFrom * attempt / attempts, worstFrom * (attempt + 1.0) / attempts);
     if (best.Inverted() > 0)
     {
-      Turn(mesh, constraint, options, best, part.Part(0.0, 0.4));
+      Turn(mesh, constraint, options, best, part.Part(0.0, 0.4, "untangling the hexahedra"));
     }
     LowerAll(mesh, constraint, Sharpnesses, options, best, part.Part(0.4, 1.0));
   }
   if (best.Minimum() > options.RaiseFrom)
   {
-    Raise(mesh, constraint, options, best, progress.Part(worstFrom, 1.0));
+    Raise(mesh, constraint, options, best,
+      progress.Part(worstFrom, 1.0, "improving the worst hexahedra"));
   }
   result.MinimumAfter = best.Minimum();
   result.InvertedAfter = best.Inverted();

@@ -99,7 +99,7 @@ std::optional<Cubes> CubesOfCharts(const Surface& surface, const PolycubeHexesOp
     mapOptions.CellSize = options.CellSize;
     const PolycubeMap map =
       FindPolycubeMap(surface, options.Compactness, mapOptions, progress.Part(0.0, 0.8));
-    Cubes cubes = CubesOfMap(map, progress.Part(0.8, 1.0));
+    Cubes cubes = CubesOfMap(map, progress.Part(0.8, 1.0, "mapping the polycube to the surface"));
     if (HasBoundaryTopology(cubes.Solid, wanted) &&
       cubes.Solid.Hexahedra.rows() <= options.MaximumHexahedra)
     {
@@ -189,14 +189,17 @@ PolycubeHexesResult BuildPolycubeHexahedra(
   std::optional<PolycubeHexesResult> result;
   if (cubes)
   {
-    result = FitCubes(*cubes, surface, options, progress.Part(0.4, 0.7));
+    result = FitCubes(
+      *cubes, surface, options, progress.Part(0.4, 0.7, "fitting the hexahedra to the surface"));
   }
   if (!result || result->Fit.MinimumScaledJacobian < MinimumAccepted)
   {
     try
     {
-      const Cubes voxels = CubesOfVoxels(surface, options, progress.Part(0.7, 0.8));
-      PolycubeHexesResult other = FitCubes(voxels, surface, options, progress.Part(0.8, 1.0));
+      const Cubes voxels = CubesOfVoxels(
+        surface, options, progress.Part(0.7, 0.8, "filling the deformed solid with a grid"));
+      PolycubeHexesResult other = FitCubes(
+        voxels, surface, options, progress.Part(0.8, 1.0, "fitting the hexahedra to the surface"));
       if (!result || other.Fit.MinimumScaledJacobian > result->Fit.MinimumScaledJacobian)
       {
         result = std::move(other);
