@@ -43,14 +43,14 @@ std::vector<int> ServerSockets()
   return sockets;
 }
 
-/// Makes the next update compute the outputs again, though no property has changed.
-void MarkForUpdate(vtkSMSourceProxy* filter)
+/// Makes the next update of the VTK filter compute the outputs again, though no property has
+/// changed. The proxy is not marked: a view that draws must not start the filter.
+void MarkAlgorithm(vtkSMSourceProxy* filter)
 {
   vtkClientServerStream stream;
   stream << vtkClientServerStream::Invoke << VTKOBJECT(filter) << "Modified"
          << vtkClientServerStream::End;
   filter->GetSession()->ExecuteStream(filter->GetLocation(), stream);
-  filter->MarkDirty(filter);
 }
 
 } // namespace
@@ -112,6 +112,7 @@ void pqShapeStop::watch()
   {
     return;
   }
+  this->Unreported.clear();
   pqApplicationCore::instance()->getProgressManager()->setEnableAbort(true);
   button->repaint();
   QWidget* window = button->nativeParentWidget();
@@ -139,42 +140,60 @@ void pqShapeStop::onEnd()
   }
   this->Watch.reset();
   pqApplicationCore::instance()->getProgressManager()->setEnableAbort(false);
-  if (this->Wanted)
+  if (this->Wanted.exchange(false))
   {
-    // ParaView is still in the middle of Apply.
+    this->Unreported = this->Label;
     QTimer::singleShot(0, this, &pqShapeStop::report);
   }
 }
 
 void pqShapeStop::report()
 {
-  this->Wanted = false;
+  bool isFound = false;
   for (pqPipelineSource* source :
     pqApplicationCore::instance()->getServerManagerModel()->findItems<pqPipelineSource*>())
   {
     vtkSMSourceProxy* filter = source->getSourceProxy();
-    // A source that has not run yet is left as it is.
-    if (this->Label == filter->GetXMLLabel() && source->modifiedState() == pqProxy::UNMODIFIED &&
+    // In the first Apply, the state changes only after the filter has run; until then a filter that
+    // was stopped looks like one that was never applied (onModifiedStateChanged).
+    if (this->Unreported == filter->GetXMLLabel() &&
+      source->modifiedState() == pqProxy::UNMODIFIED &&
       filter->GetDataInformation(0)->GetNumberOfPoints() == 0)
     {
+      isFound = true;
+      MarkAlgorithm(filter);
       this->Stopped.insert(source);
-      source->setModifiedState(pqProxy::MODIFIED);
+      // As before the first Apply: it shows the result, which has no representation yet.
+      source->setModifiedState(pqProxy::UNINITIALIZED);
     }
   }
-  if (auto* main = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget()))
+  auto* main = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget());
+  if (isFound && main)
   {
     main->statusBar()->showMessage(
       QString("%1: stopped at %2 %. Its output is empty; Apply runs it again.")
-        .arg(this->Label)
+        .arg(this->Unreported)
         .arg(this->Percent));
+  }
+  if (isFound)
+  {
+    this->Unreported.clear();
   }
 }
 
 void pqShapeStop::onModifiedStateChanged(pqServerManagerModelItem* item)
 {
   auto* source = qobject_cast<pqPipelineSource*>(item);
-  if (source && source->modifiedState() == pqProxy::UNMODIFIED && this->Stopped.erase(source) > 0)
+  if (!source || source->modifiedState() != pqProxy::UNMODIFIED)
   {
-    MarkForUpdate(source->getSourceProxy());
+    return;
+  }
+  if (this->Stopped.erase(source) > 0)
+  {
+    source->getSourceProxy()->MarkDirty(source->getSourceProxy());
+  }
+  if (!this->Unreported.isEmpty())
+  {
+    QTimer::singleShot(0, this, &pqShapeStop::report);
   }
 }

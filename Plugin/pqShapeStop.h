@@ -43,7 +43,8 @@ private:
 
   std::unique_ptr<pqShapeStopWatch> Watch;
   std::atomic<bool> Wanted{ false };
-  QString Label; ///< of the filter that runs
+  QString Label;      ///< of the filter that runs
+  QString Unreported; ///< label of the filter that was stopped, until the window shows it
   int Percent = 0;
   std::set<pqPipelineSource*> Stopped; ///< not yet run again
 };

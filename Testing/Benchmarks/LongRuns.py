@@ -6,7 +6,8 @@ Each case runs once to its end. `deviation` is the greatest difference between t
 reports and the share of the time that has passed; `gap` the longest time between two reports, with the
 stage that was reported before it. The filter looks for an abort only when it reports: so, whenever Abort is
 pressed, it ends at most after `gap` and `end` seconds; `end` is the longest time from an abort at one of
-the shares of the run to the end of the filter. Claims are made of cases that take more than a second.
+the shares of the run to the end of the filter. `work` is as `gap`, in CPU seconds of the filter's thread,
+which other programs do not lengthen. Claims are made of cases that take more than a second.
 """
 import argparse
 import time
@@ -87,10 +88,12 @@ class Run:
             algorithm.AddInputConnection(port, each.GetOutputPort())
             each.Update()
         self.reports = []
+        self.clocks = []  # CPU seconds of this thread at each report, and at the beginning and the end
         self.pressed = None
 
         def report(*_):
             now = time.monotonic() - begin
+            self.clocks.append(time.thread_time())
             self.reports.append((now, algorithm.GetProgress(), algorithm.GetProgressText() or ''))
             if press is not None and self.pressed is None and now >= press:
                 self.pressed = now
@@ -100,8 +103,10 @@ class Run:
         algorithm.AddObserver('ProgressEvent', report)
         algorithm.AddObserver('ErrorEvent', lambda *_: errors.append('an error'))
         begin = time.monotonic()
+        self.clocks.append(time.thread_time())
         algorithm.Update()
         self.seconds = time.monotonic() - begin
+        self.clocks.append(time.thread_time())
         assert not errors, '%s ended with an error' % name
 
     def deviation(self):
@@ -110,10 +115,18 @@ class Run:
                    for now in (self.reports[i][0],
                                self.reports[i + 1][0] if i + 1 < len(self.reports) else self.seconds))
 
+    def tenths(self):
+        """The progress at each tenth of the time."""
+        return [max([share for now, share, _ in self.reports if now <= 0.1 * tenth * self.seconds], default=0.0)
+                for tenth in range(1, 10)]
+
     def gap(self):
         times = [0.0] + [now for now, _, _ in self.reports] + [self.seconds]
-        stages = [''] + [stage for _, _, stage in self.reports]
-        return max((after - before, stage) for before, after, stage in zip(times, times[1:], stages))
+        return max(after - before for before, after in zip(times, times[1:]))
+
+    def work(self):
+        return max((after - before, self.reports[i - 1][2] if i else '')
+                   for i, (before, after) in enumerate(zip(self.clocks, self.clocks[1:])))
 
     def stages(self):
         """Each with its share of the time and of the progress."""
@@ -132,7 +145,8 @@ def main():
     parser.add_argument('case', nargs='*', help='of %s' % ', '.join(CASES))
     options = parser.parse_args()
     claims = sweep.Claims()
-    print('%-26s %8s %9s %7s %7s %7s  %s' % ('case', 'reports', 'seconds', 'dev.', 'gap', 'end', 'stage at the gap'))
+    print('%-26s %8s %9s %7s %7s %7s %7s  %s' % (
+        'case', 'reports', 'seconds', 'dev.', 'gap', 'work', 'end', 'stage at the longest work'))
     for name in options.case or CASES:
         whole = Run(*CASES[name])
         ends = []
@@ -140,12 +154,13 @@ def main():
             run = Run(*CASES[name], press=share * whole.seconds)
             if run.pressed is not None:
                 ends.append(run.seconds - run.pressed)
-        (deviation, where), (gap, stage) = whole.deviation(), whole.gap()
+        (deviation, where), gap, (work, stage) = whole.deviation(), whole.gap(), whole.work()
         end = max(ends, default=0.0)
-        print('%-26s %8d %9.2f %7.2f %7.3f %7.3f  %s' % (
-            name, len(whole.reports), whole.seconds, deviation, gap, end, stage.partition(': ')[2]), flush=True)
+        print('%-26s %8d %9.2f %7.2f %7.3f %7.3f %7.3f  %s' % (
+            name, len(whole.reports), whole.seconds, deviation, gap, work, end, stage.partition(': ')[2]), flush=True)
         if options.stages:
             print('    deviation at', where)
+            print('    progress at each tenth of the time', ' '.join('%.2f' % share for share in whole.tenths()))
             for stage, (seconds, progress) in whole.stages().items():
                 print('    %6.3f of the time, %6.3f of the progress  %s' % (seconds, progress, stage))
         if whole.seconds > 1.0:

@@ -40,7 +40,6 @@ def play(port):
                 presser.kill()
                 raise AssertionError('the filter ended before the button was enabled')
             pressed = float(open(result).read().split()[0])
-            print('%s: %.2f s from the press to the empty output' % (what, now - pressed))
             with open(os.environ['STOP_TIMES'], 'a') as file:
                 file.write('%s: %.2f s from the press until the window goes on\\n' % (what, now - pressed))
             assert made.GetDataInformation().GetNumberOfCells() == 0, 'the filter was not stopped' ''')

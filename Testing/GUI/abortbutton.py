@@ -5,25 +5,28 @@
 runs beside the window, which does nothing else while a filter runs. RESULT gets the time of the press and
 the position of the button on the screen. The button is enabled when its cross is red (Qt draws it grey
 otherwise); it is the lowest red thing of the window."""
+import statistics
 import subprocess
 import sys
 import time
 
-import numpy
-
 RED = (0xec, 0x1c, 0x24)
+ROWS = 40  # of pixels, from the screen's lower edge
 
 
 def find():
-    """The centre of the cross; nothing if there is no red of its colour near the screen's lower edge."""
-    picture = subprocess.run(['import', '-window', 'root', 'ppm:-'], stdout=subprocess.PIPE, check=True).stdout
+    """The centre of the cross; None if there is none."""
+    picture = subprocess.run(['import', '-window', 'root', '-depth', '8', 'ppm:-'], stdout=subprocess.PIPE,
+                             check=True).stdout
     _, size, _, pixels = picture.split(b'\n', 3)
     width, height = map(int, size.split())
-    image = numpy.frombuffer(pixels, numpy.uint8).reshape(height, width, 3)[-40:].astype(int)
-    rows, columns = numpy.nonzero((abs(image - RED) < 8).all(axis=2))
-    if len(rows) < 10:
+    strip = pixels[-3 * width * ROWS:]
+    red = [divmod(i, width) for i in range(width * ROWS)
+           if all(abs(strip[3 * i + k] - RED[k]) < 8 for k in range(3))]
+    if len(red) < 10:
         return None
-    return int(numpy.median(columns)), height - 40 + int(numpy.median(rows))
+    return (int(statistics.median(column for _, column in red)),
+            height - ROWS + int(statistics.median(row for row, _ in red)))
 
 
 def press(what, place):

@@ -36,7 +36,7 @@ shape::Progress Make(vtkAlgorithm* algorithm, const std::string& label)
       algorithm->UpdateProgress(std::clamp(fraction, algorithm->GetProgress(), 1.0));
       if (StopRequest() && StopRequest()())
       {
-        algorithm->SetAbortExecute(1);
+        return false;
       }
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111)
       return !algorithm->CheckAbort();

@@ -20,8 +20,8 @@ shape::Progress Make(vtkAlgorithm* algorithm, const std::string& label);
 
 /// Lets the program that runs the filters stop them: a filter keeps its process busy until it ends,
 /// so nothing else could set its AbortExecute. `isWanted` is called at every report, in the thread
-/// of the filter that reports; if it returns true, AbortExecute of that filter is set. An empty
-/// function removes the previous one.
+/// of the filter that reports; if it returns true, that filter stops. AbortExecute remains as it
+/// is, because it would also stop the next run. An empty function removes the previous one.
 VTKSHAPEFILTERS_EXPORT void SetStopRequest(std::function<bool()> isWanted);
 
 } // namespace vtkShapeProgress

@@ -284,13 +284,15 @@ SurfaceFeatures FindFeatures(const Surface& surface, const HexMeshOptions& optio
 HexFit FitHexahedra(const HexMesh& core, const Surface& surface, const SurfaceFeatures& features,
   const HexFitOptions& options, const Progress& progress, const InnerInterfaces& interfaces)
 {
+  const double first =
+    features.Curves.empty() ? 1.0 : 0.7; // without creases there is no second fit
   std::optional<HexFit> fit =
-    FitWith(core, surface, features, options, interfaces, progress.Part(0.0, 0.6));
+    FitWith(core, surface, features, options, interfaces, progress.Part(0.0, first));
   if (!fit ||
     (!features.Curves.empty() && fit->MinimumScaledJacobian < options.MinimumWithFeatures))
   {
-    std::optional<HexFit> smooth =
-      FitWith(core, surface, RemoveCurves(features), options, interfaces, progress.Part(0.6, 1.0));
+    std::optional<HexFit> smooth = FitWith(
+      core, surface, RemoveCurves(features), options, interfaces, progress.Part(first, 1.0));
     if (!fit || smooth.value().MinimumScaledJacobian > fit->MinimumScaledJacobian)
     {
       fit = std::move(smooth);

@@ -265,8 +265,9 @@ public:
     for (int round = 0; round < rounds; ++round)
     {
       const GridDensity warp(seeds);
-      const Progress part =
-        progress.Part(static_cast<double>(round) / rounds, (round + 1.0) / rounds);
+      // Most searches end after few rounds: each gets half of what is left.
+      const double left = std::exp2(-round);
+      const Progress part = progress.Part(1.0 - left, round + 1 < rounds ? 1.0 - 0.5 * left : 1.0);
       const double first = size > 0.0 ? size : this->CellSizeFor(hexahedra, warp);
       std::optional<GridHexesResult> result = FillGrid(this->Regions, this->Boundary, this->Options,
         std::min(first, this->LargestSize), warp, part.Part(0.0, 0.8));
