@@ -1,4 +1,4 @@
-"""Progress rises from 0 to 1; an abort stops the filter, leaves its outputs empty without an error,
+"""Progress rises from 0 to 1 and says what is done; an abort stops the filter, leaves its outputs empty without an error,
 and the filter can be used again."""
 import filters
 import shapetesting
@@ -6,9 +6,21 @@ import shapetesting
 for name in filters.names():
     algorithm = filters.with_good_inputs(name)
     seen = []
-    tag = algorithm.AddObserver('ProgressEvent', lambda *_: seen.append(algorithm.GetProgress()))
+    stages = set()
+
+    def record(*_):
+        seen.append(algorithm.GetProgress())
+        label, _, stage = (algorithm.GetProgressText() or '').partition(': ')
+        if 0.0 < seen[-1] < 1.0:
+            assert label == algorithm.GetLabel(), '%s shows "%s"' % (name, label)
+            stages.add(stage)
+
+    tag = algorithm.AddObserver('ProgressEvent', record)
     assert not shapetesting.run(algorithm)
     algorithm.RemoveObserver(tag)
+    for stage in stages - {''}:
+        assert stage[0].islower() and stage[-1].isalpha() and len(stage) <= 60, '%s: "%s"' % (name, stage)
+    assert stages != {''}, name + ' never says what it does'
     assert seen == sorted(seen), name + ': progress falls'
     # The executive itself ends every run at 1: the filter must have said so before.
     assert seen[-2:] == [1.0, 1.0], '%s: progress ends at %s' % (name, seen[-3:])
@@ -39,4 +51,4 @@ for name in filters.names():
     assert not shapetesting.run(algorithm)
     assert filters.size_of(algorithm.GetOutputDataObject(0)) == size, \
         name + ' does not work after an abort'
-    print(name, 'reports', len(seen), 'times, aborts and works again')
+    print(name, 'reports', len(seen), 'times,', len(stages - {''}), 'stages, aborts and works again')

@@ -187,7 +187,8 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
   CorrespondenceResult& result, const Progress& whole)
 {
   const Surface &a = pair.A(), &b = pair.B();
-  const Progress progress = whole.Part(0.0, 0.9), lift = whole.Part(0.9, 1.0);
+  const Progress progress = whole.Part(0.0, 0.9),
+                 lift = whole.Part(0.9, 1.0, "interpolating the maps");
   switch (options.Method)
   {
     case Options::MethodType::FunctionalMap:
@@ -281,9 +282,10 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
   const bool find = own.empty();
   if (find)
   {
-    const CoarsePair pair(
-      one.Surface, two.Surface, {}, options.CoarsePoints, progress.Part(0.0, 0.05));
-    Begin(pair.A(), pair.B(), own, options.Part, result, progress.Part(0.05, 0.35));
+    const CoarsePair pair(one.Surface, two.Surface, {}, options.CoarsePoints,
+      progress.Part(0.0, 0.05, "coarsening the surfaces"));
+    Begin(pair.A(), pair.B(), own, options.Part, result,
+      progress.Part(0.05, 0.35, "finding landmarks"));
     own = pair.OnFine(own);
     result.Start.Pairs = pair.OnFine(result.Start.Pairs);
     result.Start.Rival = pair.OnFine(result.Start.Rival);
@@ -293,16 +295,19 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
   // A second coarsening: the landmarks are known now and must survive, and the number of points is
   // that of the method.
   const CoarsePair pair(one.Surface, two.Surface, kept,
-    EnoughPoints(std::max(one, two, HasFewer).Surface, options), progress.Part(0.35, 0.4));
+    EnoughPoints(std::max(one, two, HasFewer).Surface, options),
+    progress.Part(0.35, 0.4, "coarsening the surfaces"));
   result.CoarsePoints =
     static_cast<int>(std::max(pair.A().Points().rows(), pair.B().Points().rows()));
   own = pair.OnCoarse(own);
   result.Start.Rival = pair.OnCoarse(result.Start.Rival);
   if (!find)
   {
-    Begin(pair.A(), pair.B(), own, options.Part, result, progress.Part(0.4, 0.45));
+    Begin(pair.A(), pair.B(), own, options.Part, result,
+      progress.Part(0.4, 0.45, "comparing the landmarks"));
   }
-  const SurfaceMaps maps = Find(pair, own, options, result, progress.Part(0.45, 0.95));
+  const SurfaceMaps maps =
+    Find(pair, own, options, result, progress.Part(0.45, 0.95, "mapping the surfaces"));
   result.Start.Rival = pair.OnFine(result.Start.Rival);
   const auto asGiven = [&](Landmarks found)
   {

@@ -155,13 +155,13 @@ void Divide(const SurfaceDivision& division, const CutFeatureOptions& options,
   {
     const Surface whole(MergeSeam(result.Rest));
     FilledSurface filled = Filled(whole, division.CutLoops(whole, result.Rest.Ids),
-      division.MeanArea(), options.Fill, progress.Part(0.1, 0.6));
+      division.MeanArea(), options.Fill, progress.Part(0.1, 0.6, "filling the holes"));
     Append(filled, result.Rest);
     result.Holes = std::move(filled.Holes);
     // The longest loop carries the base; others are inner holes of the feature.
     if (!loops.empty())
     {
-      FindBase(filled.Surface, loops.front(), result, progress.Part(0.6, 1.0));
+      FindBase(filled.Surface, loops.front(), result, progress.Part(0.6, 1.0, "finding the base"));
     }
   }
   const std::size_t points = result.Rest.Ids.size();
@@ -221,10 +221,10 @@ CutFeatureResult FeatureCutter::Cut(const std::vector<Eigen::MatrixXd>& curves,
   const CutFeatureOptions& options, const Progress& progress)
 {
   progress(0.0);
-  const std::vector<SurfaceLoop> loops =
-    this->LoopsThrough(curves, options.LoopIndex, progress.Part(0.0, 0.2));
-  ImprintedCurves split = ImprintCurves(
-    this->Locator->GetSurface(), loops, { options.SnapShare }, progress.Part(0.2, 0.3));
+  const std::vector<SurfaceLoop> loops = this->LoopsThrough(
+    curves, options.LoopIndex, progress.Part(0.0, 0.2, "connecting the loop on the surface"));
+  ImprintedCurves split = ImprintCurves(this->Locator->GetSurface(), loops, { options.SnapShare },
+    progress.Part(0.2, 0.3, "cutting the surface"));
   // Only the longest part of a curve that touches itself is used.
   std::vector<std::vector<int>> chosen;
   std::vector<char> isTaken(loops.size(), 0);

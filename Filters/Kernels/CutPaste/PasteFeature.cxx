@@ -242,8 +242,8 @@ Eigen::MatrixXd FeatureToPaste::Smoothly(HandlePose pose, const Eigen::MatrixXd&
 PastedFeature FeatureToPaste::PasteOn(PasteTarget& target, const PastePlacement& placement,
   const PasteFeatureOptions& options, const Progress& progress) const
 {
-  LoopOnTarget landing =
-    target.Land(this->Stand, placement, !options.Dragging, progress.Part(0.0, 0.3));
+  LoopOnTarget landing = target.Land(this->Stand, placement, !options.Dragging,
+    progress.Part(0.0, 0.3, "placing the base on the target"));
   // Offsets within the feature grow with Scale, so the feature is deformed at its original size to
   // a pose divided by Scale.
   HandlePose pose = PoseHandle(this->Handle, landing.Positions / placement.Scale, landing.Normals);
@@ -251,11 +251,12 @@ PastedFeature FeatureToPaste::PasteOn(PasteTarget& target, const PastePlacement&
     this->LoopNormals(this->WithMidpoints(this->Prepared->Deform(pose, this->NormalReach).Points)),
     landing.Normals, ComputeHandleTangents(this->Handle, pose.Positions));
   const Eigen::MatrixXd deformed = options.OptimizeNormals
-    ? this->Smoothly(pose, landing.Normals, options, progress.Part(0.3, 0.9))
-    : this->WithMidpoints(
-        this->Prepared
-          ->Deform(pose, std::numeric_limits<double>::infinity(), progress.Part(0.3, 0.9))
-          .Points);
+    ? this->Smoothly(
+        pose, landing.Normals, options, progress.Part(0.3, 0.9, "deforming the feature"))
+    : this->WithMidpoints(this->Prepared
+                            ->Deform(pose, std::numeric_limits<double>::infinity(),
+                              progress.Part(0.3, 0.9, "deforming the feature"))
+                            .Points);
   // If the loop replaces the ring, point for point, no edge can exist twice.
   const auto given = static_cast<int>(this->Feature.Points().rows());
   const bool fits = landing.Join.Triangles.rows() == 0;

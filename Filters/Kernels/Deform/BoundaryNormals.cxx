@@ -231,10 +231,10 @@ BoundaryNormalsResult OptimizeBoundaryNormals(const ShapeDeformation& deformatio
   NormalSearch search(deformation, handle, pose, wanted, normals, options);
   BoundaryNormalsResult result;
   result.Before = search.MeanDeviation();
-  search.Search(true, progress.Part(0.0, 0.5));
+  search.Search(true, progress.Part(0.0, 0.5, "optimizing the normals"));
   if (!options.SingleAngle)
   {
-    search.Search(false, progress.Part(0.5, 1.0));
+    search.Search(false, progress.Part(0.5, 1.0, "optimizing the normals"));
   }
   result.Pose = search.Pose();
   result.Angles = search.Angles();

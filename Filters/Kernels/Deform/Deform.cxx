@@ -131,8 +131,8 @@ DeformedShape Deformer::Deform(const DeformProblem& problem, const HandleTarget&
     {
       RequireFinite(problem.Shape.Points, "the shape");
       this->Order = OrderByPosition(problem.Shape.Points);
-      this->Graph =
-        BuildPointGraph(Sorted(problem.Shape, this->Order), {}, progress.Part(0.0, 0.2));
+      this->Graph = BuildPointGraph(
+        Sorted(problem.Shape, this->Order), {}, progress.Part(0.0, 0.2, "connecting the points"));
     }
     const DeformFields& fields = problem.Fields;
     this->Deformation = PrepareDeformation(this->Graph, problem.Handle, problem.Options,
@@ -142,7 +142,7 @@ DeformedShape Deformer::Deform(const DeformProblem& problem, const HandleTarget&
   }
   const DeformedShape sorted =
     this->Deformation->Deform(PoseHandleAt(problem.Handle, target, options, this->Graph),
-      std::numeric_limits<double>::infinity(), progress.Part(0.8, 1.0));
+      std::numeric_limits<double>::infinity(), progress.Part(0.8, 1.0, "moving the points"));
   DeformedShape deformed{ Eigen::MatrixXd(sorted.Points.rows(), 3),
     std::vector<Eigen::Matrix3d>(sorted.Rotations.size()) };
   for (std::size_t i = 0; i < this->Order.size(); ++i)

@@ -133,12 +133,13 @@ ShapeDeformation::ShapeDeformation(const PointGraph& graph, const BoundaryHandle
   Prepared& own = *this->Impl;
   own.Shape = graph;
   own.Handle = handle;
-  own.Sources = AttachHandle(graph, handle, progress.Part(0.0, 0.1));
-  own.Facts.Islands =
-    ConnectComponents(own.Sources.Graph, own.Sources.Nodes, progress.Part(0.1, 0.2));
+  own.Sources =
+    AttachHandle(graph, handle, progress.Part(0.0, 0.1, "attaching the shape to the boundary"));
+  own.Facts.Islands = ConnectComponents(
+    own.Sources.Graph, own.Sources.Nodes, progress.Part(0.1, 0.2, "connecting the components"));
   own.Facts.WeldedPoints = static_cast<int>(graph.NodeOf.size()) - graph.Size();
-  const FrontSweep sweep =
-    SweepFront(own.Sources.Graph, own.Sources.Nodes, progress.Part(0.2, 0.3));
+  const FrontSweep sweep = SweepFront(
+    own.Sources.Graph, own.Sources.Nodes, progress.Part(0.2, 0.3, "ordering the points"));
   own.Arrivals.resize(graph.NodeOf.size());
   for (Eigen::Index i = 0; i < own.Arrivals.size(); ++i)
   {
@@ -158,13 +159,14 @@ ShapeDeformation::ShapeDeformation(const PointGraph& graph, const BoundaryHandle
     auto parts = std::make_unique<SegmentHierarchy>(
       std::move(problem), labels,
       [&](NodeProblem one, const Progress& part) { return Solve(std::move(one), options, part); },
-      progress.Part(0.3, 1.0));
+      progress.Part(0.3, 1.0, "preparing the weights"));
     own.Facts.Segments = parts->Segments();
     own.Nodes = std::move(parts);
   }
   else
   {
-    own.Nodes = Solve(std::move(problem), options, progress.Part(0.3, 1.0));
+    own.Nodes =
+      Solve(std::move(problem), options, progress.Part(0.3, 1.0, "preparing the weights"));
   }
   own.Facts.EmptyBands = own.Nodes->EmptyBands();
   own.Facts.ZeroWeights = own.Nodes->ZeroWeights();

@@ -37,7 +37,7 @@ BoundaryDistance::BoundaryDistance(
   RequireFinite(surface.Points(), "the Surface");
   if (options.Signed)
   {
-    this->WithSign.emplace(Oriented(surface, progress.Part(0.0, 0.5)));
+    this->WithSign.emplace(Oriented(surface, progress.Part(0.0, 0.5, "orienting the surface")));
   }
   else
   {

@@ -83,7 +83,8 @@ PatchLayout FlattenPatch(ExponentialMap& map, const Eigen::RowVector3d& seed,
   layout.Radius = options.Radius > 0.0 ? options.Radius : share * diagonal;
   const ClosestPoint position = map.Locator().FindOne(seed);
   layout.SeedDistance = position.Distance;
-  layout.Patch = map.Around(position, layout.Radius, xDirection, progress.Part(0.0, 0.4));
+  layout.Patch =
+    map.Around(position, layout.Radius, xDirection, progress.Part(0.0, 0.4, "spreading the patch"));
   if (layout.Patch.Points.empty())
   {
     throw InvalidInput("no point of the surface lies within Radius (" +
@@ -93,7 +94,8 @@ PatchLayout FlattenPatch(ExponentialMap& map, const Eigen::RowVector3d& seed,
     Eigen::Map<const Eigen::VectorXi>(layout.Patch.Triangles.data(), layout.Patch.Corners.rows()));
   if (options.MendFlips)
   {
-    layout.Mended = Mend(map.Surface(), layout.Patch, progress.Part(0.4, 0.8));
+    layout.Mended =
+      Mend(map.Surface(), layout.Patch, progress.Part(0.4, 0.8, "unfolding the patch"));
   }
   layout.Facts =
     ComputeExponentialFacts(map.Surface(), layout.Patch, layout.Radius, progress.Part(0.8, 1.0));

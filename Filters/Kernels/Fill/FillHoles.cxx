@@ -323,11 +323,11 @@ std::vector<bool> SurfaceFiller::FillEach(const FillHolesOptions& options, const
 // 4. Report the intersections that remain.
 FilledSurface SurfaceFiller::Fill(const FillHolesOptions& options, const Progress& progress)
 {
-  std::vector<bool> fails = this->FillEach(options, progress.Part(0.0, 0.7));
+  std::vector<bool> fails = this->FillEach(options, progress.Part(0.0, 0.7, "filling the holes"));
   FilledSurface filled = this->Joined(nullptr);
   const auto first = static_cast<int>(this->Surface.Triangles().rows());
-  std::vector<Crossing> crossings =
-    FindPatchSelfIntersections(filled.Surface, first, progress.Part(0.7, 0.75));
+  std::vector<Crossing> crossings = FindPatchSelfIntersections(
+    filled.Surface, first, progress.Part(0.7, 0.75, "looking for self-intersections"));
   // In the first round one by one, so that no fill avoids another one that is still to be replaced;
   // then those that intersect a fill that came after them.
   const int rounds = options.Method == FillMethod::Automatic ? 2 : 0;
@@ -353,7 +353,8 @@ FilledSurface SurfaceFiller::Fill(const FillHolesOptions& options, const Progres
     {
       this->Holes[i].IsFilled = !(isFirst && fails[i]);
     }
-    const Progress part = progress.Part(0.75 + 0.1 * round, 0.85 + 0.1 * round);
+    const Progress part =
+      progress.Part(0.75 + 0.1 * round, 0.85 + 0.1 * round, "refilling patches that intersect");
     for (std::size_t i = 0; i < fails.size(); ++i)
     {
       if (fails[i])
@@ -363,7 +364,8 @@ FilledSurface SurfaceFiller::Fill(const FillHolesOptions& options, const Progres
     }
     fails.assign(fails.size(), false);
     filled = this->Joined(nullptr);
-    crossings = FindPatchSelfIntersections(filled.Surface, first, progress.Part(0.95, 0.95));
+    crossings = FindPatchSelfIntersections(
+      filled.Surface, first, progress.Part(0.95, 0.95, "looking for self-intersections"));
   }
   for (const Crossing& crossing : crossings)
   {

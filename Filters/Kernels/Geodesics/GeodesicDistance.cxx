@@ -60,9 +60,11 @@ GeodesicDistanceResult ComputeGeodesicDistance(const Surface& surface, const Eig
   {
     throw InvalidInput("the Seeds have no points; give at least one position to measure from");
   }
-  const ClosestPoints positions = SurfaceLocator(surface).Find(seeds, progress.Part(0.0, 0.1));
+  const ClosestPoints positions = SurfaceLocator(surface).Find(
+    seeds, progress.Part(0.0, 0.1, "finding the seeds on the surface"));
   GeodesicDistanceResult result;
-  result.Distances = Distances(surface, positions, options.Method, progress.Part(0.1, 1.0));
+  result.Distances = Distances(
+    surface, positions, options.Method, progress.Part(0.1, 1.0, "computing geodesic distances"));
   for (double& distance : result.Distances)
   {
     if (std::isinf(distance))

@@ -105,7 +105,8 @@ HarmonicVolumeMapResult ComputeHarmonicVolumeMap(const Surface& boundary,
   HarmonicVolumeMapOptions options = given;
   options.OffsetDistance = NearestOffset(scaled.Surface, options);
   // Step 2: the affine part.
-  FundamentalSolutionFit problem(scaled, features, options, progress.Part(0.0, 0.05));
+  FundamentalSolutionFit problem(
+    scaled, features, options, progress.Part(0.0, 0.05, "fitting the affine part"));
   HarmonicVolumeMapResult result;
   result.OffsetDistance = options.OffsetDistance;
   result.Levels.push_back(problem.Errors());
@@ -117,18 +118,19 @@ HarmonicVolumeMapResult ComputeHarmonicVolumeMap(const Surface& boundary,
   else if (options.Method == HarmonicVolumeMapOptions::MethodType::SingleShot)
   {
     // Step 3: all charges at once.
-    SolveSingleShot(problem, options, result, progress.Part(0.05, 1.0));
+    SolveSingleShot(problem, options, result, progress.Part(0.05, 1.0, "fitting the charges"));
   }
   else if (options.Method == HarmonicVolumeMapOptions::MethodType::MultiLevel)
   {
     // Step 3: a sum of maps.
-    SolveMultiLevel(problem, options, result, progress.Part(0.05, 1.0));
+    SolveMultiLevel(problem, options, result, progress.Part(0.05, 1.0, "fitting the charges"));
   }
   else
   {
     // Step 3: charges close to the boundary.
     AcceleratedSetup own;
-    SolveAccelerated(problem, options, setup ? *setup : own, result, progress.Part(0.05, 0.7));
+    SolveAccelerated(problem, options, setup ? *setup : own, result,
+      progress.Part(0.05, 0.7, "fitting the charges"));
     if (problem.HasFeatures())
     {
       // Step 4. The correction for features is smooth near the boundary, so a few distant charges
@@ -139,7 +141,7 @@ HarmonicVolumeMapResult ComputeHarmonicVolumeMap(const Surface& boundary,
       smooth.CollocationRatio = std::min(smooth.CollocationRatio, maximumCollocations / points);
       smooth.SourceRatio = std::min(smooth.SourceRatio, maximumSources / points);
       const double near = result.OffsetDistance;
-      SolveMultiLevel(problem, smooth, result, progress.Part(0.7, 1.0));
+      SolveMultiLevel(problem, smooth, result, progress.Part(0.7, 1.0, "fitting the features"));
       result.OffsetDistance = std::min(near, result.OffsetDistance);
     }
   }

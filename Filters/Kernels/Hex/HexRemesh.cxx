@@ -112,12 +112,12 @@ HexRemeshResult ByPolycube(
   const auto polycube = OfMethod<PolycubeHexesOptions>(options);
   const bool isAutomatic = options.CellSize == 0.0;
   PolycubeHexesResult result =
-    BuildPolycubeHexahedra(surface, polycube, progress.Part(0.0, isAutomatic ? 0.4 : 0.9));
+    BuildPolycubeHexahedra(surface, polycube, progress.Part(0.0, 0.9));
   if (isAutomatic)
   {
-    result = WithNearCreases(surface, polycube, std::move(result), progress.Part(0.4, 0.9));
+    result = WithNearCreases(surface, polycube, std::move(result), progress.Part(0.9, 0.95));
   }
-  SnapIfFar(result.Fit, surface, progress.Part(0.9, 1.0));
+  SnapIfFar(result.Fit, surface, progress.Part(0.95, 1.0, "moving the boundary onto the surface"));
   const char* maps[] = {
     "mapped by the harmonic map of the polycube's boundary",
     "mapped by the map of tetrahedra onto the polycube, because the harmonic map of its boundary "
@@ -132,14 +132,15 @@ HexRemeshResult ByGivenPolycube(const Surface& surface, const HexRemeshOptions& 
   const GivenPolycube& polycube, const Progress& progress)
 {
   const GivenPolycubeCells cells = BuildPolycubeCells(polycube, surface, options.CellSize,
-    OfMethod<HexMeshOptions>(options).MaximumHexahedra, progress.Part(0.0, 0.4));
+    OfMethod<HexMeshOptions>(options).MaximumHexahedra,
+    progress.Part(0.0, 0.4, "mapping the polycube"));
   HexRemeshResult result;
   result.Method = MethodType::Polycube;
   result.CellSize = cells.CellSize;
   result.Features = FindFeatures(surface, options, cells.CellSize);
   result.Fit = FitHexahedra(
     cells.Solid, surface, result.Features, { options.PaddingLayers }, progress.Part(0.4, 0.9));
-  SnapIfFar(result.Fit, surface, progress.Part(0.9, 1.0));
+  SnapIfFar(result.Fit, surface, progress.Part(0.9, 1.0, "moving the boundary onto the surface"));
   result.Reason =
     "the Polycube is given; its cells are mapped by the harmonic map of its SourcePosition";
   return result;
@@ -169,9 +170,10 @@ HexRemeshResult ByTheBetter(
   const double diagonal = ComputeBoxDiagonal(surface.Points());
   std::optional<HexRemeshResult> polycube;
   std::string why;
+  // Whether a grid follows is known only after the polycube: either way, progress is not far off.
   try
   {
-    polycube = ByPolycube(surface, options, progress.Part(0.0, 0.5));
+    polycube = ByPolycube(surface, options, progress.Part(0.0, 0.8));
     const HexFit& fit = polycube->Fit;
     if (fit.CreasesKept && fit.MinimumScaledJacobian >= MinimumScaledJacobian &&
       fit.Distance <= LargestDistance * diagonal)
@@ -188,7 +190,7 @@ HexRemeshResult ByTheBetter(
   {
     why = failure.what();
   }
-  HexRemeshResult grid = ByGrid(surface, options, progress.Part(0.5, 1.0));
+  HexRemeshResult grid = ByGrid(surface, options, progress.Part(0.8, 1.0));
   if (!polycube)
   {
     grid.Reason = "no polycube: " + why;
@@ -277,7 +279,8 @@ HexRemeshResult Made(const Surface& surface, const HexRemeshOptions& options,
     result.Reason += result.InnerCreasesKept ? "" : "; creases of InnerSurfaces are rounded";
     return result;
   }
-  if (const int crossings = ExtractSolidBoundary(surface, progress.Part(0.0, 0.02)).Crossings;
+  if (const int crossings =
+        ExtractSolidBoundary(surface, progress.Part(0.0, 0.02, "checking the surface")).Crossings;
       crossings > 0)
   {
     result = ByGrid(surface, options, progress.Part(0.02, 1.0));

@@ -236,8 +236,8 @@ DiskMapResult MapToDisk(
   }
   progress(0.2);
   // Step 3: convex combinations.
-  const Eigen::MatrixXd image = SolveConvexCombination(
-    scaled, options.Weights, result.Loop, positions, progress.Part(0.2, 0.9));
+  const Eigen::MatrixXd image = SolveConvexCombination(scaled, options.Weights, result.Loop,
+    positions, progress.Part(0.2, 0.9, "mapping to the disk"));
   // Step 4: no flip.
   RequireNoFlip(surface, image, options.Weights);
   result.Points = Eigen::MatrixXd::Zero(surface.Points().rows(), 3);

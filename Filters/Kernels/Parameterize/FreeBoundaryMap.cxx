@@ -106,7 +106,8 @@ FreeBoundaryMapResult MapWithFreeBoundary(
 
   FreeBoundaryMapResult result;
   // Step 2: the conformal map.
-  Eigen::MatrixXd image = FlattenConformally(unit, progress.Part(0.0, 0.2));
+  Eigen::MatrixXd image =
+    FlattenConformally(unit, progress.Part(0.0, 0.2, "flattening conformally"));
   const std::vector<std::vector<int>> loops = FindManifoldBoundaryLoops(surface);
   for (std::size_t i = 0; i < loops.front().size(); ++i)
   {
@@ -139,8 +140,8 @@ FreeBoundaryMapResult MapWithFreeBoundary(
   image /= std::sqrt(ComputePlanarArea(surface.Triangles(), image));
   if (options.Refine)
   {
-    const InjectiveRefinementResult refined =
-      RefineInjectively(unit, image, {}, options.Refinement, progress.Part(0.3, 1.0));
+    const InjectiveRefinementResult refined = RefineInjectively(
+      unit, image, {}, options.Refinement, progress.Part(0.3, 1.0, "lowering the distortion"));
     image = refined.Points;
     result.Iterations = refined.Iterations;
   }

@@ -236,7 +236,8 @@ OrbifoldImage MapToOrbifold(const Surface& surface, const std::vector<int>& cone
   image.Cones = cones;
   image.Tile = BuildOrbifoldTile(type);
   // Step 1: the cut.
-  const EdgePath path = FindEdgePathThrough(surface, cones, progress.Part(0.1, 0.2));
+  const EdgePath path =
+    FindEdgePathThrough(surface, cones, progress.Part(0.1, 0.2, "cutting the surface"));
   std::vector<std::array<int, 2>> edges;
   for (std::size_t i = 1; i < path.Points.size(); ++i)
   {

@@ -107,8 +107,8 @@ ParameterizeResult OntoDisk(
   {
     InjectiveRefinementOptions refinement;
     refinement.Scale = ScaleTo(map.Points, surface);
-    const InjectiveRefinementResult refined = RefineInjectively(
-      surface, map.Points.leftCols(2), map.Loop, refinement, progress.Part(0.3, 1.0));
+    const InjectiveRefinementResult refined = RefineInjectively(surface, map.Points.leftCols(2),
+      map.Loop, refinement, progress.Part(0.3, 1.0, "lowering the distortion"));
     result.Positions.leftCols(2) = refined.Points;
     result.Method = "SymmetricDirichlet";
     result.Iterations = refined.Iterations;

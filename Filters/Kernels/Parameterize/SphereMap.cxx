@@ -248,8 +248,9 @@ bool Attempt(const Mesh& mesh, SphereMapMethod method, const SphereMapOptions& o
   // Step 1: the first image.
   if (method == SphereMapMethod::GlobalReinsertion)
   {
-    result.Points =
-      ReinsertAll(mesh.Triangles, n, options.AreaWeight, progress.Part(0.0, 0.8)).Points;
+    result.Points = ReinsertAll(
+      mesh.Triangles, n, options.AreaWeight, progress.Part(0.0, 0.8, "mapping to the sphere"))
+                      .Points;
   }
   else
   {
@@ -263,8 +264,8 @@ bool Attempt(const Mesh& mesh, SphereMapMethod method, const SphereMapOptions& o
     {
       maximum = std::max(16, static_cast<int>(options.LargestRepair * n));
     }
-    result.Points =
-      FlowToSphere(mesh, angles, stiffness, options, result.Iterations, progress.Part(0.0, 0.8));
+    result.Points = FlowToSphere(mesh, angles, stiffness, options, result.Iterations,
+      progress.Part(0.0, 0.8, "mapping to the sphere"));
     // Step 2: orientation.
     if (ComputeSolidAngles(mesh.Triangles, result.Points).sum() < 0.0)
     {
@@ -291,8 +292,8 @@ bool Attempt(const Mesh& mesh, SphereMapMethod method, const SphereMapOptions& o
     {
       return ComputeCoveringDegree(mesh.Triangles, result.Points) == 1;
     }
-    const SphericalReinsertionResult repaired =
-      ReinsertFlipped(mesh.Triangles, result.Points, maximum, part.Part(0.1, 0.7));
+    const SphericalReinsertionResult repaired = ReinsertFlipped(
+      mesh.Triangles, result.Points, maximum, part.Part(0.1, 0.7, "repairing inverted triangles"));
     if (!repaired.Reached)
     {
       return false;
@@ -300,7 +301,8 @@ bool Attempt(const Mesh& mesh, SphereMapMethod method, const SphereMapOptions& o
     result.Points = repaired.Points;
     result.Reinserted += static_cast<int>(repaired.Reinserted.size());
     RelaxOnSphere(result.Points, mesh.Triangles, angles.Cotangents,
-      Around(mesh, repaired.Reinserted), options.RelaxationSweeps, part.Part(0.7, 1.0));
+      Around(mesh, repaired.Reinserted), options.RelaxationSweeps,
+      part.Part(0.7, 1.0, "relaxing the triangles"));
   }
   return false;
 }

@@ -15,8 +15,8 @@ LaplaceSpectrumResult ComputeLaplaceSpectrum(
   const bool isSpectral = options.Embedding == LaplaceSpectrumOptions::EmbeddingType::Spectral;
   const double share = isSpectral ? 0.9 : 0.5; // share of the time
   LaplaceSpectrumResult analysis;
-  analysis.Spectrum =
-    SolveLaplaceEigenproblem(surface, options.NumberOfEigenpairs, progress.Part(0.0, share));
+  analysis.Spectrum = SolveLaplaceEigenproblem(
+    surface, options.NumberOfEigenpairs, progress.Part(0.0, share, "computing the eigenfunctions"));
   if (isSpectral) // comes first, because it needs the most eigenpairs
   {
     analysis.Embedding = ComputeSpectralEmbedding(analysis.Spectrum, options.EmbeddingDimensions);
@@ -27,8 +27,8 @@ LaplaceSpectrumResult ComputeLaplaceSpectrum(
   {
     // The default of EmbedByClassicalMds.
     constexpr int samples = 500;
-    analysis.Embedding =
-      EmbedByClassicalMds(surface, options.EmbeddingDimensions, samples, progress.Part(share, 1.0));
+    analysis.Embedding = EmbedByClassicalMds(surface, options.EmbeddingDimensions, samples,
+      progress.Part(share, 1.0, "embedding the surface"));
   }
   progress(1.0);
   return analysis;

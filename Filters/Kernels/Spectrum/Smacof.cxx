@@ -102,11 +102,13 @@ EmbeddedSamples EmbedSamples(
   }
   const std::vector<int> points =
     SampleFarthestPoints(surface, options.Samples, progress.Part(0.0, 0.2));
-  const Eigen::MatrixXd all = ComputeHeatDistances(surface, points, progress.Part(0.2, 0.7));
+  const Eigen::MatrixXd all =
+    ComputeHeatDistances(surface, points, progress.Part(0.2, 0.7, "computing geodesic distances"));
   // Computed distances are not exactly symmetric, so the mean of both directions is used.
   const Eigen::MatrixXd between = all(points, Eigen::all);
   return { points,
-    Majorised(0.5 * (between + between.transpose()), options, progress.Part(0.7, 1.0)) };
+    Majorised(0.5 * (between + between.transpose()), options,
+      progress.Part(0.7, 1.0, "embedding the surface")) };
 }
 
 Eigen::MatrixXd ExtendBiharmonically(const Surface& surface, const EmbeddedSamples& samples)

@@ -301,7 +301,8 @@ TetrahedralizeResult Tetrahedralize(const Surface& surface,
     each = scale == 1.0 ? each : each.WithPoints(scale * each.Points());
   }
   const SurfaceComplex complex = JoinSurfaces(surfaces);
-  RequireConformingComplex(complex, names, 1.0 / scale, progress.Part(0.02, 0.2));
+  RequireConformingComplex(
+    complex, names, 1.0 / scale, progress.Part(0.02, 0.2, "looking for self-intersections"));
   const SolidRegions regions(surfaces, names, progress.Part(0.2, 0.25));
   const double maximumVolume = options.MaximumVolume * scale * scale * scale;
   const double byVolume = maximumVolume > 0.0 ? regions.Volumes().sum() / maximumVolume : 0.0;
@@ -318,7 +319,7 @@ TetrahedralizeResult Tetrahedralize(const Surface& surface,
   TetGenOutput mesh =
     RunTetGen({ complex.Surfaces, regions.FindPositionsInVoids(), options.MaximumRadiusEdgeRatio,
                 maximumVolume, options.PreserveBoundary, maximumNewPoints },
-      progress.Part(0.25, 0.85));
+      progress.Part(0.25, 0.85, "tetrahedralizing with TetGen"));
   const Eigen::Index given = complex.Surfaces.Points.rows();
   if (mesh.Tetrahedra.rows() == 0 || mesh.Faces.rows() == 0 || mesh.Points.rows() < given ||
     mesh.Points.topRows(given) != complex.Surfaces.Points)
@@ -339,7 +340,7 @@ TetrahedralizeResult Tetrahedralize(const Surface& surface,
   TetrahedralizeResult result;
   result.RegionId =
     FindRegionIds(mesh, options.PreserveBoundary ? complex.Surfaces.Triangles : mesh.Faces,
-      measures.Volumes, regions, progress.Part(0.9, 0.99));
+      measures.Volumes, regions, progress.Part(0.9, 0.99, "finding the regions of the tetrahedra"));
   progress(0.99);
   Eigen::VectorXi used = Eigen::VectorXi::Zero(static_cast<Eigen::Index>(surfaces.size()));
   used(result.RegionId).setOnes();

@@ -234,7 +234,8 @@ int ReduceInverted(Untangling& untangling, int maximumSteps, const Progress& pro
 {
   SolidCells& solid = untangling.Solid;
   progress(0.02);
-  std::vector<int> bad = FindInvertedCells(solid, progress.Part(0.02, 0.05));
+  std::vector<int> bad =
+    FindInvertedCells(solid, progress.Part(0.02, 0.05, "looking for inverted cells"));
   CellSplits splits(solid, [&](int point) { return untangling.IsMovable(point); });
   std::size_t minimum = bad.size();
   auto best = bad.empty() ? nullptr : std::make_unique<SolidCells>(solid);
@@ -327,14 +328,17 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
   const int moreSteps = patience * std::min(steps, std::numeric_limits<int>::max() / patience);
   Untangling best = BeginUntangling(cells, rest, options);
   const auto invertedBefore = static_cast<int>(FindInvertedCells(best.Solid).size());
-  int left = ReduceInverted(best, steps, progress.Part(0.0, 0.5));
-  left = left > 0 ? ReduceInverted(best, moreSteps, progress.Part(0.5, 0.7)) : 0;
+  int left = ReduceInverted(best, steps, progress.Part(0.0, 0.5, "untangling the inverted cells"));
+  left = left > 0
+    ? ReduceInverted(best, moreSteps, progress.Part(0.5, 0.7, "untangling the last inverted cells"))
+    : 0;
   if (left > 0)
   {
     Untangling other = BeginUntangling(cells, rest, options);
     // Restarts with each inner point at the mean of its neighbours.
     other.Solid.Points = SolveTutteEmbedding(other.Solid);
-    if (ReduceInverted(other, moreSteps, progress.Part(0.7, 0.95)) < left)
+    if (ReduceInverted(
+          other, moreSteps, progress.Part(0.7, 0.95, "untangling from another start")) < left)
     {
       best = std::move(other);
     }

@@ -5,6 +5,7 @@
 #include "vtkShapeFacts.h"
 #include "vtkShapeGather.h"
 #include "vtkShapeMeasures.h"
+#include "vtkShapeProgress.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
@@ -23,11 +24,9 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkVersionMacros.h"
 
 #include "Base/Errors.h"
 
-#include <algorithm>
 #include <cctype>
 #include <cstring>
 
@@ -325,17 +324,7 @@ const vtkShapeAlgorithm::GatheredInput& vtkShapeAlgorithm::GetGatheredInput(
 
 shape::Progress vtkShapeAlgorithm::MakeProgress()
 {
-  return shape::Progress(
-    [this](double fraction)
-    {
-      // Progress never decreases, even if a part was estimated wrongly.
-      this->UpdateProgress(std::clamp(fraction, this->GetProgress(), 1.0));
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111)
-      return !this->CheckAbort();
-#else
-      return !this->GetAbortExecute();
-#endif
-    });
+  return vtkShapeProgress::Make(this, this->GetLabel());
 }
 
 void vtkShapeAlgorithm::AddCount(int port, const std::string& name, double own)

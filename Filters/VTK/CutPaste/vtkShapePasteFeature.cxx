@@ -70,8 +70,8 @@ void vtkShapePasteFeature::Execute(const shape::Progress& progress)
   {
     return;
   }
-  this->PrepareFeature(progress.Part(0.0, 0.2));
-  this->PrepareTarget(progress.Part(0.2, 0.3));
+  this->PrepareFeature(progress.Part(0.0, 0.2, "preparing the feature"));
+  this->PrepareTarget(progress.Part(0.2, 0.3, "preparing the target"));
   this->Placement.Seed << this->Seed[0], this->Seed[1], this->Seed[2];
   auto* output = vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
   try

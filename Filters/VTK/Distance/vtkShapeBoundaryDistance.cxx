@@ -36,8 +36,8 @@ void vtkShapeBoundaryDistance::Execute(const shape::Progress& progress)
     [&](vtkDataSet* from, vtkDataSet* to)
     {
       const double next = done + share * from->GetNumberOfPoints();
-      const Eigen::VectorXd values =
-        distance.Evaluate(vtkShapeConvert::ToPoints(from), progress.Part(done, next));
+      const Eigen::VectorXd values = distance.Evaluate(
+        vtkShapeConvert::ToPoints(from), progress.Part(done, next, "computing distances"));
       done = next;
       to->ShallowCopy(from);
       to->GetPointData()->AddArray(vtkShapeConvert::ToArray(values, "BoundaryDistance"));

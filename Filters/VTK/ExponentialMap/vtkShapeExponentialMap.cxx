@@ -59,7 +59,7 @@ void vtkShapeExponentialMap::Execute(const shape::Progress& progress)
   {
     return;
   }
-  Kept& kept = this->Update(progress.Part(0.0, 0.7));
+  Kept& kept = this->Update(progress.Part(0.0, 0.7, "preparing the surface"));
   const shape::PatchLayout layout = shape::FlattenPatch(*kept.Map,
     Eigen::Map<const Eigen::RowVector3d>(this->Seed),
     Eigen::Map<const Eigen::RowVector3d>(this->XDirection), this->Options, progress.Part(0.7, 1.0));

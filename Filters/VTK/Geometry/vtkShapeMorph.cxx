@@ -73,7 +73,7 @@ void vtkShapeMorph::Execute(const shape::Progress& progress)
     [&](vtkDataSet* from, vtkDataSet* to)
     {
       const double next = done + share * from->GetNumberOfPoints();
-      const shape::Progress part = progress.Part(done, next);
+      const shape::Progress part = progress.Part(done, next, "moving the points");
       done = next;
       const Eigen::MatrixXd positions = vtkShapeConvert::ToPoints(from);
       shape::RequireFinite(positions, "the Input");

@@ -45,25 +45,29 @@ void vtkShapeApplyVolumeMap::Execute(const shape::Progress& progress)
       " blocks; extract one charge set with Extract Block");
   }
   const auto map = std::make_shared<const shape::PiecewiseHarmonicMap>(
-    vtkShapeChargeSet::Read(this->GetGatheredInput(1).Data, "the Map"), progress.Part(0.05, 0.1));
+    vtkShapeChargeSet::Read(this->GetGatheredInput(1).Data, "the Map"),
+    progress.Part(0.05, 0.1, "preparing the map"));
 
   std::array<vtkIdType, 3> counts{};
   vtkDataObject* moved = this->GetOutputDataObject(0);
   if (this->Inverse)
   {
-    const shape::PiecewiseInverseMap inverse(map, {}, progress.Part(0.1, 0.3));
+    const shape::PiecewiseInverseMap inverse(
+      map, {}, progress.Part(0.1, 0.3, "preparing the inverse map"));
     const auto position = [&](const Eigen::MatrixXd& points, const shape::Progress& part)
     {
       const shape::InverseMap::Result found = inverse.Find(points, part);
       return shape::MovedPoints{ found.Points, found.States };
     };
-    counts = vtkShapeChargeSet::Move(domain, moved, position, progress.Part(0.3, 1.0));
+    counts = vtkShapeChargeSet::Move(
+      domain, moved, position, progress.Part(0.3, 1.0, "inverting the map"));
   }
   else
   {
     const auto position = [&](const Eigen::MatrixXd& points, const shape::Progress& part)
     { return shape::ApplyVolumeMap(*map, points, part); };
-    counts = vtkShapeChargeSet::Move(domain, moved, position, progress.Part(0.1, 1.0));
+    counts = vtkShapeChargeSet::Move(
+      domain, moved, position, progress.Part(0.1, 1.0, "moving the points"));
   }
   this->AddCount(0, "ApplyVolumeMap.OutsidePoints", static_cast<double>(counts[1]));
   this->AddCount(0, "ApplyVolumeMap.NotInverted", static_cast<double>(counts[2]));

@@ -164,12 +164,12 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
     domain, moved,
     [&](const Eigen::MatrixXd& points, const shape::Progress& part)
     { return shape::ApplyVolumeMap(map, points, part); },
-    progress.Part(0.82, this->FoldFree ? 0.9 : 1.0));
+    progress.Part(0.82, this->FoldFree ? 0.9 : 1.0, "moving the points"));
   if (this->FoldFree)
   {
     const auto inverted = vtkShapeSolid::MakeFoldFree(domain, moved,
       vtkShapeConvert::ToMesh(this->GetGatheredInput(1).Data, "the Boundary"), result.Targets,
-      controller, progress.Part(0.9, 1.0));
+      controller, progress.Part(0.9, 1.0, "untangling the moved solid"));
     vtkShapeConvert::AddFact(moved, Facts + "InvertedBefore", inverted.first);
     vtkShapeConvert::AddFact(moved, Facts + "InvertedAfter", inverted.second);
   }

@@ -1,6 +1,7 @@
 #include "vtkShapeWriter.h"
 
 #include "vtkShapeConvert.h"
+#include "vtkShapeProgress.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"
@@ -154,12 +155,7 @@ void vtkShapeWriter::WriteWhole(const shape::MeshSets& sets, const shape::Progre
 
 void vtkShapeWriter::WriteData()
 {
-  const shape::Progress progress(
-    [this](double fraction)
-    {
-      this->UpdateProgress(fraction);
-      return !this->GetAbortExecute();
-    });
+  const shape::Progress progress = vtkShapeProgress::Make(this, this->GetLabel());
   unsigned long code = vtkErrorCode::UserError;
   std::string message;
   try
@@ -168,7 +164,8 @@ void vtkShapeWriter::WriteData()
     {
       throw FileError("there is no file name; set one", vtkErrorCode::NoFileNameError);
     }
-    this->WriteWhole(this->ReadInput(progress.Part(0.0, 0.5)), progress.Part(0.5, 1.0));
+    this->WriteWhole(this->ReadInput(progress.Part(0.0, 0.5, "reading the input")),
+      progress.Part(0.5, 1.0, "writing the file"));
     return;
   }
   catch (const shape::Aborted&)

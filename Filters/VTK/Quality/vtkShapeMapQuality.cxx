@@ -192,7 +192,8 @@ void vtkShapeMapQuality::Execute(const shape::Progress& progress)
         {
           to->ShallowCopy(from);
           const double next = done + share * from->GetNumberOfPoints();
-          parts.push_back(Prepare(from, this->MapArray, progress.Part(done, next)));
+          parts.push_back(
+            Prepare(from, this->MapArray, progress.Part(done, next, "reading the cells")));
           done = next;
         });
       progress(0.3);
@@ -209,8 +210,8 @@ void vtkShapeMapQuality::Execute(const shape::Progress& progress)
       {
         const double begin = 0.3 + 0.65 * i / parts.size(), end = begin + 0.65 / parts.size();
         const Part& part = parts[i];
-        const shape::MapQualityResult result = shape::EvaluateMapQuality(
-          part.Points, part.Images, part.Cells, extent, progress.Part(begin, end));
+        const shape::MapQualityResult result = shape::EvaluateMapQuality(part.Points, part.Images,
+          part.Cells, extent, progress.Part(begin, end, "measuring the distortion"));
         WriteCells(result, leaves[i]);
         sums.Add(result, part.Own);
       }

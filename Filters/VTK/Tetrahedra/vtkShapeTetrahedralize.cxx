@@ -81,7 +81,7 @@ void vtkShapeTetrahedralize::Execute(const shape::Progress& progress)
   auto* output = vtkUnstructuredGrid::SafeDownCast(this->GetOutputDataObject(0));
   WriteTetrahedra(solid, output);
   const shape::Provenance provenance =
-    shape::TraceClosestPositions(mesh, solid, progress.Part(0.9, 1.0));
+    shape::TraceClosestPositions(mesh, solid, progress.Part(0.9, 1.0, "transferring the arrays"));
   vtkShapeCarry::Carry({ { surface, provenance } }, output);
   vtkShapeCarry::AddOriginals(solid.Provenance.Points, "OriginalPointId", output->GetPointData());
   const std::pair<const char*, double> facts[] = { { "Points",

@@ -194,7 +194,7 @@ void vtkShapeTransferFields::Execute(const shape::Progress& progress)
   }
   progress(0.05);
   const shape::TransferFields transfer(vtkShapeConvert::ToCells(giver, "the Source"), giverMap,
-    this->Options, progress.Part(0.05, 0.2));
+    this->Options, progress.Part(0.05, 0.2, "building the search tree"));
 
   vtkDataObject* input = this->GetInputDataObject(0, 0);
   // The new map array replaces that of the receiver, and with it the precise map.
@@ -244,9 +244,10 @@ void vtkShapeTransferFields::Execute(const shape::Progress& progress)
       }
       const shape::TransferWeights found = precise
         ? shape::LocateOnTriangles(*precise, *numbered)
-        : transfer.Find(positions, progress.Part(done, middle));
+        : transfer.Find(positions, progress.Part(done, middle, "finding the positions"));
       to->ShallowCopy(from);
-      Carry(fields, found, giver->GetNumberOfCells(), to, progress.Part(middle, next));
+      Carry(fields, found, giver->GetNumberOfCells(), to,
+        progress.Part(middle, next, "transferring the arrays"));
       for (const std::string& name : replaced)
       {
         SetAside(to, name);

@@ -270,15 +270,16 @@ SurfaceMaps ComputeBlendedIntrinsicMap(const Surface& a, const Surface& b,
     throw InvalidInput("there are " + std::to_string(landmarks.size()) +
       " landmarks, but a map needs three; give three or more, or none to have them found");
   }
-  const Landmarks used =
-    landmarks.empty() ? FindLandmarks(a, b, {}, progress.Part(0.0, 0.2)).Pairs : landmarks;
+  const Landmarks used = landmarks.empty()
+    ? FindLandmarks(a, b, {}, progress.Part(0.0, 0.2, "finding landmarks")).Pairs
+    : landmarks;
   // Both surfaces use one method, or their maps would not agree. The more conformal method can fail
   // on one of them by rounding alone if a fan is close to the surface that it closes, as on a
   // sheet.
   const SphereMapMethod first =
     isOpenA || isOpenB ? SphereMapMethod::PositiveFlow : SphereMapMethod::ConformalFlow;
-  RoundSurface onA = MakeRound(a, first, progress.Part(0.2, 0.4)),
-               onB = MakeRound(b, first, progress.Part(0.4, 0.6));
+  RoundSurface onA = MakeRound(a, first, progress.Part(0.2, 0.4, "mapping SurfaceA to the sphere")),
+               onB = MakeRound(b, first, progress.Part(0.4, 0.6, "mapping SurfaceB to the sphere"));
   if (onA.Method < onB.Method)
   {
     onA = MakeRound(a, onB.Method, progress.Part(0.6, 0.7));
@@ -295,15 +296,15 @@ SurfaceMaps ComputeBlendedIntrinsicMap(const Surface& a, const Surface& b,
       " landmarks, no three are distinct points on both surfaces; give three that are apart");
   }
   Blend blend = Choose(onA, onB, locatorB, maps, SampleFarthestPoints(a, options.Samples), options,
-    progress.Part(0.7, 0.8));
+    progress.Part(0.7, 0.8, "choosing conformal maps"));
   SurfaceMaps result;
-  result.AToB = Blended(onA, onB, b, locatorB, blend, progress.Part(0.8, 0.9));
+  result.AToB = Blended(onA, onB, b, locatorB, blend, progress.Part(0.8, 0.9, "blending the maps"));
   for (Eigen::Matrix2cd& moebius : blend.Maps)
   {
     // The same maps with the same weights serve both directions, so the two results are consistent.
     moebius = moebius.inverse().eval();
   }
-  result.BToA = Blended(onB, onA, a, locatorA, blend, progress.Part(0.9, 1.0));
+  result.BToA = Blended(onB, onA, a, locatorA, blend, progress.Part(0.9, 1.0, "blending the maps"));
   return result;
 }
 

@@ -143,13 +143,17 @@ Eigen::MatrixXd CollectUncutPositions(const OrbifoldImage& image, Eigen::Index p
 OrbifoldMap MapThroughOrbifold(const Surface& a, const std::vector<int>& conesA, const Surface& b,
   const std::vector<int>& conesB, OrbifoldType type, const Progress& progress)
 {
-  const OrbifoldImage imageA = ImageOf("A", a, conesA, type, progress.Part(0.0, 0.3));
-  const OrbifoldImage imageB = ImageOf("B", b, conesB, type, progress.Part(0.3, 0.6));
+  const OrbifoldImage imageA =
+    ImageOf("A", a, conesA, type, progress.Part(0.0, 0.3, "mapping SurfaceA to the orbifold"));
+  const OrbifoldImage imageB =
+    ImageOf("B", b, conesB, type, progress.Part(0.3, 0.6, "mapping SurfaceB to the orbifold"));
   const Eigen::MatrixXd positionsA = CollectUncutPositions(imageA, a.Points().rows());
   const Eigen::MatrixXd positionsB = CollectUncutPositions(imageB, b.Points().rows());
   OrbifoldMap map;
-  map.AToB = OrbifoldLocator(imageB, ReachOf(imageA)).Find(positionsA, progress.Part(0.6, 0.8));
-  map.BToA = OrbifoldLocator(imageA, ReachOf(imageB)).Find(positionsB, progress.Part(0.8, 1.0));
+  map.AToB = OrbifoldLocator(imageB, ReachOf(imageA))
+               .Find(positionsA, progress.Part(0.6, 0.8, "composing the maps"));
+  map.BToA = OrbifoldLocator(imageA, ReachOf(imageB))
+               .Find(positionsB, progress.Part(0.8, 1.0, "composing the maps"));
   return map;
 }
 

@@ -250,18 +250,19 @@ SphereCommonDomainResult MapThroughSphere(const Surface& a, const std::vector<in
   RequireLandmarks(a, landmarksA, "A");
   RequireLandmarks(b, landmarksB, "B");
   SphereCommonDomainResult result;
-  result.SphereA = OnSphere(a, "A", progress.Part(0.0, 0.2));
-  result.SphereB = OnSphere(b, "B", progress.Part(0.2, 0.4));
+  result.SphereA = OnSphere(a, "A", progress.Part(0.0, 0.2, "mapping SurfaceA to the sphere"));
+  result.SphereB = OnSphere(b, "B", progress.Part(0.2, 0.4, "mapping SurfaceB to the sphere"));
   const Eigen::MatrixXd goals = result.SphereB(landmarksB, Eigen::all);
   const Eigen::Matrix3d turn =
     FitRotation(goals.transpose() * result.SphereA(landmarksA, Eigen::all));
   result.SphereA = (result.SphereA * turn.transpose()).rowwise().normalized().eval();
-  Warp(a, landmarksA, goals, options, result.SphereA, progress.Part(0.4, 0.8));
+  Warp(a, landmarksA, goals, options, result.SphereA,
+    progress.Part(0.4, 0.8, "aligning the landmarks on the sphere"));
 
-  result.AToB =
-    LocateDirections({ result.SphereB, b.Triangles() }, result.SphereA, progress.Part(0.8, 0.9));
-  result.BToA =
-    LocateDirections({ result.SphereA, a.Triangles() }, result.SphereB, progress.Part(0.9, 1.0));
+  result.AToB = LocateDirections({ result.SphereB, b.Triangles() }, result.SphereA,
+    progress.Part(0.8, 0.9, "composing the maps"));
+  result.BToA = LocateDirections({ result.SphereA, a.Triangles() }, result.SphereB,
+    progress.Part(0.9, 1.0, "composing the maps"));
   return result;
 }
 

@@ -172,8 +172,10 @@ MapDifferenceResult MapDifference(const Surface& first, const Surface& second,
   const int there = std::min({ 2 * count, used, usedThere });
 
   const EdgeSamples samples(first, second, map, progress.Part(0.0, 0.1));
-  const LaplaceEigenpairs here = SolveLaplaceEigenproblem(first, count, progress.Part(0.1, 0.3)),
-                          beyond = SolveLaplaceEigenproblem(second, there, progress.Part(0.3, 0.9));
+  const LaplaceEigenpairs here = SolveLaplaceEigenproblem(
+                            first, count, progress.Part(0.1, 0.3, "computing the eigenfunctions")),
+                          beyond = SolveLaplaceEigenproblem(
+                            second, there, progress.Part(0.3, 0.9, "computing the eigenfunctions"));
   const Eigen::VectorXd roots = samples.Areas.cwiseSqrt();
   // Where the map covers little of B, the system is nearly singular: small singular values are cut
   // off.

@@ -123,12 +123,14 @@ MapErrorCurveResult ComputeMapErrorCurve(const Surface& input, const Eigen::Matr
       ComputeExactGeodesicsBetween(target, wanted, reached, part.Part(0.1, 1.0)), result.Unit);
   };
   const bool hasMirrored = truth.Mirrored.size() > 0;
-  result.Errors = measure(truth.Targets, progress.Part(0.2, hasMirrored ? 0.6 : 1.0));
+  result.Errors = measure(
+    truth.Targets, progress.Part(0.2, hasMirrored ? 0.6 : 1.0, "computing geodesic distances"));
   // The better of the two truths for all positions together: intrinsic methods cannot distinguish
   // them, but a map that mixes both is wrong.
   if (hasMirrored)
   {
-    const Eigen::VectorXd mirrored = measure(truth.Mirrored, progress.Part(0.6, 1.0));
+    const Eigen::VectorXd mirrored =
+      measure(truth.Mirrored, progress.Part(0.6, 1.0, "computing geodesic distances"));
     result.Mirrored =
       mirrored.size() > 0 && (result.Errors.size() == 0 || mirrored.mean() < result.Errors.mean());
     result.Errors = result.Mirrored ? mirrored : result.Errors;

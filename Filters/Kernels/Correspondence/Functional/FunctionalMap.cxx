@@ -272,7 +272,8 @@ Side Prepare(const Surface& surface, int pairs, const Landmarks& landmarks, int 
                surface.Triangles() },
     {}, {}, {} };
   constexpr double tolerance = 1e-6; // smaller ones give no better maps, but take longer
-  side.Spectrum = SolveLaplaceEigenproblem(side.Surface, pairs, progress.Part(0.0, 0.7), tolerance);
+  side.Spectrum = SolveLaplaceEigenproblem(
+    side.Surface, pairs, progress.Part(0.0, 0.7, "computing the eigenfunctions"), tolerance);
   const int count = options.Descriptors;
   // Landmarks along curves are many: a few of them, in order, contain as much information.
   constexpr std::size_t maximum = 12;
@@ -313,18 +314,18 @@ SurfaceMaps ComputeFunctionalMap(const Surface& a, const Surface& b, const Landm
 
   const Side one = Prepare(a, pairs, landmarks, 0, options, progress.Part(0.0, 0.3));
   const Side two = Prepare(b, pairs, landmarks, 1, options, progress.Part(0.3, 0.6));
-  const Eigen::MatrixXd map =
-    FitFunctionalMap(one.Described(), two.Described(), fit, progress.Part(0.6, 0.7));
-  const FunctionalMaps maps = RefineByZoomOut(
-    one.Sampled(), two.Sampled(), map, landmarks, refinement, progress.Part(0.7, 0.85));
+  const Eigen::MatrixXd map = FitFunctionalMap(
+    one.Described(), two.Described(), fit, progress.Part(0.6, 0.7, "fitting the functional map"));
+  const FunctionalMaps maps = RefineByZoomOut(one.Sampled(), two.Sampled(), map, landmarks,
+    refinement, progress.Part(0.7, 0.85, "refining the functional map"));
   const Eigen::MatrixXd &functionsA = one.Spectrum.Eigenfunctions,
                         &functionsB = two.Spectrum.Eigenfunctions;
   // The row of a point's image: with C from B to A, phi_A(x) = C phi_B(image of x), for all
   // eigenfunctions together.
   return { FindNearestSurfacePoints(functionsA, b.Triangles(), functionsB * maps.BToA.transpose(),
-             progress.Part(0.85, 0.92)),
-    FindNearestSurfacePoints(
-      functionsB, a.Triangles(), functionsA * maps.AToB.transpose(), progress.Part(0.92, 1.0)) };
+             progress.Part(0.85, 0.92, "finding the nearest points")),
+    FindNearestSurfacePoints(functionsB, a.Triangles(), functionsA * maps.AToB.transpose(),
+      progress.Part(0.92, 1.0, "finding the nearest points")) };
 }
 
 } // namespace shape

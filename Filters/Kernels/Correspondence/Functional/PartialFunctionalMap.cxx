@@ -98,10 +98,10 @@ SurfaceMaps ComputePartialFunctionalMap(const Surface& part, const Surface& whol
     two(whole.Points() / length, whole.Triangles());
   const auto pairsOf = [&](const Surface& surface)
   { return std::min<int>(options.Eigenpairs, static_cast<int>(surface.Points().rows())); };
-  const LaplaceEigenpairs spectrumOne =
-                            SolveLaplaceEigenproblem(one, pairsOf(one), progress.Part(0.0, 0.2)),
-                          spectrumTwo =
-                            SolveLaplaceEigenproblem(two, pairsOf(two), progress.Part(0.2, 0.4));
+  const LaplaceEigenpairs spectrumOne = SolveLaplaceEigenproblem(one, pairsOf(one),
+                            progress.Part(0.0, 0.2, "computing the eigenfunctions")),
+                          spectrumTwo = SolveLaplaceEigenproblem(two, pairsOf(two),
+                            progress.Part(0.2, 0.4, "computing the eigenfunctions"));
   // As in RefineByZoomOut: landmarks decide where samples are ambiguous, and yield where these
   // agree.
   constexpr double share = 0.001; // of the samples, for each landmark
@@ -109,10 +109,10 @@ SurfaceMaps ComputePartialFunctionalMap(const Surface& part, const Surface& whol
     SampleFarthestPoints(one, options.Samples, progress.Part(0.4, 0.42)), PointsOf(landmarks, 0),
     PointsOf(landmarks, 1), 0.0 };
   refinement.Weight = std::sqrt(share * static_cast<double>(refinement.Samples.size()));
-  const Eigen::MatrixXd positionsOne = EmbedByLandmarks(
-                          one, refinement.PartLandmarks, 1.0, progress.Part(0.42, 0.5)),
-                        positionsTwo = EmbedByLandmarks(
-                          two, refinement.WholeLandmarks, 1.0, progress.Part(0.5, 0.6));
+  const Eigen::MatrixXd positionsOne = EmbedByLandmarks(one, refinement.PartLandmarks, 1.0,
+                          progress.Part(0.42, 0.5, "computing geodesic distances")),
+                        positionsTwo = EmbedByLandmarks(two, refinement.WholeLandmarks, 1.0,
+                          progress.Part(0.5, 0.6, "computing geodesic distances"));
   // Step 1: a first map of the samples, from distances to the landmarks.
   const Eigen::VectorXi start =
     FindNearestRows(positionsOne(refinement.Samples, Eigen::all), positionsTwo);
@@ -134,14 +134,16 @@ SurfaceMaps ComputePartialFunctionalMap(const Surface& part, const Surface& whol
     }
   }
   SurfaceMaps maps;
-  maps.AToB = refinement.Positions(spectrumOne.Eigenfunctions, map, progress.Part(0.8, 0.9));
+  maps.AToB = refinement.Positions(
+    spectrumOne.Eigenfunctions, map, progress.Part(0.8, 0.9, "finding the nearest points"));
   // Step 4: the map back, by proximity to the images of the part. Constant eigenfunctions do not
   // separate points and are left out.
   const auto zeros = static_cast<int>((spectrumTwo.Eigenvalues.array() <= 0.0).count());
   const Eigen::MatrixXd embedding =
     ComputeSpectralEmbedding(spectrumTwo, static_cast<int>(last) - zeros);
   maps.BToA = FindNearestSurfacePoints(embedding, one.Triangles(),
-    PullBack(maps.AToB, two.Triangles(), embedding), progress.Part(0.9, 1.0));
+    PullBack(maps.AToB, two.Triangles(), embedding),
+    progress.Part(0.9, 1.0, "finding the nearest points"));
   return maps;
 }
 

@@ -233,8 +233,10 @@ ReversibleHarmonicResult ComputeReversibleHarmonicMap(const Surface& a, const Su
     return EmbeddedSurface{ surface,
       EmbedBySmacof(surface, options.Scaling, part) / std::sqrt(ComputePointAreas(surface).sum()) };
   };
-  return ComputeReversibleHarmonicMap(embedded(a, progress.Part(0.0, 0.15)),
-    embedded(b, progress.Part(0.15, 0.3)), start, landmarks, options, progress.Part(0.3, 1.0));
+  return ComputeReversibleHarmonicMap(
+    embedded(a, progress.Part(0.0, 0.15, "embedding the surfaces")),
+    embedded(b, progress.Part(0.15, 0.3)), start, landmarks, options,
+    progress.Part(0.3, 1.0, "minimizing the reversible harmonic energy"));
 }
 
 // The alternating minimisation of section 5 of the paper, with weights that change in each
@@ -311,11 +313,13 @@ ReversibleHarmonicResult RefineReversibleHarmonicMap(const CoarsePair& pair,
   const SurfaceMaps& start, const Landmarks& landmarks, const ReversibleHarmonicOptions& options,
   const Progress& progress)
 {
-  EmbeddedSamples ofA = EmbedSamples(pair.A(), options.Scaling, progress.Part(0.0, 0.1)),
+  EmbeddedSamples ofA = EmbedSamples(
+                    pair.A(), options.Scaling, progress.Part(0.0, 0.1, "embedding the surfaces")),
                   ofB = EmbedSamples(pair.B(), options.Scaling, progress.Part(0.1, 0.2));
   const double share = pair.IsCoarser() ? 0.4 : 1.0;
-  ReversibleHarmonicResult result = ComputeReversibleHarmonicMap(Embedded(pair.A(), ofA),
-    Embedded(pair.B(), ofB), start, landmarks, options, progress.Part(0.2, share));
+  ReversibleHarmonicResult result =
+    ComputeReversibleHarmonicMap(Embedded(pair.A(), ofA), Embedded(pair.B(), ofB), start, landmarks,
+      options, progress.Part(0.2, share, "minimizing the reversible harmonic energy"));
   if (!pair.IsCoarser())
   {
     return result;
@@ -339,10 +343,11 @@ ReversibleHarmonicResult RefineReversibleHarmonicMap(const CoarsePair& pair,
   const EmbeddedSurface fineA = Embedded(pair.FineA(), ofA);
   progress(0.45);
   const EmbeddedSurface fineB = Embedded(pair.FineB(), ofB);
-  result.Maps =
-    ComputeReversibleHarmonicMap(fineA, fineB, pair.OnFine(result.Maps, progress.Part(0.5, 0.55)),
-      pair.OnFine(landmarks), fine, progress.Part(0.55, 1.0))
-      .Maps;
+  result.Maps = ComputeReversibleHarmonicMap(fineA, fineB,
+    pair.OnFine(result.Maps, progress.Part(0.5, 0.55, "interpolating the maps")),
+    pair.OnFine(landmarks), fine,
+    progress.Part(0.55, 1.0, "minimizing the energy on the given surfaces"))
+                  .Maps;
   return result;
 }
 

@@ -119,17 +119,20 @@ GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surf
   RequireConnected(b, "surface B");
   RequireLandmarks(landmarks, a, b);
   const Landmarks distinct = Distinct(landmarks);
-  const std::vector<Landmarks> starts = Starts(a, b, distinct, options, progress.Part(0.0, 0.2));
+  const std::vector<Landmarks> starts =
+    Starts(a, b, distinct, options, progress.Part(0.0, 0.2, "finding landmarks"));
   const auto fixed = static_cast<int>(distinct.size());
   Landmarks pinned;
   for (int k = 0; k < fixed; ++k)
   {
     pinned.push_back({ k, k });
   }
-  const SampledSurface onA = SampleSurface(
-                         a, options.Samples, progress.Part(0.2, 0.35), PointsOf(distinct, 0)),
-                       onB = SampleSurface(
-                         b, options.Samples, progress.Part(0.35, 0.5), PointsOf(distinct, 1));
+  const SampledSurface onA = SampleSurface(a, options.Samples,
+                         progress.Part(0.2, 0.35, "computing geodesic distances"),
+                         PointsOf(distinct, 0)),
+                       onB = SampleSurface(b, options.Samples,
+                         progress.Part(0.35, 0.5, "computing geodesic distances"),
+                         PointsOf(distinct, 1));
   const bool isFullA = fixed == static_cast<int>(onA.Points.size()),
              isFullB = fixed == static_cast<int>(onB.Points.size());
   if (isFullA != isFullB)
@@ -156,7 +159,7 @@ GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surf
                           positionsB = EmbedByLandmarks(b, PointsOf(starts[k], 1));
     EntropicCoupling own = SolveCoupling(Spaces(fewA, fewB, fixed),
       Likeness(positionsA(fewA.Points, Eigen::all), positionsB(fewB.Points, Eigen::all)), pinned,
-      options.Coupling, progress.Part(begin, begin + share));
+      options.Coupling, progress.Part(begin, begin + share, "coupling the samples"));
     if (own.Distortion < coupling.Distortion)
     {
       coupling = std::move(own);
@@ -177,8 +180,8 @@ GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surf
     EntropicCouplingOptions last = options.Coupling;
     last.FirstEntropy = std::min(last.FirstEntropy, more * last.Entropy);
     last.Iterations = std::min(last.Iterations, fewer);
-    coupling =
-      SolveCoupling(spaces, gains / last.FirstEntropy, pinned, last, progress.Part(0.7, 0.9));
+    coupling = SolveCoupling(spaces, gains / last.FirstEntropy, pinned, last,
+      progress.Part(0.7, 0.9, "coupling the samples"));
   }
   result.Distortion = coupling.Distortion * Longest(onA, onB);
   result.Error = coupling.Error;
@@ -187,9 +190,9 @@ GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surf
                           spectrumB = SolveLaplaceEigenproblem(
                             b, std::min<int>(options.Eigenpairs, onB.Points.size()));
   result.Maps = { Spread(spectrumA, onA.Points, b, spectrumB, onB.Points, coupling.Masses,
-                    progress.Part(0.94, 0.97)),
+                    progress.Part(0.94, 0.97, "finding the nearest points")),
     Spread(spectrumB, onB.Points, a, spectrumA, onA.Points, coupling.Masses.transpose(),
-      progress.Part(0.97, 1.0)) };
+      progress.Part(0.97, 1.0, "finding the nearest points")) };
   return result;
 }
 

@@ -113,8 +113,8 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
   if (!setup.System || !AreEqual(setup.Boundary, boundary))
   {
     setup.Boundary = boundary;
-    setup.System = std::make_unique<NearSurfaceChargeSystem>(
-      problem.Distance(), boundary, effort, progress.Part(0.0, 0.3));
+    setup.System = std::make_unique<NearSurfaceChargeSystem>(problem.Distance(), boundary, effort,
+      progress.Part(0.0, 0.3, "preparing the fast summation"));
   }
   result.OffsetDistance = setup.System->Offset();
   result.PointsWithoutCharge = setup.System->PointsWithoutCharge();
@@ -130,8 +130,8 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     std::unique_ptr<NearSurfaceChargeSystem> finer;
     if (number > 1)
     {
-      finer = std::make_unique<NearSurfaceChargeSystem>(
-        problem.Distance(), refined.Surface, effort, part.Part(0.0, 0.3));
+      finer = std::make_unique<NearSurfaceChargeSystem>(problem.Distance(), refined.Surface, effort,
+        part.Part(0.0, 0.3, "preparing the fast summation"));
     }
     const NearSurfaceChargeSystem& system = finer ? *finer : *setup.System;
     result.OffsetDistance = std::min(result.OffsetDistance, system.Offset());
@@ -144,7 +144,8 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     GmresOptions gmres;
     gmres.Tolerance = ShareOfTolerance * options.Tolerance;
     gmres.LeastGain = options.LeastGain;
-    const GmresResult fit = system.Solve(left, gmres, part.Part(0.4, 0.9));
+    const GmresResult fit =
+      system.Solve(left, gmres, part.Part(0.4, 0.9, "solving for the charges"));
     result.Iterations += fit.Iterations;
     result.RefinedPoints =
       static_cast<int>(refined.Surface.Points.rows() - boundary.Points().rows());

@@ -155,7 +155,8 @@ FreeBoundaryResult SlideBoundary(const Surface& boundary, const Eigen::MatrixXd&
   // 3. The elliptic energy is minimized; boundary points slide on the target.
   // 4. The harmonic map with the new boundary values is solved.
   // 5. It is kept if its distortion is lower.
-  const TetrahedralizeResult tetrahedra = Tetrahedralize(boundary, {}, {}, progress.Part(0.0, 0.1));
+  const TetrahedralizeResult tetrahedra =
+    Tetrahedralize(boundary, {}, {}, progress.Part(0.0, 0.1, "tetrahedralizing the solid"));
   // Maps the tetrahedra's points; boundary points get exactly the given values.
   const auto carry = [&](const ChargeSet& charges, const Eigen::MatrixXd& values)
   {
@@ -178,7 +179,7 @@ FreeBoundaryResult SlideBoundary(const Surface& boundary, const Eigen::MatrixXd&
   result.DistortionAfter = result.DistortionBefore;
 
   // Step 2: untangling.
-  Solid solid = Untangled(tetrahedra, images, progress.Part(0.15, 0.3));
+  Solid solid = Untangled(tetrahedra, images, progress.Part(0.15, 0.3, "untangling the solid"));
   std::vector<char> held(solid.Rest.rows(), 0);
   for (Eigen::Index i = 0; i < tetrahedra.Provenance.Points.size(); ++i)
   {
@@ -188,8 +189,8 @@ FreeBoundaryResult SlideBoundary(const Surface& boundary, const Eigen::MatrixXd&
   const OnSurface constraint(target, held);
   PatchOptions steps;
   steps.MaximumSteps = steps.FurtherSteps = MaximumSteps;
-  MinimizeEnergy(
-    solid.Moved.Points, WholePatch(solid, size), &constraint, steps, progress.Part(0.3, 0.6));
+  MinimizeEnergy(solid.Moved.Points, WholePatch(solid, size), &constraint, steps,
+    progress.Part(0.3, 0.6, "freeing the boundary"));
 
   // Step 4: the new harmonic map.
   Eigen::MatrixXd freed = targets;

@@ -185,7 +185,8 @@ void SolveSingleShot(FundamentalSolutionFit& problem, const HarmonicVolumeMapOpt
   const int rows = ComputeSampleCount(problem.Boundary(), options.CollocationRatio);
   const int sourceCount = ComputeSampleCount(problem.Boundary(), options.SourceRatio);
   problem.RequireMemory(rows, sourceCount);
-  const ChargeShells shells(problem.Boundary(), options.OffsetDistance, progress.Part(0.0, 0.1));
+  const ChargeShells shells(
+    problem.Boundary(), options.OffsetDistance, progress.Part(0.0, 0.1, "placing the charges"));
   result.OffsetDistance = shells.Nearest();
   const Eigen::MatrixXd sources = Concatenate(
     shells.Sample(sourceCount, options.SourceSampling, options.Seed, progress.Part(0.1, 0.15)));
@@ -216,7 +217,8 @@ void SolveMultiLevel(FundamentalSolutionFit& problem, const HarmonicVolumeMapOpt
   const int sourceCount = ComputeSampleCount(problem.Boundary(), options.SourceRatio);
   const int subsets = ComputeSubsetCount(problem.Boundary(), options);
   problem.RequireMemory(rows, (sourceCount + subsets - 1) / subsets);
-  const ChargeShells shells(problem.Boundary(), options.OffsetDistance, progress.Part(0.0, 0.1));
+  const ChargeShells shells(
+    problem.Boundary(), options.OffsetDistance, progress.Part(0.0, 0.1, "placing the charges"));
   result.OffsetDistance = shells.Nearest();
   // Step 1: sources.
   std::vector<Eigen::MatrixXd> sources = DivideIntoSubsets(

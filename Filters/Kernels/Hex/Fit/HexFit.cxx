@@ -234,7 +234,8 @@ std::optional<HexFit> FitWith(const HexMesh& core, const Surface& surface,
   }
   // Layers along creases begin without thickness, and untangling them takes long.
   const int smoothings = features.Curves.empty() ? 2 : 30;
-  SmoothHexahedra(fit.Solid, constraint, smoothings, progress.Part(0.0, 0.1));
+  SmoothHexahedra(
+    fit.Solid, constraint, smoothings, progress.Part(0.0, 0.1, "smoothing the hexahedra"));
   // Points of layers lie at the points that they copy: the layers get their thickness here.
   SmoothPillows(*boundary, fit.Solid.Points);
   interfaceLayers.Spread(fit.Solid.Points);
@@ -242,11 +243,12 @@ std::optional<HexFit> FitWith(const HexMesh& core, const Surface& surface,
   HexOptimizationOptions optimization;
   optimization.RaiseTo = RaisedTo;
   optimization.RaiseAgainFrom = options.RaisedFrom;
-  OptimizeHexahedra(fit.Solid, constraint, optimization, progress.Part(0.15, 0.95));
+  OptimizeHexahedra(
+    fit.Solid, constraint, optimization, progress.Part(0.15, 0.95, "optimizing the hexahedra"));
   Judge(fit);
   fit.Quads = std::move(boundary->Quads);
   fit.PatchOf = std::move(boundary->PatchOf);
-  Measure(fit, surface, progress.Part(0.95, 1.0));
+  Measure(fit, surface, progress.Part(0.95, 1.0, "measuring the distance to the surface"));
   fit.CreasesKept = true;
   fit.RegionOf = interfaceLayers.Regions(fit.Solid.Hexahedra.rows());
   if (interfaces.Count() > 0)
@@ -282,13 +284,15 @@ SurfaceFeatures FindFeatures(const Surface& surface, const HexMeshOptions& optio
 HexFit FitHexahedra(const HexMesh& core, const Surface& surface, const SurfaceFeatures& features,
   const HexFitOptions& options, const Progress& progress, const InnerInterfaces& interfaces)
 {
+  const double first =
+    features.Curves.empty() ? 1.0 : 0.7; // without creases there is no second fit
   std::optional<HexFit> fit =
-    FitWith(core, surface, features, options, interfaces, progress.Part(0.0, 0.6));
+    FitWith(core, surface, features, options, interfaces, progress.Part(0.0, first));
   if (!fit ||
     (!features.Curves.empty() && fit->MinimumScaledJacobian < options.MinimumWithFeatures))
   {
-    std::optional<HexFit> smooth =
-      FitWith(core, surface, RemoveCurves(features), options, interfaces, progress.Part(0.6, 1.0));
+    std::optional<HexFit> smooth = FitWith(
+      core, surface, RemoveCurves(features), options, interfaces, progress.Part(first, 1.0));
     if (!fit || smooth.value().MinimumScaledJacobian > fit->MinimumScaledJacobian)
     {
       fit = std::move(smooth);
@@ -315,7 +319,8 @@ void ImproveWorst(HexFit& fit, const Surface& surface, const Progress& progress)
     // FitHexahedra has done the sweeps over all points.
     optimization.Sweeps = 0;
     optimization.RaiseTo = RaisedTo;
-    OptimizeHexahedra(fit.Solid, *fit.Constraint, optimization, progress.Part(0.0, 0.9));
+    OptimizeHexahedra(fit.Solid, *fit.Constraint, optimization,
+      progress.Part(0.0, 0.9, "improving the worst hexahedra"));
     Judge(fit);
     Measure(fit, surface, progress.Part(0.9, 1.0));
   }
@@ -327,7 +332,8 @@ void RelaxBoundaryAroundBad(
   const auto released =
     std::make_shared<OverridableConstraint>(fit.Constraint, fit.Solid.Points.rows());
   OverridableConstraint& freedoms = *released;
-  RelaxBoundaryOfInverted(fit.Solid, freedoms, progress.Part(0.0, 0.4));
+  RelaxBoundaryOfInverted(fit.Solid, freedoms,
+    progress.Part(0.0, 0.4, "releasing boundary points near inverted hexahedra"));
   Judge(fit);
   if (fit.Inverted == 0)
   {
@@ -339,10 +345,11 @@ void RelaxBoundaryAroundBad(
       return ComputeHausdorffDistance(surface, { mesh.Points, SplitQuads(fit.Quads) }).Larger() <=
         maximum;
     };
-    RelaxBoundaryOfWorst(fit.Solid, freedoms, RaisedTo, accepts, progress.Part(0.45, 0.95));
+    RelaxBoundaryOfWorst(fit.Solid, freedoms, RaisedTo, accepts,
+      progress.Part(0.45, 0.95, "releasing boundary points near the worst hexahedra"));
     Judge(fit);
   }
-  Measure(fit, surface, progress.Part(0.95, 1.0));
+  Measure(fit, surface, progress.Part(0.95, 1.0, "measuring the distance to the surface"));
   for (int point = 0; point < static_cast<int>(freedoms.Freedoms.size()); ++point)
   {
     fit.Released += freedoms.Freedom(point) > fit.Constraint->Freedom(point) ? 1 : 0;

@@ -212,7 +212,8 @@ std::optional<GridHexesResult> FillGrid(MultiMaterialVoxels& regions, const Grid
   const double minimum = regions.Outer().CellSizeFor(options.MaximumHexahedra, warp);
   for (; size >= minimum * (1.0 - 1e-9); size *= Shrinkage)
   {
-    if (const std::optional<RegionCells> cells = regions.Fill(size, warp, progress.Part(0.0, 0.1)))
+    if (const std::optional<RegionCells> cells =
+          regions.Fill(size, warp, progress.Part(0.0, 0.1, "filling the surface with a grid")))
     {
       GridHexesResult result;
       result.CellSize = size;
@@ -221,7 +222,7 @@ std::optional<GridHexesResult> FillGrid(MultiMaterialVoxels& regions, const Grid
       result.InnerCreasesKept = std::all_of(boundary.Inner.begin(), boundary.Inner.end(),
         [&](const Surface& inner) { return FindFeatures(inner, options, size).Curves.empty(); });
       result.Fit = FitHexahedra(cells->Solid, boundary.Outer, result.Features, fitting,
-        progress.Part(0.1, 1.0), { &*cells, &boundary.Inner });
+        progress.Part(0.1, 1.0, "fitting the grid to the surface"), { &*cells, &boundary.Inner });
       return result;
     }
   }
@@ -264,8 +265,9 @@ public:
     for (int round = 0; round < rounds; ++round)
     {
       const GridDensity warp(seeds);
-      const Progress part =
-        progress.Part(static_cast<double>(round) / rounds, (round + 1.0) / rounds);
+      // Most searches end after few rounds: each gets half of what is left.
+      const double left = std::exp2(-round);
+      const Progress part = progress.Part(1.0 - left, round + 1 < rounds ? 1.0 - 0.5 * left : 1.0);
       const double first = size > 0.0 ? size : this->CellSizeFor(hexahedra, warp);
       std::optional<GridHexesResult> result = FillGrid(this->Regions, this->Boundary, this->Options,
         std::min(first, this->LargestSize), warp, part.Part(0.0, 0.8));
@@ -285,7 +287,8 @@ public:
         isSnapped = this->IsWorthSnapping(*result);
         if (isSnapped)
         {
-          Snap(*result, this->Boundary, this->Goals, part.Part(0.8, 1.0));
+          Snap(*result, this->Boundary, this->Goals,
+            part.Part(0.8, 1.0, "moving the boundary onto the surface"));
         }
       }
       // If nothing is magnified, the next grid would be the same.
@@ -307,7 +310,8 @@ public:
     }
     if (this->Best && !this->BestIsSnapped && (size > 0.0 || IsNear(*this->Best, this->Goals)))
     {
-      Snap(*this->Best, this->Boundary, this->Goals, progress.Part(0.9, 1.0));
+      Snap(*this->Best, this->Boundary, this->Goals,
+        progress.Part(0.9, 1.0, "moving the boundary onto the surface"));
       this->BestIsSnapped = true;
     }
     return growth;
@@ -350,11 +354,13 @@ public:
       ChangeIfBetter(result, this->Goals,
         [&](GridHexesResult& raised)
         {
-          ImproveWorst(raised.Fit, this->Boundary.Outer, progress.Part(0.0, 0.3));
+          ImproveWorst(raised.Fit, this->Boundary.Outer,
+            progress.Part(0.0, 0.3, "improving the worst hexahedra"));
           MeasureInner(raised.Fit, this->Boundary);
         });
     }
-    Release(result, this->Boundary, this->Goals, progress.Part(0.3, 0.5));
+    Release(
+      result, this->Boundary, this->Goals, progress.Part(0.3, 0.5, "releasing boundary points"));
     if (!Reaches(result, 0.0, this->Goals.AcceptedDistance) && IsNear(result, this->Goals))
     {
       // At the expense of hexahedra, whose points may then leave the surface.
@@ -362,8 +368,10 @@ public:
       ChangeIfBetter(result, this->Goals,
         [&](GridHexesResult& snapped)
         {
-          Snap(snapped, this->Boundary, this->Goals, progress.Part(0.5, 0.85), minimum);
-          Release(snapped, this->Boundary, this->Goals, progress.Part(0.85, 1.0));
+          Snap(snapped, this->Boundary, this->Goals,
+            progress.Part(0.5, 0.85, "moving the boundary onto the surface"), minimum);
+          Release(snapped, this->Boundary, this->Goals,
+            progress.Part(0.85, 1.0, "releasing boundary points"));
         });
     }
     result.Rounds = this->Rounds;
@@ -418,7 +426,8 @@ void RequireGridInRange(const GridHexesOptions& options)
 GridHexesResult OfOneGrid(const Surface& surface, const GridHexesOptions& options,
   const Progress& progress, const std::vector<Surface>& innerSurfaces)
 {
-  GridSearch search(surface, innerSurfaces, options, progress.Part(0.0, 0.05));
+  GridSearch search(
+    surface, innerSurfaces, options, progress.Part(0.0, 0.05, "measuring the surface"));
   if (options.CellSize > 0.0)
   {
     const double minimum = search.CellSizeFor(options.MaximumHexahedra, GridDensity(options.Seeds));
@@ -487,7 +496,8 @@ GridHexesResult BuildGridHexahedra(const Surface& surface, const GridHexesOption
   RequireGridInRange(options);
   if (innerSurfaces.empty())
   {
-    const std::vector<Surface> solids = SplitSolids(surface, progress.Part(0.0, 0.02));
+    const std::vector<Surface> solids =
+      SplitSolids(surface, progress.Part(0.0, 0.02, "separating the solids"));
     if (!solids.empty())
     {
       return OfSeveralGrids(surface, solids, options, progress.Part(0.02, 1.0));

@@ -287,7 +287,7 @@ SizedHexesResult BuildSizedHexahedra(const Surface& surface, const Eigen::Vector
   for (const bool last : { false, true })
   {
     const Progress part = last ? progress.Part(0.4, 1.0) : progress.Part(0.0, 0.4);
-    SizedGrid grid = BuildSizedGrid(surface, asked, part.Part(0.0, 0.2));
+    SizedGrid grid = BuildSizedGrid(surface, asked, part.Part(0.0, 0.2, "sizing the grid"));
     options.CellSize = grid.CellSize;
     options.Seeds = std::move(grid.Seeds);
     // The first grid only measures the sizes, so it needs no further rounds.

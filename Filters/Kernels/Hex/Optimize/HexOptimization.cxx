@@ -229,22 +229,24 @@ HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& co
   result.MinimumBefore = best.Minimum();
   result.InvertedBefore = best.Inverted();
   // Sweeps over all points repair some hexahedra that untangling alone does not.
-  constexpr double worstFrom = 0.8; // of the progress
+  constexpr double worstFrom = 0.75; // of the progress
   constexpr int attempts = 2;
+  constexpr double ends[] = { 0.0, 0.65, worstFrom }; // a second attempt is rare
   for (int attempt = 0; attempt < attempts && (attempt == 0 || best.Inverted() > 0); ++attempt)
   {
     // An attempt starts from the best state of the last one.
-    const Progress part =
-      progress.Part(worstFrom * attempt / attempts, worstFrom * (attempt + 1.0) / attempts);
+    const Progress part = progress.Part(ends[attempt], ends[attempt + 1]);
+    const double turned = best.Inverted() > 0 ? 0.4 : 0.0;
     if (best.Inverted() > 0)
     {
-      Turn(mesh, constraint, options, best, part.Part(0.0, 0.4));
+      Turn(mesh, constraint, options, best, part.Part(0.0, turned, "untangling the hexahedra"));
     }
-    LowerAll(mesh, constraint, Sharpnesses, options, best, part.Part(0.4, 1.0));
+    LowerAll(mesh, constraint, Sharpnesses, options, best, part.Part(turned, 1.0));
   }
   if (best.Minimum() > options.RaiseFrom)
   {
-    Raise(mesh, constraint, options, best, progress.Part(worstFrom, 1.0));
+    Raise(mesh, constraint, options, best,
+      progress.Part(worstFrom, 1.0, "improving the worst hexahedra"));
   }
   result.MinimumAfter = best.Minimum();
   result.InvertedAfter = best.Inverted();

@@ -206,8 +206,8 @@ GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Surfa
 
   HarmonicVolumeMapOptions options;
   options.MaximumLevels = 3;
-  const HarmonicVolumeMapResult map =
-    ComputeHarmonicVolumeMap(outer, polycube.Sources, {}, options, progress.Part(0.0, 0.9));
+  const HarmonicVolumeMapResult map = ComputeHarmonicVolumeMap(outer, polycube.Sources, {}, options,
+    progress.Part(0.0, 0.9, "mapping the polycube to the surface"));
   Eigen::MatrixXd carried = Evaluate(map.Map, cells.Solid.Points);
   // The harmonic map only approximates the boundary map, which puts these points on the surface.
   const Eigen::MatrixXi quads = FindBoundaryQuads(cells.Solid);

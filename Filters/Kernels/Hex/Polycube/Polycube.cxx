@@ -311,7 +311,8 @@ PolycubeResult BuildPolycube(
   PolycubeResult result;
   result.EdgeLength = map.CellSize;
   result.Distortion = map.Distortion;
-  result.Labels = TransferLabels(surface, map, coarse, progress.Part(0.8, 0.85));
+  result.Labels =
+    TransferLabels(surface, map, coarse, progress.Part(0.8, 0.85, "transferring the patches"));
   const Charts charts = FindCharts(surface, result.Labels);
   result.Charts = charts.Count();
   result.Corners = static_cast<int>(std::count_if(charts.AtPoint.begin(), charts.AtPoint.end(),
@@ -329,7 +330,8 @@ PolycubeResult BuildPolycube(
   {
     if (count() > 0)
     {
-      Untangle(scaled, result.Labels, fixed, rings, positions, progress.Part(0.85, 1.0));
+      Untangle(scaled, result.Labels, fixed, rings, positions,
+        progress.Part(0.85, 1.0, "untangling the polycube map"));
     }
   }
   const auto turned = count();

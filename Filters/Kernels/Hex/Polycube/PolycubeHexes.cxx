@@ -98,8 +98,8 @@ std::optional<Cubes> CubesOfCharts(const Surface& surface, const PolycubeHexesOp
     PolycubeMapOptions mapOptions;
     mapOptions.CellSize = options.CellSize;
     const PolycubeMap map =
-      FindPolycubeMap(surface, options.Compactness, mapOptions, progress.Part(0.0, 0.8));
-    Cubes cubes = CubesOfMap(map, progress.Part(0.8, 1.0));
+      FindPolycubeMap(surface, options.Compactness, mapOptions, progress.Part(0.0, 0.7));
+    Cubes cubes = CubesOfMap(map, progress.Part(0.7, 1.0, "mapping the polycube to the surface"));
     if (HasBoundaryTopology(cubes.Solid, wanted) &&
       cubes.Solid.Hexahedra.rows() <= options.MaximumHexahedra)
     {
@@ -185,18 +185,21 @@ PolycubeHexesResult BuildPolycubeHexahedra(
   const Surface surface = OrientOutwards(given);
   RequireInRange(options);
   std::string why;
-  const std::optional<Cubes> cubes = CubesOfCharts(surface, options, why, progress.Part(0.0, 0.4));
+  const std::optional<Cubes> cubes = CubesOfCharts(surface, options, why, progress.Part(0.0, 0.5));
   std::optional<PolycubeHexesResult> result;
   if (cubes)
   {
-    result = FitCubes(*cubes, surface, options, progress.Part(0.4, 0.7));
+    result = FitCubes(
+      *cubes, surface, options, progress.Part(0.5, 0.8, "fitting the hexahedra to the surface"));
   }
   if (!result || result->Fit.MinimumScaledJacobian < MinimumAccepted)
   {
     try
     {
-      const Cubes voxels = CubesOfVoxels(surface, options, progress.Part(0.7, 0.8));
-      PolycubeHexesResult other = FitCubes(voxels, surface, options, progress.Part(0.8, 1.0));
+      const Cubes voxels = CubesOfVoxels(
+        surface, options, progress.Part(0.8, 0.85, "filling the deformed solid with a grid"));
+      PolycubeHexesResult other = FitCubes(
+        voxels, surface, options, progress.Part(0.85, 1.0, "fitting the hexahedra to the surface"));
       if (!result || other.Fit.MinimumScaledJacobian > result->Fit.MinimumScaledJacobian)
       {
         result = std::move(other);

@@ -56,7 +56,9 @@ Eigen::MatrixXd EmbedByClassicalMds(
   // 3. The positions of all points follow from their squared distances to the samples.
   // 4. The sign of each column is made independent of the solver; unused points are set to 0.
   Eigen::MatrixXd squares =
-    ComputeHeatDistances(surface, points, progress.Part(0.2, 0.9)).array().square();
+    ComputeHeatDistances(surface, points, progress.Part(0.2, 0.9, "computing geodesic distances"))
+      .array()
+      .square();
   squares = squares.array().isFinite().select(squares, 0.0);
   // Step 2. Computed distances are not exactly symmetric.
   Eigen::MatrixXd between = squares(points, Eigen::all);

@@ -319,7 +319,8 @@ PolycubeMap FindPolycubeMap(const Surface& surface, double compactness,
   // 3. TryCompactness: labels (PolyCut), flattening and one coordinate for each chart, with repairs
   //    of the labels. Further compactnesses are tried until no tetrahedron is negative.
   // 4. MoveToIntegers: the charts move to integer coordinates (RoundCharts).
-  WorkingSolid solid = BuildWorkingSolid(surface, options.Triangles, progress.Part(0.0, 0.1));
+  WorkingSolid solid = BuildWorkingSolid(
+    surface, options.Triangles, progress.Part(0.0, 0.08, "tetrahedralizing the solid"));
   const Eigen::MatrixXd positions = solid.Points;
   const Eigen::Matrix3d straight = FindAxisRotation(solid.Surface());
   Attempt best;
@@ -332,15 +333,16 @@ PolycubeMap FindPolycubeMap(const Surface& surface, double compactness,
       ? Eigen::AngleAxisd(Turn.norm(), Turn.normalized()).toRotationMatrix() * straight
       : straight;
     solid.Points = positions * rotation.transpose();
-    const Eigen::MatrixXd aligned = AlignWithAxes(solid, progress.Part(0.1, 0.2));
+    const Eigen::MatrixXd aligned =
+      AlignWithAxes(solid, progress.Part(0.08, 0.25, "aligning the surface with the axes"));
     for (const Trial& trial : Trials)
     {
       if (trial.Turned != turned || best.Result.Negative == 0 || work > MaximumWork)
       {
         continue;
       }
-      Attempt attempt = TryCompactness(
-        solid, aligned, trial.Factor * compactness, options.Facing, work, progress.Part(0.2, 0.8));
+      Attempt attempt = TryCompactness(solid, aligned, trial.Factor * compactness, options.Facing,
+        work, progress.Part(0.25, 0.9, "dividing the surface into patches"));
       attempt.Rotation = rotation;
       if (attempt.Result.Negative < best.Result.Negative)
       {
@@ -367,7 +369,8 @@ PolycubeMap FindPolycubeMap(const Surface& surface, double compactness,
     Attempt whole = best;
     whole.Solid.Points /= size;
     whole.Positions /= size;
-    if (MoveToIntegers(whole, progress.Part(0.8, 1.0)) &&
+    if (MoveToIntegers(
+          whole, progress.Part(0.9, 1.0, "moving the patches to integer coordinates")) &&
       (!options.Facing || CountFolded(whole) == 0))
     {
       PolycubeMap map;

@@ -195,12 +195,13 @@ VoxelPolycube FindVoxelPolycube(
   const Surface& surface, double compactness, int cells, int maximum, const Progress& progress)
 {
   const Topology topology = RequireClosedSurface(surface, "the surface");
-  const WorkingSolid original =
-    BuildWorkingSolid(surface, WorkingTriangles, progress.Part(0.0, 0.2));
+  const WorkingSolid original = BuildWorkingSolid(
+    surface, WorkingTriangles, progress.Part(0.0, 0.2, "tetrahedralizing the solid"));
   WorkingSolid solid = original;
   solid.Points = original.Points * FindAxisRotation(original.Surface()).transpose();
   Eigen::VectorXi labels;
-  const Eigen::MatrixXd positions = Bent(solid, compactness, labels, progress.Part(0.2, 0.7));
+  const Eigen::MatrixXd positions = Bent(
+    solid, compactness, labels, progress.Part(0.2, 0.7, "deforming the solid towards the axes"));
   const Mesh bent = solid.Surface(positions);
   const double volume = ComputeEnclosedVolume(bent);
   const SignedDistance distance(bent);

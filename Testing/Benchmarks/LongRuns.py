@@ -1,0 +1,173 @@
+"""How filters on real models report their progress, and how soon they stop.
+
+    Utilities/pvpython.sh Testing/Benchmarks/LongRuns.py [--shares 0.2 0.5 0.8] [CASE ...]
+
+Each case runs once to its end. `deviation` is the greatest difference between the fraction that the filter
+reports and the share of the time that has passed; `gap` the longest time between two reports, with the
+stage that was reported before it. The filter looks for an abort only when it reports: so, whenever Abort is
+pressed, it ends at most after `gap` and `end` seconds; `end` is the longest time from an abort at one of
+the shares of the run to the end of the filter. `work` is as `gap`, in CPU seconds of the filter's thread,
+which other programs do not lengthen. Claims are made of cases that take more than a second.
+"""
+import argparse
+import time
+
+import sweep  # lets the following be found
+
+from FilterCases import carried, hexahedra, map_of
+from FilterInputs import border, extreme, handle, landmarks, lattice, section, seeds, shape, tangled
+from FilterRuns import chain, producer, set_property, smproxy_of
+
+LARGEST_DEVIATION = 0.25
+LONGEST_STOP = 0.5  # seconds
+
+CLOSED = shape('elephant')
+FIGURES = [shape('FigureASmall.vtp'), shape('FigureBSmall.vtp')]
+FOUND = [shape('elephant'), chain('ShapeMorph', 0, [map_of('elephant')], time=0.3)]
+CAP = chain('ShapeCutFeature', 0, [shape('elephant'), section(shape('elephant'), 0.8)])
+CASES = {
+    'hexahedra': ('ShapeHexRemesh', [shape('bunny00')], {}),
+    'hexahedra of a joint': ('ShapeHexRemesh', [shape('joint')], {}),
+    'hexahedra of an elephant': ('ShapeHexRemesh', [CLOSED], {}),
+    'hexahedra by a grid': ('ShapeHexRemesh', [shape('cow')], {'Method': 2}),
+    'hexahedra by a polycube': ('ShapeHexRemesh', [shape('cross')], {'Method': 1}),
+    'polycube': ('ShapePolycube', [shape('cow')], {}),
+    'tetrahedra': ('ShapeTetrahedralize', [CLOSED], {}),
+    'untangled': ('ShapeUntangle', [tangled(hexahedra('cow')), hexahedra('cow')], {}),
+    'volume map': ('ShapeHarmonicVolumeMap', [hexahedra('cow'), map_of('cow')], {}),
+    'volume map, large': ('ShapeHarmonicVolumeMap', [hexahedra('elephant'), map_of('elephant')], {}),
+    'volume map, single shot': (
+        'ShapeHarmonicVolumeMap', [hexahedra('cow'), map_of('cow')], {'Method': 0}),
+    'volume map, multi-level': (
+        'ShapeHarmonicVolumeMap', [hexahedra('cow'), map_of('cow')], {'Method': 1}),
+    'applied': ('ShapeApplyVolumeMap',
+                [lattice(shape('elephant'), 40), carried(hexahedra('cow'), map_of('cow'), 1)], {}),
+    'applied backwards': ('ShapeApplyVolumeMap', [
+        shape('BallSmall.vtu'), carried(hexahedra('cow'), map_of('cow'), 1)], {'Inverse': 1}),
+    'sphere': ('ShapeParameterize', [CLOSED], {}),
+    'sphere by area': ('ShapeParameterize', [CLOSED], {'AreaWeight': 3.0}),
+    'sphere of a bunny': ('ShapeParameterize', [shape('bunny00')], {}),
+    'orbifold': ('ShapeParameterize', [CLOSED, seeds(CLOSED, 3)], {'Domain': 3}),
+    'disk': ('ShapeParameterize', [CAP], {'Domain': 0, 'Refine': 1}),
+    'free boundary': ('ShapeParameterize', [CAP], {'Domain': 2}),
+    'spectrum': ('ShapeLaplaceSpectrum', [CLOSED], {}),
+    'geodesics, exact': ('ShapeGeodesicDistance', [CLOSED, seeds(CLOSED, 2)], {'Method': 0}),
+    'geodesics, heat': ('ShapeGeodesicDistance', [CLOSED, seeds(CLOSED, 2)], {'Method': 1}),
+    'exponential map': ('ShapeExponentialMap', [CLOSED], {'Seed': extreme(CLOSED, 4)}),
+    'distance': ('ShapeBoundaryDistance', [lattice(CLOSED, 40), CLOSED], {}),
+    'cut': ('ShapeCutFeature', [CLOSED, section(CLOSED, 0.8)], {}),
+    'holes': ('ShapeFillHoles', [shape('head')], {}),
+    'paste': ('ShapePasteFeature', [CAP, shape('PhantomHeadSmall.vtp')],
+              {'Seed': extreme(shape('PhantomHeadSmall.vtp'), 4), 'Scale': 0.5}),
+    'deformed': ('ShapeDeform', [CLOSED, handle(CLOSED)], {}),
+    'deformed by its border': ('ShapeDeform', [shape('head'), border(shape('head'))], {}),
+    'correspondence': ('ShapeCorrespondence', FOUND, {}),
+    'difference': ('ShapeMapDifference', FOUND, {}),
+    'error curve': ('ShapeMapErrorCurve', [map_of('elephant'), chain('ShapeParameterize', 1, [CLOSED]),
+                                           map_of('elephant')], {}),
+    'quality': ('ShapeMapQuality', [map_of('elephant')], {}),
+    'morph': ('ShapeMorph', [map_of('elephant')], {}),
+    'transfer': ('ShapeTransferFields', [map_of('cow'), chain('ShapeParameterize', 1, [shape('hand')])], {}),
+}
+for number in range(7):
+    CASES['correspondence %d' % number] = (
+        'ShapeCorrespondence', FIGURES + [landmarks(FIGURES[0], 5)], {'Method': number})
+
+
+class Run:
+    """One run of a fresh filter; an abort is pressed once `press` seconds have passed."""
+
+    def __init__(self, name, inputs, settings, press=None):
+        smproxy = smproxy_of(name)
+        for key, value in settings.items():
+            set_property(smproxy, key, value() if callable(value) else value)
+        smproxy.UpdateVTKObjects()
+        algorithm = smproxy.GetClientSideObject()
+        producers = [producer(each()) for each in inputs]
+        for port, each in enumerate(producers):
+            algorithm.AddInputConnection(port, each.GetOutputPort())
+            each.Update()
+        self.reports = []
+        self.clocks = []  # CPU seconds of this thread at each report, and at the beginning and the end
+        self.pressed = None
+
+        def report(*_):
+            now = time.monotonic() - begin
+            self.clocks.append(time.thread_time())
+            self.reports.append((now, algorithm.GetProgress(), algorithm.GetProgressText() or ''))
+            if press is not None and self.pressed is None and now >= press:
+                self.pressed = now
+                algorithm.SetAbortExecute(1)
+
+        errors = []
+        algorithm.AddObserver('ProgressEvent', report)
+        algorithm.AddObserver('ErrorEvent', lambda *_: errors.append('an error'))
+        begin = time.monotonic()
+        self.clocks.append(time.thread_time())
+        algorithm.Update()
+        self.seconds = time.monotonic() - begin
+        self.clocks.append(time.thread_time())
+        assert not errors, '%s ended with an error' % name
+
+    def deviation(self):
+        """The greatest, and the stage that was reported before it."""
+        return max((abs(share - now / self.seconds), stage) for i, (_, share, stage) in enumerate(self.reports)
+                   for now in (self.reports[i][0],
+                               self.reports[i + 1][0] if i + 1 < len(self.reports) else self.seconds))
+
+    def tenths(self):
+        """The progress at each tenth of the time."""
+        return [max([share for now, share, _ in self.reports if now <= 0.1 * tenth * self.seconds], default=0.0)
+                for tenth in range(1, 10)]
+
+    def gap(self):
+        times = [0.0] + [now for now, _, _ in self.reports] + [self.seconds]
+        return max(after - before for before, after in zip(times, times[1:]))
+
+    def work(self):
+        return max((after - before, self.reports[i - 1][2] if i else '')
+                   for i, (before, after) in enumerate(zip(self.clocks, self.clocks[1:])))
+
+    def stages(self):
+        """Each with its share of the time and of the progress."""
+        shares = {}
+        ends = self.reports[1:] + [(self.seconds, 1.0, '')]
+        for (now, share, stage), (after, reached, _) in zip(self.reports, ends):
+            seconds, progress = shares.get(stage, (0.0, 0.0))
+            shares[stage] = seconds + (after - now) / self.seconds, progress + reached - share
+        return shares
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('--shares', type=float, nargs='*', default=[0.2, 0.5, 0.8])
+    parser.add_argument('--stages', action='store_true', help='print those of every run')
+    parser.add_argument('case', nargs='*', help='of %s' % ', '.join(CASES))
+    options = parser.parse_args()
+    claims = sweep.Claims()
+    print('%-26s %8s %9s %7s %7s %7s %7s  %s' % (
+        'case', 'reports', 'seconds', 'dev.', 'gap', 'work', 'end', 'stage at the longest work'))
+    for name in options.case or CASES:
+        whole = Run(*CASES[name])
+        ends = []
+        for share in options.shares:
+            run = Run(*CASES[name], press=share * whole.seconds)
+            if run.pressed is not None:
+                ends.append(run.seconds - run.pressed)
+        (deviation, where), gap, (work, stage) = whole.deviation(), whole.gap(), whole.work()
+        end = max(ends, default=0.0)
+        print('%-26s %8d %9.2f %7.2f %7.3f %7.3f %7.3f  %s' % (
+            name, len(whole.reports), whole.seconds, deviation, gap, work, end, stage.partition(': ')[2]), flush=True)
+        if options.stages:
+            print('    deviation at', where)
+            print('    progress at each tenth of the time', ' '.join('%.2f' % share for share in whole.tenths()))
+            for stage, (seconds, progress) in whole.stages().items():
+                print('    %6.3f of the time, %6.3f of the progress  %s' % (seconds, progress, stage))
+        if whole.seconds > 1.0:
+            claims.at_most(name, 'deviation of progress', deviation, LARGEST_DEVIATION)
+            claims.at_most(name, 'seconds until it stops', gap + end, LONGEST_STOP)
+    claims.finish()
+
+
+if __name__ == '__main__':
+    main()
