@@ -21,6 +21,7 @@ OTHER_INPUTS = {
 OPTIONS = {
     'ShapeCorrespondence': {'CoarsePoints': 100},
     'ShapeHexRemesh': {'Method': 2, 'CellsOnLongestSide': 4},
+    'ShapeLandmarks': {'PointsA': [0.0, 0.0, 1.0, 1.0, 0.0, 0.0]},
 }
 
 
