@@ -21,6 +21,8 @@
 #include <QFormLayout>
 #include <QLabel>
 
+#include <algorithm>
+
 namespace
 {
 
@@ -51,8 +53,7 @@ pqShapeInteractiveWidget::pqShapeInteractiveWidget(vtkSMProxy* filter, vtkSMProp
   , Layout(new QFormLayout(this))
   , ShowHandle(new QCheckBox(tr("Show handle"), this))
   , Help(new QLabel(this))
-  , Overlay(
-      [this] { this->OnRender(); }, [this](unsigned long event) { return this->OnEvent(event); })
+  , Overlay(this->AddOverlay())
 {
   this->setChangeAvailableAsChangeFinished(false); // a row reports itself when editing is finished
   this->Layout->setContentsMargins(0, 0, 0, 0);
@@ -117,16 +118,28 @@ void pqShapeInteractiveWidget::deselect()
 
 void pqShapeInteractiveWidget::setView(pqView* view)
 {
-  if (view != this->view())
+  const bool changed = view != this->view();
+  if (changed)
   {
     this->EndDrag();
-    this->Overlay.Detach();
   }
   for (pqPropertyWidget* row : this->Rows)
   {
     row->setView(view);
   }
   this->Superclass::setView(view);
+  if (changed)
+  {
+    // A view that still shows the handle keeps it, so that no event is lost.
+    const std::vector<pqView*> views = this->FindViews();
+    for (const auto& overlay : this->Overlays)
+    {
+      if (std::find(views.begin(), views.end(), overlay->GetView()) == views.end())
+      {
+        overlay->Detach();
+      }
+    }
+  }
   this->VisibilityTimer.start(0);
 }
 
@@ -181,7 +194,7 @@ void pqShapeInteractiveWidget::AddHelp(const QString& text)
 
 void pqShapeInteractiveWidget::OnValuesChanged()
 {
-  if (!this->Edit.IsActive() && this->Overlay.IsAttached())
+  if (!this->Edit.IsActive() && this->IsAttached())
   {
     this->RequestRender();
   }
@@ -207,23 +220,75 @@ bool pqShapeInteractiveWidget::UpdateSurface()
   return this->Surface.Update(this->GetTime());
 }
 
+pqShapeOverlay* pqShapeInteractiveWidget::AddOverlay()
+{
+  const std::size_t i = this->Overlays.size();
+  this->Overlays.push_back(
+    std::make_unique<pqShapeOverlay>([this, i] { this->OnRender(this->Overlays[i].get()); },
+      [this, i](unsigned long event) { return this->OnEvent(this->Overlays[i].get(), event); }));
+  return this->Overlays.back().get();
+}
+
+bool pqShapeInteractiveWidget::IsAttached() const
+{
+  return std::any_of(this->Overlays.begin(), this->Overlays.end(),
+    [](const auto& overlay) { return overlay->IsAttached(); });
+}
+
+bool pqShapeInteractiveWidget::Attach(const std::vector<pqView*>& views)
+{
+  bool changed = false;
+  for (const auto& overlay : this->Overlays)
+  {
+    if (overlay->IsAttached() &&
+      std::find(views.begin(), views.end(), overlay->GetView()) == views.end())
+    {
+      this->EndDrag();
+      overlay->Detach();
+      changed = true;
+    }
+  }
+  for (pqView* view : views)
+  {
+    const auto isThere = [view](const auto& overlay) { return overlay->GetView() == view; };
+    if (std::any_of(this->Overlays.begin(), this->Overlays.end(), isThere))
+    {
+      continue;
+    }
+    const auto unused = std::find_if(this->Overlays.begin(), this->Overlays.end(),
+      [](const auto& overlay) { return !overlay->IsAttached(); });
+    pqShapeOverlay* overlay = unused == this->Overlays.end() ? this->AddOverlay() : unused->get();
+    overlay->Attach(view);
+    changed = true;
+  }
+  const auto attached = std::find_if(this->Overlays.begin(), this->Overlays.end(),
+    [](const auto& overlay) { return overlay->IsAttached(); });
+  if (!this->Overlay->IsAttached() && attached != this->Overlays.end())
+  {
+    this->Overlay = attached->get();
+  }
+  return changed;
+}
+
 void pqShapeInteractiveWidget::UpdateVisibility()
 {
   const int version = this->Surface.GetVersion();
-  const bool wanted = this->isSelected() && this->ShowHandle->isChecked() &&
-    pqShapeOverlay::CanAttach(this->view()) && this->UpdateSurface();
-  if (wanted == this->Overlay.IsAttached() && version == this->Surface.GetVersion())
+  std::vector<pqView*> views;
+  if (this->isSelected() && this->ShowHandle->isChecked() &&
+    pqShapeOverlay::CanAttach(this->view()) && this->UpdateSurface())
+  {
+    views = this->FindViews();
+    views.erase(std::remove_if(views.begin(), views.end(),
+                  [](pqView* view) { return !pqShapeOverlay::CanAttach(view); }),
+      views.end());
+  }
+  const bool wasAttached = this->IsAttached();
+  if (!this->Attach(views) && version == this->Surface.GetVersion())
   {
     return;
   }
-  if (!wanted)
+  if (!wasAttached && this->IsAttached())
   {
-    this->EndDrag();
-    this->Overlay.Detach();
-  }
-  else if (!this->Overlay.IsAttached())
-  {
-    this->Overlay.Attach(this->view());
     this->Initialize();
   }
   this->RequestRender();
@@ -243,25 +308,38 @@ void pqShapeInteractiveWidget::Initialize()
   this->Initialized = true;
 }
 
-void pqShapeInteractiveWidget::OnRender()
+void pqShapeInteractiveWidget::OnRender(pqShapeOverlay* overlay)
 {
   if (this->view() && this->GetTime() != this->Surface.GetTime())
   {
     this->VisibilityTimer.start(0);
   }
-  this->Overlay.SetVisible(this->Surface.IsThere());
-  if (this->Surface.IsThere())
+  overlay->SetVisible(this->Surface.IsThere());
+  if (!this->Surface.IsThere())
   {
-    this->UpdateHovered();
-    this->Draw();
+    return;
   }
+  pqShapeOverlay* last = this->Overlay;
+  if (overlay == last || !last->IsAttached())
+  {
+    this->Overlay = overlay;
+    this->UpdateHovered();
+  }
+  this->Overlay = overlay;
+  this->Draw();
+  this->Overlay = last->IsAttached() ? last : overlay;
 }
 
-bool pqShapeInteractiveWidget::OnEvent(unsigned long event)
+bool pqShapeInteractiveWidget::OnEvent(pqShapeOverlay* overlay, unsigned long event)
 {
   if (!this->Surface.IsThere())
   {
     return false;
+  }
+  if (overlay != this->Overlay)
+  {
+    this->LetGo(); // a drag whose release was lost in the other view
+    this->Overlay = overlay;
   }
   switch (event)
   {
@@ -291,7 +369,7 @@ bool pqShapeInteractiveWidget::OnMove()
   {
     return true; // the drag has ended, even if its last step is not processed yet
   }
-  this->Pixel = this->Overlay.GetPixel();
+  this->Pixel = this->Overlay->GetPixel();
   if (this->Grabbed)
   {
     this->StepTimer.start(0);
@@ -319,7 +397,7 @@ bool pqShapeInteractiveWidget::OnPress()
     return true; // an execution that processes events is not interrupted
   }
   this->LetGo(); // first processes a drag that was released, or whose release was lost
-  this->Pixel = this->Overlay.GetPixel();
+  this->Pixel = this->Overlay->GetPixel();
   this->Pressed = this->Pixel;
   const int part = this->FindPart(this->Pixel);
   this->Clicking = part == 0;
@@ -332,13 +410,13 @@ bool pqShapeInteractiveWidget::OnPress()
   this->Grabbed = true;
   this->Released = false;
   this->Edit.Begin();
-  this->Grab(part, this->Pixel, this->Overlay.IsShiftPressed(), this->Overlay.IsControlPressed());
+  this->Grab(part, this->Pixel, this->Overlay->IsShiftPressed(), this->Overlay->IsControlPressed());
   return true;
 }
 
 bool pqShapeInteractiveWidget::OnRelease()
 {
-  this->Pixel = this->Overlay.GetPixel();
+  this->Pixel = this->Overlay->GetPixel();
   if (this->Grabbed)
   {
     this->Released = true;
@@ -368,12 +446,12 @@ void pqShapeInteractiveWidget::LetGo()
 bool pqShapeInteractiveWidget::OnWheel(int steps)
 {
   this->UpdateHovered();
-  return this->Grabbed || this->TurnWheel(steps, this->Overlay.IsControlPressed());
+  return this->Grabbed || this->TurnWheel(steps, this->Overlay->IsControlPressed());
 }
 
 bool pqShapeInteractiveWidget::OnKey()
 {
-  const std::string key = this->Overlay.GetKey();
+  const std::string key = this->Overlay->GetKey();
   if (key == "Escape" && this->Edit.IsActive())
   {
     this->BurstTimer.stop();
@@ -461,18 +539,29 @@ void pqShapeInteractiveWidget::Change(const std::function<void()>& change)
 
 void pqShapeInteractiveWidget::RequestRender()
 {
+  // A view without a handle is rendered, too: the handle may just have left it.
   if (this->view())
   {
     this->view()->render();
+  }
+  for (const auto& overlay : this->Overlays)
+  {
+    if (overlay->GetView() && overlay->GetView() != this->view())
+    {
+      overlay->GetView()->render();
+    }
   }
 }
 
 void pqShapeInteractiveWidget::Show()
 {
   this->Edit.Show();
-  if (this->Overlay.IsAttached() && this->view())
+  for (const auto& overlay : this->Overlays)
   {
-    vtkSMRenderViewProxy::SafeDownCast(this->view()->getProxy())->InteractiveRender();
+    if (overlay->GetView())
+    {
+      vtkSMRenderViewProxy::SafeDownCast(overlay->GetView()->getProxy())->InteractiveRender();
+    }
   }
   if (!this->Refused)
   {
