@@ -53,7 +53,9 @@ pqShapeInteractiveWidget::pqShapeInteractiveWidget(vtkSMProxy* filter, vtkSMProp
   , Layout(new QFormLayout(this))
   , ShowHandle(new QCheckBox(tr("Show handle"), this))
   , Help(new QLabel(this))
-  , Overlay(this->AddOverlay())
+  , Overlays([this] { this->OnRender(); },
+      [this](unsigned long event) { return this->OnEvent(event); },
+      [this] { this->LetGo(); }) // a drag whose release was lost in the other view
 {
   this->setChangeAvailableAsChangeFinished(false); // a row reports itself when editing is finished
   this->Layout->setContentsMargins(0, 0, 0, 0);
@@ -131,14 +133,7 @@ void pqShapeInteractiveWidget::setView(pqView* view)
   if (changed)
   {
     // A view that still shows the handle keeps it, so that no event is lost.
-    const std::vector<pqView*> views = this->FindViews();
-    for (const auto& overlay : this->Overlays)
-    {
-      if (std::find(views.begin(), views.end(), overlay->GetView()) == views.end())
-      {
-        overlay->Detach();
-      }
-    }
+    this->Overlays.DetachExcept(this->FindViews());
   }
   this->VisibilityTimer.start(0);
 }
@@ -194,7 +189,7 @@ void pqShapeInteractiveWidget::AddHelp(const QString& text)
 
 void pqShapeInteractiveWidget::OnValuesChanged()
 {
-  if (!this->Edit.IsActive() && this->IsAttached())
+  if (!this->Edit.IsActive() && this->Overlays.IsAttached())
   {
     this->RequestRender();
   }
@@ -220,56 +215,6 @@ bool pqShapeInteractiveWidget::UpdateSurface()
   return this->Surface.Update(this->GetTime());
 }
 
-pqShapeOverlay* pqShapeInteractiveWidget::AddOverlay()
-{
-  const std::size_t i = this->Overlays.size();
-  this->Overlays.push_back(
-    std::make_unique<pqShapeOverlay>([this, i] { this->OnRender(this->Overlays[i].get()); },
-      [this, i](unsigned long event) { return this->OnEvent(this->Overlays[i].get(), event); }));
-  return this->Overlays.back().get();
-}
-
-bool pqShapeInteractiveWidget::IsAttached() const
-{
-  return std::any_of(this->Overlays.begin(), this->Overlays.end(),
-    [](const auto& overlay) { return overlay->IsAttached(); });
-}
-
-bool pqShapeInteractiveWidget::Attach(const std::vector<pqView*>& views)
-{
-  bool changed = false;
-  for (const auto& overlay : this->Overlays)
-  {
-    if (overlay->IsAttached() &&
-      std::find(views.begin(), views.end(), overlay->GetView()) == views.end())
-    {
-      this->EndDrag();
-      overlay->Detach();
-      changed = true;
-    }
-  }
-  for (pqView* view : views)
-  {
-    const auto isThere = [view](const auto& overlay) { return overlay->GetView() == view; };
-    if (std::any_of(this->Overlays.begin(), this->Overlays.end(), isThere))
-    {
-      continue;
-    }
-    const auto unused = std::find_if(this->Overlays.begin(), this->Overlays.end(),
-      [](const auto& overlay) { return !overlay->IsAttached(); });
-    pqShapeOverlay* overlay = unused == this->Overlays.end() ? this->AddOverlay() : unused->get();
-    overlay->Attach(view);
-    changed = true;
-  }
-  const auto attached = std::find_if(this->Overlays.begin(), this->Overlays.end(),
-    [](const auto& overlay) { return overlay->IsAttached(); });
-  if (!this->Overlay->IsAttached() && attached != this->Overlays.end())
-  {
-    this->Overlay = attached->get();
-  }
-  return changed;
-}
-
 void pqShapeInteractiveWidget::UpdateVisibility()
 {
   const int version = this->Surface.GetVersion();
@@ -278,16 +223,17 @@ void pqShapeInteractiveWidget::UpdateVisibility()
     pqShapeOverlay::CanAttach(this->view()) && this->UpdateSurface())
   {
     views = this->FindViews();
-    views.erase(std::remove_if(views.begin(), views.end(),
-                  [](pqView* view) { return !pqShapeOverlay::CanAttach(view); }),
-      views.end());
   }
-  const bool wasAttached = this->IsAttached();
-  if (!this->Attach(views) && version == this->Surface.GetVersion())
+  if (std::find(views.begin(), views.end(), this->Overlays.GetCurrent()->GetView()) == views.end())
+  {
+    this->EndDrag();
+  }
+  const bool wasAttached = this->Overlays.IsAttached();
+  if (!this->Overlays.Attach(views) && version == this->Surface.GetVersion())
   {
     return;
   }
-  if (!wasAttached && this->IsAttached())
+  if (!wasAttached && this->Overlays.IsAttached())
   {
     this->Initialize();
   }
@@ -308,38 +254,28 @@ void pqShapeInteractiveWidget::Initialize()
   this->Initialized = true;
 }
 
-void pqShapeInteractiveWidget::OnRender(pqShapeOverlay* overlay)
+void pqShapeInteractiveWidget::OnRender()
 {
   if (this->view() && this->GetTime() != this->Surface.GetTime())
   {
     this->VisibilityTimer.start(0);
   }
-  overlay->SetVisible(this->Surface.IsThere());
-  if (!this->Surface.IsThere())
+  this->Overlays.GetCurrent()->SetVisible(this->Surface.IsThere());
+  if (this->Surface.IsThere())
   {
-    return;
+    if (this->Overlays.HasMouse())
+    {
+      this->UpdateHovered();
+    }
+    this->Draw();
   }
-  pqShapeOverlay* last = this->Overlay;
-  if (overlay == last || !last->IsAttached())
-  {
-    this->Overlay = overlay;
-    this->UpdateHovered();
-  }
-  this->Overlay = overlay;
-  this->Draw();
-  this->Overlay = last->IsAttached() ? last : overlay;
 }
 
-bool pqShapeInteractiveWidget::OnEvent(pqShapeOverlay* overlay, unsigned long event)
+bool pqShapeInteractiveWidget::OnEvent(unsigned long event)
 {
   if (!this->Surface.IsThere())
   {
     return false;
-  }
-  if (overlay != this->Overlay)
-  {
-    this->LetGo(); // a drag whose release was lost in the other view
-    this->Overlay = overlay;
   }
   switch (event)
   {
@@ -369,7 +305,7 @@ bool pqShapeInteractiveWidget::OnMove()
   {
     return true; // the drag has ended, even if its last step is not processed yet
   }
-  this->Pixel = this->Overlay->GetPixel();
+  this->Pixel = this->Overlays.GetCurrent()->GetPixel();
   if (this->Grabbed)
   {
     this->StepTimer.start(0);
@@ -397,7 +333,7 @@ bool pqShapeInteractiveWidget::OnPress()
     return true; // an execution that processes events is not interrupted
   }
   this->LetGo(); // first processes a drag that was released, or whose release was lost
-  this->Pixel = this->Overlay->GetPixel();
+  this->Pixel = this->Overlays.GetCurrent()->GetPixel();
   this->Pressed = this->Pixel;
   const int part = this->FindPart(this->Pixel);
   this->Clicking = part == 0;
@@ -410,13 +346,14 @@ bool pqShapeInteractiveWidget::OnPress()
   this->Grabbed = true;
   this->Released = false;
   this->Edit.Begin();
-  this->Grab(part, this->Pixel, this->Overlay->IsShiftPressed(), this->Overlay->IsControlPressed());
+  this->Grab(part, this->Pixel, this->Overlays.GetCurrent()->IsShiftPressed(),
+    this->Overlays.GetCurrent()->IsControlPressed());
   return true;
 }
 
 bool pqShapeInteractiveWidget::OnRelease()
 {
-  this->Pixel = this->Overlay->GetPixel();
+  this->Pixel = this->Overlays.GetCurrent()->GetPixel();
   if (this->Grabbed)
   {
     this->Released = true;
@@ -446,12 +383,12 @@ void pqShapeInteractiveWidget::LetGo()
 bool pqShapeInteractiveWidget::OnWheel(int steps)
 {
   this->UpdateHovered();
-  return this->Grabbed || this->TurnWheel(steps, this->Overlay->IsControlPressed());
+  return this->Grabbed || this->TurnWheel(steps, this->Overlays.GetCurrent()->IsControlPressed());
 }
 
 bool pqShapeInteractiveWidget::OnKey()
 {
-  const std::string key = this->Overlay->GetKey();
+  const std::string key = this->Overlays.GetCurrent()->GetKey();
   if (key == "Escape" && this->Edit.IsActive())
   {
     this->BurstTimer.stop();
@@ -544,11 +481,11 @@ void pqShapeInteractiveWidget::RequestRender()
   {
     this->view()->render();
   }
-  for (const auto& overlay : this->Overlays)
+  for (pqView* view : this->Overlays.GetViews())
   {
-    if (overlay->GetView() && overlay->GetView() != this->view())
+    if (view != this->view())
     {
-      overlay->GetView()->render();
+      view->render();
     }
   }
 }
@@ -556,12 +493,9 @@ void pqShapeInteractiveWidget::RequestRender()
 void pqShapeInteractiveWidget::Show()
 {
   this->Edit.Show();
-  for (const auto& overlay : this->Overlays)
+  for (pqView* view : this->Overlays.GetViews())
   {
-    if (overlay->GetView())
-    {
-      vtkSMRenderViewProxy::SafeDownCast(overlay->GetView()->getProxy())->InteractiveRender();
-    }
+    vtkSMRenderViewProxy::SafeDownCast(view->getProxy())->InteractiveRender();
   }
   if (!this->Refused)
   {

@@ -2,7 +2,7 @@
 
 #include "pqPropertyWidget.h"
 #include "pqShapeEdit.h"
-#include "pqShapeOverlay.h"
+#include "pqShapeOverlays.h"
 #include "pqShapeSurface.h"
 
 #include <QTimer>
@@ -10,7 +10,6 @@
 #include <Eigen/Core>
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -101,14 +100,14 @@ protected:
   /// Appends a text that explains the mouse and the keys. While the result is refused, the reason
   /// is shown instead.
   void AddHelp(const QString& text);
-  void AddActor(vtkProp* actor) { this->Overlay->AddActor(actor); }
-  void TakeShortcut(int key) { this->Overlay->TakeShortcut(key); }
+  void AddActor(vtkProp* actor) { this->Overlays.GetCurrent()->AddActor(actor); }
+  void TakeShortcut(int key) { this->Overlays.GetCurrent()->TakeShortcut(key); }
 
   ///@{
   /// The view that is drawn; otherwise, the view of the last event.
-  const pqShapeOverlay* GetOverlay() const { return this->Overlay; }
-  vtkRenderer* GetRenderer() const { return this->Overlay->GetRenderer(); }
-  pqView* GetDrawnView() const { return this->Overlay->GetView(); }
+  const pqShapeOverlay* GetOverlay() const { return this->Overlays.GetCurrent(); }
+  vtkRenderer* GetRenderer() const { return this->Overlays.GetCurrent()->GetRenderer(); }
+  pqView* GetDrawnView() const { return this->Overlays.GetCurrent()->GetView(); }
   ///@}
   double GetTime() const; ///< the time of the active view
   const pqShapeSurface& GetSurface() const { return this->Surface; }
@@ -132,14 +131,10 @@ private Q_SLOTS:
 private:
   Q_DISABLE_COPY(pqShapeInteractiveWidget)
 
-  pqShapeOverlay* AddOverlay();
-  bool IsAttached() const;
-  /// Attaches overlays to these views and to no others. Returns whether that changed anything.
-  bool Attach(const std::vector<pqView*>& views);
   void UpdateVisibility();
   void Initialize();
-  void OnRender(pqShapeOverlay* overlay);
-  bool OnEvent(pqShapeOverlay* overlay, unsigned long event);
+  void OnRender();
+  bool OnEvent(unsigned long event);
   bool OnMove();
   bool OnPress();
   bool OnRelease();
@@ -159,8 +154,7 @@ private:
   QCheckBox* ShowHandle;
   QLabel* Help;
   QString HelpText;
-  std::vector<std::unique_ptr<pqShapeOverlay>> Overlays; ///< one for each view, at least one
-  pqShapeOverlay* Overlay; ///< the one that is drawn or, otherwise, that had the last event
+  pqShapeOverlays Overlays;
   QTimer VisibilityTimer, StepTimer, BurstTimer;
   Eigen::Vector2d Pixel = Eigen::Vector2d::Zero();
   Eigen::Vector2d Worked = Eigen::Vector2d::Zero(); ///< the pixel of the last step

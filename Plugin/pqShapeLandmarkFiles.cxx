@@ -6,8 +6,8 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
 #include "vtkSMSessionProxyManager.h"
-#include "vtkSMSourceProxy.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 
@@ -27,15 +27,14 @@ bool Read(const QString& path, pqShapeLandmarkTable& table)
   // The reader runs in the window, which has the plugin, too.
   vtkSmartPointer<vtkSMProxy> proxy;
   proxy.TakeReference(pqActiveObjects::instance().activeServer()->proxyManager()->NewProxy(
-    "sources", "ShapeLandmarksReader"));
-  auto* reader = vtkSMSourceProxy::SafeDownCast(proxy);
-  reader->SetLocation(vtkPVSession::CLIENT);
-  vtkSMPropertyHelper(reader, "FileName").Set(path.toUtf8().data());
-  reader->UpdateVTKObjects();
-  reader->UpdatePipeline();
-  auto* algorithm = vtkAlgorithm::SafeDownCast(reader->GetClientSideObject());
-  auto* points = algorithm ? vtkPolyData::SafeDownCast(algorithm->GetOutputDataObject(0)) : nullptr;
-  if (!points || points->GetNumberOfPoints() == 0)
+    "internal_sources", "ShapeLandmarksReaderCore"));
+  proxy->SetLocation(vtkPVSession::CLIENT);
+  vtkSMPropertyHelper(proxy, "FileName").Set(path.toUtf8().data());
+  proxy->UpdateVTKObjects();
+  auto* reader = vtkAlgorithm::SafeDownCast(proxy->GetClientSideObject());
+  reader->Update();
+  auto* points = vtkPolyData::SafeDownCast(reader->GetOutputDataObject(0));
+  if (points->GetNumberOfPoints() == 0)
   {
     return false;
   }

@@ -18,11 +18,8 @@
 #include "pqView.h"
 
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QSignalBlocker>
-#include <QTableWidget>
 
 #include <algorithm>
 #include <cstddef>
@@ -31,31 +28,7 @@ namespace
 {
 
 constexpr double LandmarkGrabPixels = 9.0;
-constexpr int TableRows = 6; ///< visible without scrolling
-enum LandmarkColumn
-{
-  NameColumn,
-  PointColumn,
-  TargetColumn
-};
 const char* const PositionFunctions[] = { "Points", "TargetPoints" };
-
-QString ToText(const Eigen::Vector3d& position)
-{
-  return QString("%1 %2 %3").arg(position.x()).arg(position.y()).arg(position.z());
-}
-
-/// Returns whether the text is three numbers.
-bool FromText(const QString& text, Eigen::Vector3d& position)
-{
-  const QStringList words = text.split(' ', Qt::SkipEmptyParts);
-  bool isNumber = words.size() == 3;
-  for (int k = 0; k < 3 && isNumber; ++k)
-  {
-    position(k) = words[k].toDouble(&isNumber);
-  }
-  return isNumber;
-}
 
 } // namespace
 
@@ -64,7 +37,8 @@ pqShapeLandmarksWidget::pqShapeLandmarksWidget(
   : Superclass(filter, group, { "Points", "TargetPoints", "Names" }, parent)
   , Target(group->GetProperty("TargetSurface"), [this] { this->RequestUpdate(); })
   , Pick(new QPushButton(tr("Pick"), this))
-  , Table(new QTableWidget(this))
+  , Table(new pqShapeLandmarkList(
+      [this](const pqShapeLandmarkTable& landmarks) { this->SetTable(landmarks); }, this))
 {
   this->AddButtons();
   const QString help = group->GetProperty("TargetSurface")
@@ -77,12 +51,7 @@ pqShapeLandmarksWidget::pqShapeLandmarksWidget(
         "Delete removes the point under the mouse.");
   this->AddHelp(help);
   this->Table->setObjectName("Landmarks");
-  this->Table->horizontalHeader()->setStretchLastSection(true);
-  this->Table->setMinimumHeight(
-    (TableRows + 1) * this->Table->verticalHeader()->defaultSectionSize());
   this->AddWidget(this->Table);
-  QObject::connect(this->Table, &QTableWidget::cellChanged, this,
-    [this](int row, int column) { this->EditTable(row, column); });
   for (const char* function : { "Points", "TargetPoints", "Names", "TargetSurface" })
   {
     if (vtkSMProperty* property = this->GetProperty(function))
@@ -450,55 +419,26 @@ void pqShapeLandmarksWidget::Draw()
   drawn->Draw(renderer, marks, lines);
 }
 
-void pqShapeLandmarksWidget::UpdateTable()
+pqShapeLandmarkTable pqShapeLandmarksWidget::GetTable() const
 {
-  const QSignalBlocker blocker(this->Table);
-  const bool hasNames = this->GetProperty("Names") != nullptr;
-  const std::vector<std::string> names = this->GetNames();
-  const Positions positions[] = { this->GetPositions(0), this->GetPositions(1) };
-  this->Table->setColumnCount(3);
-  this->Table->setHorizontalHeaderLabels(
-    { tr("Name"), hasNames ? tr("On A") : tr("Position"), tr("On B") });
-  this->Table->setColumnHidden(NameColumn, !hasNames);
-  this->Table->setColumnHidden(TargetColumn, !this->HasTarget());
-  const std::size_t count = std::max(positions[0].size(), positions[1].size());
-  this->Table->setRowCount(static_cast<int>(count));
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const auto set = [this, i](int column, const QString& text)
-    { this->Table->setItem(static_cast<int>(i), column, new QTableWidgetItem(text)); };
-    const bool isNamed = i < names.size() && !names[i].empty();
-    set(NameColumn, isNamed ? QString::fromStdString(names[i]) : QString::number(i + 1));
-    for (const int side : { 0, 1 })
-    {
-      set(PointColumn + side, i < positions[side].size() ? ToText(positions[side][i]) : QString());
-    }
-  }
+  return { this->GetValues("Points"), this->GetValues("TargetPoints"), this->GetNames() };
 }
 
-void pqShapeLandmarksWidget::EditTable(int row, int column)
+void pqShapeLandmarksWidget::SetTable(const pqShapeLandmarkTable& landmarks)
 {
-  const auto i = static_cast<std::size_t>(row);
-  const QString text = this->Table->item(row, column)->text().trimmed();
-  if (column == NameColumn)
-  {
-    std::vector<std::string> names = this->GetNames();
-    names.resize(std::max(names.size(), i + 1));
-    names[i] = text == QString::number(row + 1) ? std::string() : text.toStdString();
-    this->Change([&] { this->SetNames(names); });
-  }
-  else
-  {
-    const int side = column - PointColumn;
-    Positions positions = this->GetPositions(side);
-    Eigen::Vector3d position;
-    if (i < positions.size() && FromText(text, position))
+  this->Change(
+    [&]
     {
-      positions[i] = position;
-      this->Change([&] { this->SetPositions(side, positions); });
-    }
-  }
+      this->SetValues("Points", landmarks.Points);
+      this->SetValues("TargetPoints", landmarks.TargetPoints);
+      this->SetNames(landmarks.Names);
+    });
   this->UpdateTable(); // an entry that is no position is replaced by the last one
+}
+
+void pqShapeLandmarksWidget::UpdateTable()
+{
+  this->Table->Show(this->GetTable(), this->GetProperty("Names") != nullptr, this->HasTarget());
 }
 
 void pqShapeLandmarksWidget::Load()
@@ -513,22 +453,17 @@ void pqShapeLandmarksWidget::Load()
   {
     return;
   }
-  // Landmarks of one surface are those of A; after those of A, they are those of B.
-  const bool isTarget = this->HasTarget() && table.TargetPoints.empty() &&
-    !this->GetPositions(0).empty() && this->GetPositions(1).empty();
   this->Half.reset();
-  this->Change(
-    [&]
-    {
-      if (isTarget)
-      {
-        this->SetValues("TargetPoints", table.Points);
-        return;
-      }
-      this->SetValues("Points", table.Points);
-      this->SetValues("TargetPoints", table.TargetPoints);
-      this->SetNames(table.Names);
-    });
+  // Landmarks of one surface are those of A; after those of A, they are those of B.
+  pqShapeLandmarkTable landmarks = this->GetTable();
+  if (this->HasTarget() && table.TargetPoints.empty() && !landmarks.Points.empty() &&
+    landmarks.TargetPoints.empty())
+  {
+    landmarks.TargetPoints = table.Points;
+    this->SetTable(landmarks);
+    return;
+  }
+  this->SetTable(table);
 }
 
 void pqShapeLandmarksWidget::Save()
@@ -542,9 +477,7 @@ void pqShapeLandmarksWidget::Save()
     return;
   }
   const QString path = dialog.getSelectedFiles().first();
-  const pqShapeLandmarkTable table{ this->GetValues("Points"), this->GetValues("TargetPoints"),
-    this->GetNames() };
-  if (!pqShapeLandmarkFiles::Write(path, table))
+  if (!pqShapeLandmarkFiles::Write(path, this->GetTable()))
   {
     QMessageBox::critical(
       this, tr("Save Landmarks"), tr("Cannot write %1; choose another folder.").arg(path));

@@ -2,6 +2,7 @@
 
 #include "pqShapeInteractiveWidget.h"
 #include "pqShapeLandmarkFiles.h"
+#include "pqShapeLandmarkList.h"
 #include "pqShapeLandmarkMarks.h"
 
 #include <Eigen/Geometry>
@@ -11,7 +12,6 @@
 #include <optional>
 
 class QPushButton;
-class QTableWidget;
 
 /**
  * Picks points on a surface, or pairs of points on two surfaces, and moves them.
@@ -81,13 +81,14 @@ private:
   bool FindLandmark(const Eigen::Vector2d& pixel, Landmark& landmark) const;
   void Append(const Landmark& landmark);
   void Remove(std::size_t index);
-  void EditTable(int row, int column);
+  pqShapeLandmarkTable GetTable() const;
+  void SetTable(const pqShapeLandmarkTable& landmarks);
   void Load();
   void Save();
 
   pqShapeSurface Target;
   QPushButton* Pick;
-  QTableWidget* Table;
+  pqShapeLandmarkList* Table;
   std::optional<Landmark> Half; ///< the open half of a pair
   std::map<const pqShapeOverlay*, std::unique_ptr<pqShapeLandmarkMarks>> Marks;
   std::size_t GrabbedIndex = 0;

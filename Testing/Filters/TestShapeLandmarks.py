@@ -41,7 +41,21 @@ both = simple.ShapeCorrespondence(SurfaceA=a, SurfaceB=b, Landmarks=landmarks)
 both.UpdatePipeline()
 mapped = shapetesting.output(both)
 assert fact(mapped, 'Correspondence.Landmarks') == 4
+assert fact(mapped, 'Correspondence.LandmarkTargets') == 'TargetPosition'
 assert numpy.linalg.norm(array(mapped, 'TargetPosition')[chosen] - places_b[chosen], axis=1).max() < 1e-12
+
+# Target Landmarks are paired with Landmarks by order, and win over their TargetPosition.
+swapped = [chosen[1], chosen[0]] + chosen[2:]
+both.TargetLandmarks = simple.ShapeLandmarks(SurfaceA=b, PointsA=flat(places_b[swapped]))
+both.UpdatePipeline()
+assert fact(shapetesting.output(both), 'Correspondence.LandmarkTargets') == 'TargetLandmarks'
+mapped = array(shapetesting.output(both), 'TargetPosition')[chosen]
+assert numpy.linalg.norm(mapped - places_b[swapped], axis=1).max() < 1e-12
+unequal = shapemap.vtkShapeCorrespondence()
+for port, data in enumerate((shapetesting.output(a), shapetesting.output(b), on_a, shapetesting.output(b))):
+    unequal.SetInputDataObject(port, data)
+assert ('Landmarks has 4 points, and TargetLandmarks has %d; connect equally many, because they are paired by '
+        'order' % len(places_b)) in ' '.join(shapetesting.run(unequal))
 
 # Those of the orbifold are the corners of the tile.
 tile = simple.ShapeParameterize(Input=a, Landmarks=landmarks, Domain='Orbifold')
