@@ -5,14 +5,10 @@ import sys
 from paraview.simple import *
 
 root = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..')
-sys.path.append(os.path.join(root, 'Utilities'))
-import off  # reads .off files
-
 folder = sys.argv[1] if len(sys.argv) > 1 else '.'
 models = os.environ.get('SHAPEMAP_MODELS', os.path.join(root, 'build', 'models'))
 
-cow = TrivialProducer()
-cow.GetClientSideObject().SetOutput(off.read(os.path.join(models, 'cow.off')))
+cow = OpenDataFile(os.path.join(models, 'cow.off'))
 sphere = ShapeParameterize(Input=cow, AreaWeight=3.0)
 
 # The boundary of the domain is the sphere, and its array SourcePosition maps it back to the cow.

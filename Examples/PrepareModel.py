@@ -5,18 +5,11 @@ import sys
 from paraview.simple import *
 
 root = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..')
-sys.path.append(os.path.join(root, 'Utilities'))
-import off
-
 folder = sys.argv[1] if len(sys.argv) > 1 else '.'
 models = os.environ.get('SHAPEMAP_MODELS', os.path.join(root, 'build', 'models'))
 path = sys.argv[2] if len(sys.argv) > 2 else os.path.join(models, 'pig.stl')
 
-if path.endswith('.off'):  # a format that ParaView does not read
-    model = TrivialProducer()
-    model.GetClientSideObject().SetOutput(off.read(path))
-else:  # .stl, .ply, .obj, .vtp, ...
-    model = OpenDataFile(path)
+model = OpenDataFile(path)  # .off, .stl, .ply, .obj, .vtp, ...
 
 
 def open_edges(surface):

@@ -3,6 +3,7 @@
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
+#include "vtkSMStringVectorProperty.h"
 #include "vtkSMTrace.h"
 
 #include "pqUndoStack.h"
@@ -51,7 +52,7 @@ void pqShapeEdit::Finish(const QString& label)
 {
   const Values last = this->Get();
   this->Cancel();
-  if (last != this->First)
+  if (!(last == this->First))
   {
     const pqScopedUndoSet undo(label);
     SM_SCOPED_TRACE(PropertiesModified).arg("proxy", this->Filter.Get());
@@ -74,7 +75,16 @@ pqShapeEdit::Values pqShapeEdit::Get() const
   Values values;
   for (vtkSMProperty* property : this->Properties)
   {
-    values.push_back(vtkSMPropertyHelper(property).GetDoubleArray());
+    Value value;
+    if (auto* strings = vtkSMStringVectorProperty::SafeDownCast(property))
+    {
+      value.Strings = strings->GetElements();
+    }
+    else
+    {
+      value.Numbers = vtkSMPropertyHelper(property).GetDoubleArray();
+    }
+    values.push_back(value);
   }
   return values;
 }
@@ -84,8 +94,16 @@ void pqShapeEdit::Set(const Values& values)
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     // A repeatable property gets the number of these values.
-    vtkSMPropertyHelper(this->Properties[i])
-      .Set(values[i].data(), static_cast<unsigned int>(values[i].size()));
+    if (auto* strings = vtkSMStringVectorProperty::SafeDownCast(this->Properties[i]))
+    {
+      strings->SetElements(values[i].Strings);
+    }
+    else
+    {
+      const std::vector<double>& numbers = values[i].Numbers;
+      vtkSMPropertyHelper(this->Properties[i])
+        .Set(numbers.data(), static_cast<unsigned int>(numbers.size()));
+    }
   }
 }
 

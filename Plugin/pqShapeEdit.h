@@ -4,6 +4,7 @@
 
 #include <QString>
 
+#include <string>
 #include <vector>
 
 class vtkSMProperty;
@@ -33,7 +34,16 @@ public:
   void Cancel();
 
 private:
-  using Values = std::vector<std::vector<double>>;
+  struct Value ///< of one property, which has numbers or strings
+  {
+    std::vector<double> Numbers;
+    std::vector<std::string> Strings;
+    bool operator==(const Value& other) const
+    {
+      return this->Numbers == other.Numbers && this->Strings == other.Strings;
+    }
+  };
+  using Values = std::vector<Value>;
   Values Get() const;
   void Set(const Values& values);
   void SetDragging(bool dragging);

@@ -21,6 +21,8 @@
 #include <QFormLayout>
 #include <QLabel>
 
+#include <algorithm>
+
 namespace
 {
 
@@ -51,8 +53,9 @@ pqShapeInteractiveWidget::pqShapeInteractiveWidget(vtkSMProxy* filter, vtkSMProp
   , Layout(new QFormLayout(this))
   , ShowHandle(new QCheckBox(tr("Show handle"), this))
   , Help(new QLabel(this))
-  , Overlay(
-      [this] { this->OnRender(); }, [this](unsigned long event) { return this->OnEvent(event); })
+  , Overlays([this] { this->OnRender(); },
+      [this](unsigned long event) { return this->OnEvent(event); },
+      [this] { this->LetGo(); }) // a drag whose release was lost in the other view
 {
   this->setChangeAvailableAsChangeFinished(false); // a row reports itself when editing is finished
   this->Layout->setContentsMargins(0, 0, 0, 0);
@@ -119,16 +122,21 @@ void pqShapeInteractiveWidget::deselect()
 
 void pqShapeInteractiveWidget::setView(pqView* view)
 {
-  if (view != this->view())
+  const bool changed = view != this->view();
+  if (changed)
   {
     this->EndDrag();
-    this->Overlay.Detach();
   }
   for (pqPropertyWidget* row : this->Rows)
   {
     row->setView(view);
   }
   this->Superclass::setView(view);
+  if (changed)
+  {
+    // A view that still shows the handle keeps it, so that no event is lost.
+    this->Overlays.DetachExcept(this->FindViews());
+  }
   this->VisibilityTimer.start(0);
 }
 
@@ -183,7 +191,7 @@ void pqShapeInteractiveWidget::AddHelp(const QString& text)
 
 void pqShapeInteractiveWidget::OnValuesChanged()
 {
-  if (!this->Edit.IsActive() && this->Overlay.IsAttached())
+  if (!this->Edit.IsActive() && this->Overlays.IsAttached())
   {
     this->RequestRender();
   }
@@ -212,20 +220,23 @@ bool pqShapeInteractiveWidget::UpdateSurface()
 void pqShapeInteractiveWidget::UpdateVisibility()
 {
   const int version = this->Surface.GetVersion();
-  const bool wanted = this->isSelected() && this->ShowHandle->isChecked() &&
-    pqShapeOverlay::CanAttach(this->view()) && this->UpdateSurface();
-  if (wanted == this->Overlay.IsAttached() && version == this->Surface.GetVersion())
+  std::vector<pqView*> views;
+  if (this->isSelected() && this->ShowHandle->isChecked() &&
+    pqShapeOverlay::CanAttach(this->view()) && this->UpdateSurface())
+  {
+    views = this->FindViews();
+  }
+  if (std::find(views.begin(), views.end(), this->Overlays.GetCurrent()->GetView()) == views.end())
+  {
+    this->EndDrag();
+  }
+  const bool wasAttached = this->Overlays.IsAttached();
+  if (!this->Overlays.Attach(views) && version == this->Surface.GetVersion())
   {
     return;
   }
-  if (!wanted)
+  if (!wasAttached && this->Overlays.IsAttached())
   {
-    this->EndDrag();
-    this->Overlay.Detach();
-  }
-  else if (!this->Overlay.IsAttached())
-  {
-    this->Overlay.Attach(this->view());
     this->Initialize();
   }
   this->RequestRender();
@@ -251,10 +262,13 @@ void pqShapeInteractiveWidget::OnRender()
   {
     this->VisibilityTimer.start(0);
   }
-  this->Overlay.SetVisible(this->Surface.IsThere());
+  this->Overlays.GetCurrent()->SetVisible(this->Surface.IsThere());
   if (this->Surface.IsThere())
   {
-    this->UpdateHovered();
+    if (this->Overlays.HasMouse())
+    {
+      this->UpdateHovered();
+    }
     this->Draw();
   }
 }
@@ -293,7 +307,7 @@ bool pqShapeInteractiveWidget::OnMove()
   {
     return true; // the drag has ended, even if its last step is not processed yet
   }
-  this->Pixel = this->Overlay.GetPixel();
+  this->Pixel = this->Overlays.GetCurrent()->GetPixel();
   if (this->Grabbed)
   {
     this->StepTimer.start(0);
@@ -321,7 +335,7 @@ bool pqShapeInteractiveWidget::OnPress()
     return true; // an execution that processes events is not interrupted
   }
   this->LetGo(); // first processes a drag that was released, or whose release was lost
-  this->Pixel = this->Overlay.GetPixel();
+  this->Pixel = this->Overlays.GetCurrent()->GetPixel();
   this->Pressed = this->Pixel;
   const int part = this->FindPart(this->Pixel);
   this->Clicking = part == 0;
@@ -334,13 +348,14 @@ bool pqShapeInteractiveWidget::OnPress()
   this->Grabbed = true;
   this->Released = false;
   this->Edit.Begin();
-  this->Grab(part, this->Pixel, this->Overlay.IsShiftPressed(), this->Overlay.IsControlPressed());
+  this->Grab(part, this->Pixel, this->Overlays.GetCurrent()->IsShiftPressed(),
+    this->Overlays.GetCurrent()->IsControlPressed());
   return true;
 }
 
 bool pqShapeInteractiveWidget::OnRelease()
 {
-  this->Pixel = this->Overlay.GetPixel();
+  this->Pixel = this->Overlays.GetCurrent()->GetPixel();
   if (this->Grabbed)
   {
     this->Released = true;
@@ -370,12 +385,12 @@ void pqShapeInteractiveWidget::LetGo()
 bool pqShapeInteractiveWidget::OnWheel(int steps)
 {
   this->UpdateHovered();
-  return this->Grabbed || this->TurnWheel(steps, this->Overlay.IsControlPressed());
+  return this->Grabbed || this->TurnWheel(steps, this->Overlays.GetCurrent()->IsControlPressed());
 }
 
 bool pqShapeInteractiveWidget::OnKey()
 {
-  const std::string key = this->Overlay.GetKey();
+  const std::string key = this->Overlays.GetCurrent()->GetKey();
   if (key == "Escape" && this->Edit.IsActive())
   {
     this->BurstTimer.stop();
@@ -463,18 +478,26 @@ void pqShapeInteractiveWidget::Change(const std::function<void()>& change)
 
 void pqShapeInteractiveWidget::RequestRender()
 {
+  // A view without a handle is rendered, too: the handle may just have left it.
   if (this->view())
   {
     this->view()->render();
+  }
+  for (pqView* view : this->Overlays.GetViews())
+  {
+    if (view != this->view())
+    {
+      view->render();
+    }
   }
 }
 
 void pqShapeInteractiveWidget::Show()
 {
   this->Edit.Show();
-  if (this->Overlay.IsAttached() && this->view())
+  for (pqView* view : this->Overlays.GetViews())
   {
-    vtkSMRenderViewProxy::SafeDownCast(this->view()->getProxy())->InteractiveRender();
+    vtkSMRenderViewProxy::SafeDownCast(view->getProxy())->InteractiveRender();
   }
   if (!this->Refused)
   {

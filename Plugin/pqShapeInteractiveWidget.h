@@ -2,7 +2,7 @@
 
 #include "pqPropertyWidget.h"
 #include "pqShapeEdit.h"
-#include "pqShapeOverlay.h"
+#include "pqShapeOverlays.h"
 #include "pqShapeSurface.h"
 
 #include <QTimer>
@@ -37,8 +37,9 @@ class vtkSMPropertyGroup;
  * lies. Dragging is the property that is 1 during a drag, so that the filter prefers speed.
  * Subclasses define the other functions.
  *
- * The handle is in data coordinates: it does not follow a representation that is translated,
- * rotated or scaled in the view. Comparative views have no handle.
+ * By default, the handle is in the active view. It is in data coordinates: it does not follow a
+ * representation that is translated, rotated or scaled in the view. Comparative views have no
+ * handle.
  *
  * If the fact `Refused` of the filter is 1, its output is the last valid result, and the fact
  * `Refusal` is the reason. A drag that ends in this state returns to the values of the last valid
@@ -81,6 +82,11 @@ protected:
   /// Called when the handle appears and when the filter was updated. Data are fetched from the
   /// server here, because this is not possible while a view is rendered.
   virtual void ReadFacts() {}
+  /// Returns the views that show the handle, by default the active one. Views that the client
+  /// cannot draw into are ignored.
+  virtual std::vector<pqView*> FindViews() const { return { this->view() }; }
+  /// Fetches the surfaces that have changed. Returns whether all are there.
+  virtual bool UpdateSurface();
   ///@}
 
   vtkSMProperty* GetProperty(const std::string& function) const;
@@ -94,10 +100,16 @@ protected:
   /// Appends a text that explains the mouse and the keys. While the result is refused, the reason
   /// is shown instead.
   void AddHelp(const QString& text);
-  void AddActor(vtkProp* actor) { this->Overlay.AddActor(actor); }
-  void TakeShortcut(int key) { this->Overlay.TakeShortcut(key); }
+  void AddActor(vtkProp* actor) { this->Overlays.GetCurrent()->AddActor(actor); }
+  void TakeShortcut(int key) { this->Overlays.GetCurrent()->TakeShortcut(key); }
 
-  vtkRenderer* GetRenderer() const { return this->Overlay.GetRenderer(); }
+  ///@{
+  /// The view that is drawn; otherwise, the view of the last event.
+  const pqShapeOverlay* GetOverlay() const { return this->Overlays.GetCurrent(); }
+  vtkRenderer* GetRenderer() const { return this->Overlays.GetCurrent()->GetRenderer(); }
+  pqView* GetDrawnView() const { return this->Overlays.GetCurrent()->GetView(); }
+  ///@}
+  double GetTime() const; ///< the time of the active view
   const pqShapeSurface& GetSurface() const { return this->Surface; }
   int GetHovered() const { return this->Hovered; } ///< the part under the mouse
   bool IsRefused() const { return this->Refused; } ///< the filter has the fact Refused
@@ -110,6 +122,7 @@ protected:
   /// Makes a change and computes its final result immediately.
   void Change(const std::function<void()>& change);
   void RequestRender();
+  void RequestUpdate() { this->VisibilityTimer.start(0); } ///< looks for surfaces and views again
 
 private Q_SLOTS:
   void OnValuesChanged();
@@ -118,8 +131,6 @@ private Q_SLOTS:
 private:
   Q_DISABLE_COPY(pqShapeInteractiveWidget)
 
-  double GetTime() const;
-  bool UpdateSurface();
   void UpdateVisibility();
   void Initialize();
   void OnRender();
@@ -143,7 +154,7 @@ private:
   QCheckBox* ShowHandle;
   QLabel* Help;
   QString HelpText;
-  pqShapeOverlay Overlay;
+  pqShapeOverlays Overlays;
   QTimer VisibilityTimer, StepTimer, BurstTimer;
   Eigen::Vector2d Pixel = Eigen::Vector2d::Zero();
   Eigen::Vector2d Worked = Eigen::Vector2d::Zero(); ///< the pixel of the last step

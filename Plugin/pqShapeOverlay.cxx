@@ -36,6 +36,10 @@ void pqShapeOverlay::AddActor(vtkProp* actor)
 {
   actor->PickableOff();
   this->Actors.emplace_back(actor);
+  if (this->Renderer)
+  {
+    this->Renderer->AddViewProp(actor);
+  }
 }
 
 void pqShapeOverlay::SetVisible(bool visible)
@@ -59,6 +63,7 @@ void pqShapeOverlay::Attach(pqView* view)
   this->Renderer =
     vtkPVRenderView::SafeDownCast(proxy->GetClientSideObject())->GetNonCompositedRenderer();
   this->Interactor = proxy->GetInteractor();
+  this->View = view;
   for (const vtkSmartPointer<vtkProp>& actor : this->Actors)
   {
     this->Renderer->AddViewProp(actor);
@@ -102,6 +107,7 @@ void pqShapeOverlay::Detach()
     this->Widget->removeEventFilter(this);
   }
   this->Observers.clear();
+  this->View = nullptr;
   this->Widget = nullptr;
   this->Renderer = nullptr;
   this->Interactor = nullptr;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "pqView.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
@@ -14,7 +15,6 @@
 #include <vector>
 
 class QWidget;
-class pqView;
 class vtkObject;
 class vtkProp;
 class vtkRenderWindowInteractor;
@@ -46,6 +46,7 @@ public:
   void Attach(pqView* view);
   void Detach();
   bool IsAttached() const { return !this->Observers.empty(); }
+  pqView* GetView() const { return this->View; } ///< null if the overlay is not attached
 
   ///@{
   /// Valid while the overlay is attached.
@@ -65,6 +66,7 @@ private:
   std::function<bool(unsigned long)> TakeEvent;
   std::vector<vtkSmartPointer<vtkProp>> Actors;
   QSet<int> Shortcuts;
+  QPointer<pqView> View;
   QPointer<QWidget> Widget;
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor;

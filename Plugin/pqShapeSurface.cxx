@@ -1,7 +1,5 @@
 #include "pqShapeSurface.h"
 
-#include "pqShapeDisplay.h"
-
 #include "vtkAlgorithm.h"
 #include "vtkAppendPolyData.h"
 #include "vtkCommand.h"
@@ -167,7 +165,11 @@ void pqShapeSurface::Fetch(double time)
 bool pqShapeSurface::FindUnder(
   vtkRenderer* renderer, const Eigen::Vector2d& pixel, pqShapePlace& place) const
 {
-  const pqShapeDisplay::Ray ray = pqShapeDisplay::ToRay(renderer, pixel);
+  return this->FindAlong(pqShapeDisplay::ToRay(renderer, pixel), place);
+}
+
+bool pqShapeSurface::FindAlong(const pqShapeDisplay::Ray& ray, pqShapePlace& place) const
+{
   const double middle = ray.Direction.dot(Eigen::Vector3d(this->Data->GetCenter()) - ray.Near);
   const double first = std::max(ray.First, middle - this->GetSize());
   const double last = middle + this->GetSize();

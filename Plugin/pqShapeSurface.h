@@ -1,5 +1,7 @@
 #pragma once
 
+#include "pqShapeDisplay.h"
+
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
@@ -46,6 +48,9 @@ public:
 
   /// Finds the first position on the line of sight through a pixel. Returns false if there is none.
   bool FindUnder(vtkRenderer* renderer, const Eigen::Vector2d& pixel, pqShapePlace& place) const;
+
+  /// Finds the first position on a line of sight, in the coordinates of the surface.
+  bool FindAlong(const pqShapeDisplay::Ray& ray, pqShapePlace& place) const;
 
   /// Returns the position closest to a point.
   pqShapePlace FindClosest(const Eigen::Vector3d& point) const;

@@ -56,16 +56,16 @@ for path in documentation.files('Testing', 'Benchmarks', 'Cases', ends='.cxx'):
         if '`%s`' % case not in texts[benchmarks]:
             faults.append('%s has no `%s`' % (benchmarks, case))
 
-# Filters are what the menu shows, writers what a writer's factory names.
+# Filters are what the menu shows; readers and writers are what a factory names.
 names = set()
 for path in documentation.files('Filters', 'VTK', ends='.xml'):
     text = documentation.read('Filters', 'VTK', path)
-    if '<ShowInMenu' in text or '<WriterFactory' in text:
+    if any(hint in text for hint in ('<ShowInMenu', '<ReaderFactory', '<WriterFactory')):
         names.add((os.path.basename(path)[len('vtkShape'):-len('.xml')], os.path.dirname(path)))
 assert len(names) > 2, 'no filter was found'
 overview = texts['Documentation/Filters.md']
 for name, room in sorted(names):
-    label = 'Shape ' + re.sub(r'(?<=[a-z])(?=[A-Z])', ' ', name)
+    label = 'Shape ' + re.sub(r'(?<=[a-z])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])', ' ', name)
     page = 'Documentation/Filters/%s.md' % name
     if '| [%s](Filters/%s.md) |' % (label, name) not in overview:
         faults.append('Documentation/Filters.md has no row [%s](Filters/%s.md)' % (label, name))

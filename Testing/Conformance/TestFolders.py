@@ -25,7 +25,7 @@ USE_TETGEN = ['Tetrahedra/Private/TetGen.cxx']
 # Filters whose mathematics is one line of the wrapper, which its header states: no kernel.
 WITHOUT_KERNEL = ['vtkShapeMorph']
 # Base classes, whose XML holds what the others inherit.
-BASES = ['vtkShapeAlgorithm', 'vtkShapeDeformingAlgorithm', 'vtkShapeWriter']
+BASES = ['vtkShapeAlgorithm', 'vtkShapeDeformingAlgorithm', 'vtkShapeReader', 'vtkShapeWriter']
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
 root = sys.argv[1]

@@ -95,7 +95,7 @@ for path in paths('Filters', 'VTK', '*', 'vtkShape*.xml'):
             if child.tag.endswith('Property'):
                 check_property('%s.%s' % (where, child.get('name')), child)
         help = proxy.find('Documentation')
-        if proxy.find('Hints/ShowInMenu') is not None or proxy.find('Hints/WriterFactory') is not None:
+        if any(proxy.find('Hints/' + hint) is not None for hint in ('ShowInMenu', 'ReaderFactory', 'WriterFactory')):
             filters += 1
             if help is None or not all((help.get('short_help'), help.get('long_help'),
                                         (help.text or '').strip())):

@@ -21,6 +21,7 @@ OTHER_INPUTS = {
 OPTIONS = {
     'ShapeCorrespondence': {'CoarsePoints': 100},
     'ShapeHexRemesh': {'Method': 2, 'CellsOnLongestSide': 4},
+    'ShapeLandmarks': {'PointsA': [0.0, 0.0, 1.0, 1.0, 0.0, 0.0]},
 }
 
 
@@ -36,6 +37,7 @@ def cap():
 # Inputs that no file has; also optional ones that others may take the place of, one of which is
 # required.
 NEEDED_INPUTS = {
+    ('ShapeGeodesicDistance', 'Seeds'): lambda: shapetesting.read('DentedSphere600.vtp'),
     ('ShapePasteFeature', 'Feature'): cap,
     ('ShapeCutFeature', 'Loop'): lambda: shapetesting.closed_curve(
         [[0.6 * numpy.cos(t), 0.6 * numpy.sin(t), 0.8] for t in 0.26 * numpy.arange(24)]),

@@ -39,6 +39,8 @@ for method, most in (('Exact', 1e-3), ('Dijkstra', 0.3), ('Heat', 0.05)):
     found = array(shapetesting.output(from_poles), 'GeodesicDistance')
     assert abs(found - angles).max() < most, (method, abs(found - angles).max())
 
+surface_of_sphere = surface
+
 # Seeds of several blocks count, and those of a selection, which ParaView extracts as a grid.
 surface = read('DentedSphere600.vtp')
 seeds = vtkMultiBlockDataSet()
@@ -55,6 +57,27 @@ assert distances(surface, seeds.GetBlock(0))[50] == 0.0
 nearest = numpy.minimum(distances(surface, seeds.GetBlock(0)), distances(surface, seeds.GetBlock(1)))
 assert abs(distances(surface, seeds) - nearest).max() < 1e-12
 assert distances(surface, surface).max() == 0.0
+
+# Seeds may also be positions, which are projected; they add to the data set.
+picked = simple.ShapeGeodesicDistance(Input=sphere, SeedPoints=[0, 0, 1.2], Method='Exact')
+picked.UpdatePipeline()
+one = array(shapetesting.output(picked), 'GeodesicDistance')
+assert abs(one - numpy.arccos(numpy.clip(points(surface_of_sphere)[:, 2], -1, 1))).max() < 3e-3
+picked.Seeds = simple.PointSource(Center=[0, 0, -1], NumberOfPoints=1)
+picked.UpdatePipeline()
+two = array(shapetesting.output(picked), 'GeodesicDistance')
+assert abs(two - angles).max() < 1e-3
+for seeds_of_one in ([0, 1.2, 0], [0, 0, 1.2]):  # what is kept of the surface gives the same
+    picked.Seeds, picked.SeedPoints, picked.Method = None, seeds_of_one, 'Heat'
+    picked.UpdatePipeline()
+    again = simple.ShapeGeodesicDistance(Input=sphere, SeedPoints=seeds_of_one)
+    again.UpdatePipeline()
+    assert (array(shapetesting.output(picked), 'GeodesicDistance') ==
+            array(shapetesting.output(again), 'GeodesicDistance')).all()
+none = shapemap.vtkShapeGeodesicDistance()
+none.SetInputDataObject(0, surface)
+assert 'Shape Geodesic Distance: no seed; press Pick and click on the surface, or connect points to Seeds' in \
+    ' '.join(shapetesting.run(none))
 
 # A component without a seed is told from one with.
 apart = vtkMultiBlockDataSet()

@@ -71,15 +71,18 @@ std::string vtkShapeAlgorithm::GetLabel()
 
 std::string vtkShapeAlgorithm::LabelOf(const std::string& className)
 {
+  const auto isUpper = [&](std::size_t i)
+  { return i < className.size() && std::isupper(static_cast<unsigned char>(className[i])); };
   std::string label;
-  // Without "vtk".
-  for (const char letter : className.substr(3))
+  // Without "vtk". An abbreviation is one word: OFFReader is "OFF Reader".
+  for (std::size_t i = 3; i < className.size(); ++i)
   {
-    if (!label.empty() && std::isupper(static_cast<unsigned char>(letter)))
+    const bool nextIsLower = i + 1 < className.size() && !isUpper(i + 1);
+    if (i > 3 && isUpper(i) && (!isUpper(i - 1) || nextIsLower))
     {
       label += ' ';
     }
-    label += letter;
+    label += className[i];
   }
   return label;
 }

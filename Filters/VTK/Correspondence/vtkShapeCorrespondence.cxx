@@ -4,6 +4,7 @@
 #include "vtkShapeConvert.h"
 #include "vtkShapeMapColors.h"
 
+#include "Base/Errors.h"
 #include "Correspondence/Landmarks/LandmarkPairs.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
@@ -45,11 +46,15 @@ double ComputeMeanEdgeLength(const shape::Mesh& mesh)
 /// Returns the points of the landmarks, and positions between them along lines. Lines are sampled
 /// at the mean edge length of the surface. Coarser samples would leave points between them
 /// unconstrained, and finer samples would have the same nearest points.
-Partners ReadPartners(vtkUnstructuredGrid* given, double step)
+Partners ReadPartners(vtkUnstructuredGrid* given, const Eigen::MatrixXd& targets, double step)
 {
   const Eigen::MatrixXd positions = vtkShapeConvert::ToPoints(given);
-  const Eigen::MatrixXd targets =
-    vtkShapeConvert::ToPointArray(given, "TargetPosition", 3, "the Landmarks");
+  if (positions.rows() != targets.rows())
+  {
+    throw shape::InvalidInput("Landmarks has " + std::to_string(positions.rows()) +
+      " points, and TargetLandmarks has " + std::to_string(targets.rows()) +
+      "; connect equally many, because they are paired by order");
+  }
   Partners partners;
   for (Eigen::Index i = 0; i < positions.rows(); ++i)
   {
@@ -97,6 +102,7 @@ vtkShapeCorrespondence::vtkShapeCorrespondence()
   this->DeclareInput("SurfaceA", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
   this->DeclareInput("SurfaceB", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
   this->DeclareInput("Landmarks", PortData::WholeGrid, PortUse::Optional, { "vtkDataSet" });
+  this->DeclareInput("TargetLandmarks", PortData::WholeGrid, PortUse::Optional, { "vtkDataSet" });
   this->DeclareOutputLikeInput(0);
   this->DeclareOutputLikeInput(1);
   this->DeclareFacts();
@@ -113,10 +119,19 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
   shape::RequireManifold(a, "SurfaceA");
   shape::RequireManifold(b, "SurfaceB");
   shape::Landmarks landmarks;
-  if (this->GetNumberOfInputConnections(2) > 0)
+  const bool hasLandmarks = this->GetNumberOfInputConnections(2) > 0;
+  const bool hasTargets = this->GetNumberOfInputConnections(3) > 0;
+  if (hasTargets && !hasLandmarks)
   {
-    const Partners partners =
-      ReadPartners(this->GetGatheredInput(2).Grid, ComputeMeanEdgeLength(a));
+    throw shape::InvalidInput("there are TargetLandmarks without Landmarks; connect both");
+  }
+  if (hasLandmarks)
+  {
+    vtkUnstructuredGrid* given = this->GetGatheredInput(2).Grid;
+    const Partners partners = ReadPartners(given,
+      hasTargets ? vtkShapeConvert::ToPoints(this->GetGatheredInput(3).Grid)
+                 : vtkShapeConvert::ToPointArray(given, "TargetPosition", 3, "the Landmarks"),
+      ComputeMeanEdgeLength(a));
     landmarks = shape::PairLandmarks(a, AsRows(partners.OnA), b, AsRows(partners.OnB));
   }
   const shape::CorrespondenceResult result =
@@ -131,6 +146,11 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
     { vtkShapeConvert::AddFact(this->GetOutputDataObject(port), "Correspondence." + fact, value); };
     add("Landmarks", static_cast<double>(result.Used.size()));
     add("LandmarksFound", result.Found ? 1.0 : 0.0);
+    if (hasLandmarks)
+    {
+      vtkShapeConvert::AddFact(this->GetOutputDataObject(port), "Correspondence.LandmarkTargets",
+        hasTargets ? "TargetLandmarks" : "TargetPosition");
+    }
     add("Distortion", result.Found ? result.Start.Distortion : -1.0);
     add("MirroredDistortion", result.Found ? result.Start.MirroredDistortion : -1.0);
     add("MirrorImage", !result.Found ? -1.0 : result.Start.MirrorImage ? 1.0 : 0.0);

@@ -12,6 +12,8 @@
  *   of its surface. If two landmarks have the same point on a surface, only the first landmark is
  *   used. Polylines are sampled at the mean edge length of SurfaceA. Without this input, the filter
  *   finds landmarks itself (shape::FindLandmarks), which requires surfaces of one component.
+ * - TargetLandmarks (optional): points on SurfaceB, paired with the points of Landmarks by order.
+ *   They replace the array TargetPosition of Landmarks.
  *
  * Outputs: SurfaceA and SurfaceB, each with the precise map onto the other surface. The map
  * consists of the point arrays
@@ -23,7 +25,8 @@
  *
  * Field data of both, with the prefix Correspondence
  * - .Landmarks: number of landmarks used. .LandmarksFound: 1 if the filter found the landmarks
- *   itself, otherwise 0.
+ *   itself, otherwise 0. .LandmarkTargets: where the positions on SurfaceB come from,
+ *   "TargetPosition" or "TargetLandmarks"; only with Landmarks.
  * - .Distortion, .MirroredDistortion, .MirrorImage, .Confidence: see
  *   shape::AutomaticLandmarksResult. They are -1 if landmarks are given.
  * - .DirichletEnergy, .RoundTrip, .ReversedArea: see shape::SurfaceMapFacts.

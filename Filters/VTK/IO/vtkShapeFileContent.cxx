@@ -1,0 +1,168 @@
+#include "vtkShapeFileContent.h"
+
+#include "vtkShapeConvert.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include "Base/Errors.h"
+#include "IO/MeditReader.h"
+#include "IO/OFFReader.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+#include <system_error>
+#include <vector>
+
+namespace
+{
+
+vtkSmartPointer<vtkPoints> ToPoints(const Eigen::MatrixXd& points)
+{
+  vtkNew<vtkPoints> result;
+  result->SetDataType(VTK_DOUBLE);
+  result->SetData(vtkShapeConvert::ToArray(points, "Points"));
+  return result;
+}
+
+/// Returns the chosen cells in their order.
+vtkSmartPointer<vtkCellArray> ToCellArray(const shape::Cells& cells, const std::vector<int>& chosen)
+{
+  vtkNew<vtkCellArray> result;
+  result->AllocateExact(
+    static_cast<vtkIdType>(chosen.size()), static_cast<vtkIdType>(cells.Corners.size()));
+  for (const int cell : chosen)
+  {
+    const int first = cells.Offsets(cell), end = cells.Offsets(cell + 1);
+    result->InsertNextCell(end - first);
+    for (int k = first; k < end; ++k)
+    {
+      result->InsertCellPoint(cells.Corners(k));
+    }
+  }
+  return result;
+}
+
+/// Adds colours as the array RGB or RGBA. order: the item of each tuple.
+void AddColors(const shape::OFFSurface::Colors& colors, const std::vector<int>& order,
+  vtkDataSetAttributes* data)
+{
+  if (colors.Components == 0)
+  {
+    return;
+  }
+  vtkNew<vtkUnsignedCharArray> array;
+  array->SetName(colors.Components == 3 ? "RGB" : "RGBA");
+  array->SetNumberOfComponents(colors.Components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(order.size()));
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    array->SetTypedTuple(static_cast<vtkIdType>(i),
+      colors.Values.data() + static_cast<std::size_t>(colors.Components) * order[i]);
+  }
+  data->AddArray(array);
+}
+
+vtkSmartPointer<vtkFloatArray> ToFloats(const Eigen::MatrixXd& values, const char* name)
+{
+  vtkNew<vtkFloatArray> array;
+  array->SetName(name);
+  array->DeepCopy(vtkShapeConvert::ToArray(values, name));
+  array->SetName(name);
+  return array;
+}
+
+} // namespace
+
+std::string vtkShapeFileContent::Read(const std::string& path)
+{
+  const auto refuse = [&](const std::string& why) {
+    throw shape::InvalidInput("cannot read the file '" + path + "' (" + why + "); choose another");
+  };
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  if (error)
+  {
+    refuse(error.message());
+  }
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::string content(size, '\0');
+  if (!file || !file.read(content.data(), static_cast<std::streamsize>(size)))
+  {
+    refuse(std::generic_category().message(errno));
+  }
+  return content;
+}
+
+void vtkShapeFileContent::ToPolyData(const shape::OFFSurface& surface, vtkPolyData* output)
+{
+  const shape::Cells& faces = surface.Faces;
+  // A vtkPolyData numbers vertices first, then lines, then polygons.
+  std::vector<int> order, ofKind;
+  for (const int kind :
+    { shape::cell_kind::Vertex, shape::cell_kind::Line, shape::OFFSurface::PolygonKind })
+  {
+    ofKind.clear();
+    for (int face = 0; face < faces.Kinds.size(); ++face)
+    {
+      if (faces.Kinds(face) == kind)
+      {
+        ofKind.push_back(face);
+      }
+    }
+    if (ofKind.empty())
+    {
+      continue;
+    }
+    order.insert(order.end(), ofKind.begin(), ofKind.end());
+    const auto cells = ToCellArray(faces, ofKind);
+    kind == shape::cell_kind::Vertex   ? output->SetVerts(cells)
+      : kind == shape::cell_kind::Line ? output->SetLines(cells)
+                                       : output->SetPolys(cells);
+  }
+  output->SetPoints(ToPoints(faces.Points));
+  std::vector<int> points(faces.Points.rows());
+  std::iota(points.begin(), points.end(), 0);
+  AddColors(surface.PointColors, points, output->GetPointData());
+  AddColors(surface.FaceColors, order, output->GetCellData());
+  if (!surface.FaceColorIndices.empty())
+  {
+    Eigen::VectorXi indices(static_cast<Eigen::Index>(order.size()));
+    std::transform(order.begin(), order.end(), indices.begin(),
+      [&](int face) { return surface.FaceColorIndices[face]; });
+    output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(indices, "ColorIndex"));
+  }
+  if (surface.Normals.rows() > 0)
+  {
+    output->GetPointData()->SetNormals(ToFloats(surface.Normals, "Normals"));
+  }
+  if (surface.TextureCoordinates.rows() > 0)
+  {
+    output->GetPointData()->SetTCoords(ToFloats(surface.TextureCoordinates, "TCoords"));
+  }
+}
+
+void vtkShapeFileContent::ToGrid(const shape::MeditMesh& mesh, vtkUnstructuredGrid* output)
+{
+  const shape::Cells& cells = mesh.Mesh;
+  output->SetPoints(ToPoints(cells.Points));
+  std::vector<int> all(cells.Kinds.size()), kinds(cells.Kinds.begin(), cells.Kinds.end());
+  std::iota(all.begin(), all.end(), 0);
+  output->SetCells(kinds.data(), ToCellArray(cells, all));
+  output->GetPointData()->AddArray(vtkShapeConvert::ToIntegers(mesh.PointReferences, "Reference"));
+  output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(mesh.CellReferences, "Reference"));
+}

@@ -1,0 +1,50 @@
+/**
+ * @class   vtkShapeSource
+ * @brief   base of what has no input: readers and example shapes
+ *
+ * Output: one data set. If the pipeline requests pieces, the first piece is the entire data set,
+ * and the others are empty. An error empties the output, and its text starts with the label of the
+ * source.
+ */
+#ifndef vtkShapeSource_h
+#define vtkShapeSource_h
+
+#include "vtkAlgorithm.h"
+#include "vtkShapeFiltersModule.h" // for the export macro
+
+#include "Base/Progress.h" // for shape::Progress
+
+#include <string> // for names
+
+class vtkDataObject;
+
+class VTKSHAPEFILTERS_EXPORT vtkShapeSource : public vtkAlgorithm
+{
+public:
+  vtkTypeMacro(vtkShapeSource, vtkAlgorithm);
+
+  /// Returns the name of the source in messages: "Shape OFF Reader" for vtkShapeOFFReader.
+  std::string GetLabel();
+
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) final;
+
+protected:
+  vtkShapeSource();
+  ~vtkShapeSource() override = default;
+  int FillOutputPortInformation(int port, vtkInformation* info) final;
+
+  /// Returns the class name of the output, which may depend on properties.
+  virtual std::string GetOutputType() = 0;
+  /// Fills the empty output. Throws shape::InvalidInput, shape::Aborted.
+  virtual void Make(vtkDataObject* output, const shape::Progress& progress) = 0;
+
+private:
+  vtkShapeSource(const vtkShapeSource&) = delete;
+  void operator=(const vtkShapeSource&) = delete;
+
+  void CreateOutput(vtkInformationVector* outputs);
+  int Run(vtkDataObject* output);
+};
+
+#endif
