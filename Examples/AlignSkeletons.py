@@ -1,6 +1,7 @@
 """Maps the solid of one figure onto another, and aligns the skeletons inside."""
 import os
 
+import shapemap
 from paraview.simple import *
 
 data = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'Data', '')
@@ -18,7 +19,7 @@ for weight in (1e-6, 20.0):
         Domain=solid, Boundary=figure, MapArray='TargetPosition', Features=[bones],
         TargetFeatures=[target], FeatureWeight=weight)
     mapped.UpdatePipeline()
-    bones_error, surface_error = (mapped.FieldData['HarmonicVolumeMap.' + name].GetRange()[0]
+    bones_error, surface_error = (shapemap.facts(mapped)[name]
                                   for name in ('RMSEFeatures', 'RMSEVertices'))
     print('FeatureWeight %g: error %.2f %% at the bones, %.2f %% at the surface' % (
         weight, 100 * bones_error, 100 * surface_error))

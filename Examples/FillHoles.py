@@ -1,6 +1,7 @@
 """Fills the holes of a surface smoothly, so that it is closed."""
 import os
 
+import shapemap
 from paraview.simple import *
 
 data = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'Data', '')
@@ -14,12 +15,10 @@ holes = Triangulate(Input=ExtractSurface(Input=cut))
 closed = ShapeFillHoles(Input=holes)
 closed.UpdatePipeline()
 
-facts = servermanager.Fetch(closed).GetFieldData()
-for k in range(facts.GetArray('FillHoles.Loop').GetNumberOfTuples()):
-    print('hole of %d points: %d new triangles, %s' % tuple(
-        facts.GetAbstractArray('FillHoles.' + name).GetValue(k)
-        for name in ('LoopPoints', 'Triangles', 'Method')))
-assert facts.GetArray('FillHoles.Loop').GetNumberOfTuples() == 2
+facts = shapemap.facts(closed)
+for hole in zip(facts['LoopPoints'], facts['Triangles'], facts['Method']):
+    print('hole of %d points: %d new triangles, %s' % hole)
+assert len(facts['Loop']) == 2
 
 # There are no open edges, and the new triangles are marked.
 border = FeatureEdges(Input=closed, FeatureEdges=0, ManifoldEdges=0)

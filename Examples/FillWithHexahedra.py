@@ -2,6 +2,7 @@
 import os
 import sys
 
+import shapemap
 from paraview.simple import *
 
 folder = sys.argv[1] if len(sys.argv) > 1 else '.'
@@ -14,7 +15,7 @@ hexahedra.UpdatePipeline()
 
 count = hexahedra.GetDataInformation().GetNumberOfCells()
 minimum, maximum = hexahedra.CellData['ScaledJacobian'].GetRange()
-distance = hexahedra.FieldData['HexRemesh.Distance'].GetRange()[0]
+distance = shapemap.facts(hexahedra)['Distance']
 print('%d hexahedra, scaled Jacobian %.2f to %.2f, boundary within %.3f of the surface' % (
     count, minimum, maximum, distance))
 assert minimum > 0.0 and distance < 0.2

@@ -3,6 +3,7 @@ import os
 import sys
 
 import numpy
+import shapemap
 from paraview.simple import *
 from vtkmodules.numpy_interface.dataset_adapter import WrapDataObject
 
@@ -19,7 +20,7 @@ for region, name in enumerate(('scalp', 'skull', 'brain')):
     volumes = cells['Volume'][cells['RegionId'] == region]
     print('%s: %d tetrahedra, volume %.3f' % (name, len(volumes), numpy.sum(volumes)))
     assert volumes.min() > 0.0
-total = solid.FieldData['Tetrahedralize.Volume'].GetRange()[0]
+total = shapemap.facts(solid)['Volume']
 print('all: %d tetrahedra, volume %.3f' % (len(cells['Volume']), total))
 assert abs(numpy.sum(cells['Volume']) - total) < 1e-9 * total
 

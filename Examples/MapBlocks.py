@@ -1,6 +1,7 @@
 """Maps a surface that consists of blocks: the filter joins them, and its output has the blocks."""
 import os
 
+import shapemap
 from paraview.simple import *
 
 data = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'Data', '')
@@ -14,7 +15,7 @@ halves = [ExtractSurface(Input=Threshold(Input=numbered, Scalars=['CELLS', 'Tria
 sphere = ShapeParameterize(Input=GroupDatasets(Input=halves))
 sphere.UpdatePipeline()
 
-flipped = sphere.FieldData['Parameterize.FlippedTriangles'].GetRange()[0]
+flipped = shapemap.facts(sphere)['FlippedTriangles']
 low, high = sphere.PointData['TargetPosition'].GetRange(0)
 print('flipped triangles: %d, sphere from x = %.3f to %.3f' % (flipped, low, high))
 assert flipped == 0 and -1.0 <= low < -0.99 and 0.99 < high <= 1.0

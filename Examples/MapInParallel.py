@@ -4,6 +4,7 @@
 """
 import os
 
+import shapemap
 from paraview.simple import *
 
 data = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'Data', '')
@@ -14,7 +15,7 @@ sphere = ShapeParameterize(Input=pieces, AreaWeight=3.0)
 owners = ProcessIdScalars(Input=sphere)
 owners.UpdatePipeline()
 
-flipped = owners.FieldData['Parameterize.FlippedTriangles'].GetRange()[0]
+flipped = shapemap.facts(owners)['FlippedTriangles']
 processes = 1 + owners.PointData['ProcessId'].GetRange()[1]
 triangles = owners.GetDataInformation().GetNumberOfCells()
 print('%d triangles on %d process(es), %d flipped' % (triangles, processes, flipped))

@@ -2,6 +2,7 @@
 import os
 import sys
 
+import shapemap
 from paraview.simple import *
 
 folder = sys.argv[1] if len(sys.argv) > 1 else '.'
@@ -12,8 +13,8 @@ figure = OpenDataFile(data + 'FigureASmall.vtp')
 sphere = ShapeParameterize(Input=figure, Domain='Sphere', AreaWeight=3.0)
 sphere.UpdatePipeline()
 
-flipped = sphere.FieldData['Parameterize.FlippedTriangles'].GetRange()[0]
-distortion = sphere.FieldData['Parameterize.ConformalDistortion'].GetRange()[0]
+flipped = shapemap.facts(sphere)['FlippedTriangles']
+distortion = shapemap.facts(sphere)['ConformalDistortion']
 print('flipped triangles: %d, mean conformal distortion: %.2f' % (flipped, distortion))
 assert flipped == 0 and distortion >= 1.0
 

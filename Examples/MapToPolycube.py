@@ -1,4 +1,5 @@
 """Maps a surface onto a polycube, whose grid then fills the solid with hexahedra."""
+import shapemap
 from paraview.simple import *
 
 ellipsoid = Transform(Input=Sphere(ThetaResolution=40, PhiResolution=40))
@@ -8,8 +9,8 @@ ellipsoid.Transform.Scale = [2.0, 1.0, 1.0]
 # triangle. Output 1 is the polycube, whose faces lie at multiples of TargetEdgeLength.
 polycube = ShapePolycube(Input=ellipsoid, TargetEdgeLength=0.15)
 polycube.UpdatePipeline()
-charts = polycube.FieldData['Polycube.Charts'].GetRange()[0]
-distortion = polycube.FieldData['Polycube.Distortion'].GetRange()[0]
+charts = shapemap.facts(polycube)['Charts']
+distortion = shapemap.facts(polycube)['Distortion']
 print('%d charts, distortion %.2f (1 is none)' % (charts, distortion))
 assert charts >= 6 and distortion >= 1.0
 

@@ -2,6 +2,7 @@
 import os
 import sys
 
+import shapemap
 from paraview.simple import *
 
 folder = sys.argv[1] if len(sys.argv) > 1 else '.'
@@ -26,12 +27,12 @@ match = ShapeCorrespondence(
     SurfaceA=a, SurfaceB=b, Landmarks=landmarks, Method='ReversibleHarmonic')
 match.UpdatePipeline()
 
-used, found, area = (match.FieldData['Correspondence.' + name].GetRange()[0]
+used, found, area = (shapemap.facts(match)[name]
                      for name in ('Landmarks', 'LandmarksFound', 'ReversedArea'))
 print('landmarks: %d, reversed area: %.1f %%' % (used, 100 * area))
 assert used == 5 and found == 0 and area < 0.05
 quality = ShapeMapQuality(Input=match)
 quality.UpdatePipeline()
 print('mean symmetric Dirichlet energy: %.2f (4: lengths are preserved)' %
-      quality.FieldData['MapQuality.MeanSymmetricDirichlet'].GetRange()[0])
+      shapemap.facts(quality)['MeanSymmetricDirichlet'])
 SaveData(os.path.join(folder, 'Matched.vtp'), match, DataMode='Binary')

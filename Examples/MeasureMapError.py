@@ -2,6 +2,7 @@
 import os
 import sys
 
+import shapemap
 from paraview.simple import *
 
 folder = sys.argv[1] if len(sys.argv) > 1 else '.'
@@ -14,7 +15,7 @@ curve = ShapeMapErrorCurve(Input=match, Target=target, Truth=truth)
 curve.UpdatePipeline()
 
 # Errors are geodesic distances on the target, divided by the square root of its area.
-mean, median, maximum = (curve.FieldData['MapErrorCurve.' + name].GetRange()[0]
+mean, median, maximum = (shapemap.facts(curve)[name]
                          for name in ('Mean', 'Median', 'Maximum'))
 print('error: mean %.4f, median %.4f, maximum %.4f' % (mean, median, maximum))
 assert 0.0 < median <= maximum and mean < 0.05

@@ -3,6 +3,7 @@ import os
 import sys
 
 import numpy
+import shapemap
 from paraview.simple import *
 
 folder = sys.argv[1] if len(sys.argv) > 1 else '.'
@@ -11,8 +12,8 @@ data = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'Data', ''
 surface = OpenDataFile(data + 'PhantomHeadSmall.vtp')
 patch = ShapeExponentialMap(Input=surface, Seed=[0.0, 0.3, 1.1], Radius=0.7)
 patch.UpdatePipeline()
-flipped = patch.FieldData['ExponentialMap.Flipped'].GetRange()[0]
-coverage = patch.FieldData['ExponentialMap.Coverage'].GetRange()[0]
+flipped = shapemap.facts(patch)['Flipped']
+coverage = shapemap.facts(patch)['Coverage']
 print('%d triangles, %d flipped, %.0f %% of the texture used' % (
     patch.GetDataInformation().GetNumberOfCells(), flipped, 100 * coverage))
 assert flipped == 0 and 0.8 < coverage <= 1.0

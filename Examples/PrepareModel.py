@@ -2,6 +2,7 @@
 import os
 import sys
 
+import shapemap
 from paraview.simple import *
 
 root = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..')
@@ -23,6 +24,6 @@ closed = ShapeFillHoles(Input=surface)
 closed.UpdatePipeline()
 print('%s: %d points, %d open edges, %d holes; %d open edges after' % (
     os.path.basename(path), surface.GetDataInformation().GetNumberOfPoints(), open_edges(surface),
-    closed.FieldData['FillHoles.Loops'].GetRange()[0], open_edges(closed)))
+    shapemap.facts(closed)['Loops'], open_edges(closed)))
 assert open_edges(closed) == 0
 SaveData(os.path.join(folder, 'Model.ply'), Triangulate(Input=closed))

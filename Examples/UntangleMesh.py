@@ -1,6 +1,7 @@
 """Untangles a mesh that a deformation has folded, so that no hexahedron is inverted."""
 import os
 
+import shapemap
 from paraview.simple import *
 
 data = os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'Data', '')
@@ -15,7 +16,7 @@ folded = Calculator(Input=ball, CoordinateResults=1,
 mended = ShapeUntangle(Input=folded, RestShape=ball)
 mended.UpdatePipeline()
 
-before = mended.FieldData['Untangle.InvertedBefore'].GetRange()[0]
-after = mended.FieldData['Untangle.InvertedAfter'].GetRange()[0]
+before = shapemap.facts(mended)['InvertedBefore']
+after = shapemap.facts(mended)['InvertedAfter']
 print('%d inverted hexahedra before, %d after' % (before, after))
 assert before > 0 and after == 0

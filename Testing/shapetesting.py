@@ -45,12 +45,23 @@ def write(surface, path):
 def output(proxy, port=0):
     """What an updated ParaView filter of the built-in server has on a port: Fetch knows only the
     first one."""
-    return proxy.SMProxy.GetClientSideObject().GetOutputDataObject(port)
+    return outputs_of(proxy.SMProxy.GetClientSideObject())[port]
+
+
+def outputs_of(algorithm):
+    """Its outputs. Each remembers the table of facts, for facts()."""
+    held = [algorithm.GetOutputDataObject(port) for port in range(algorithm.GetNumberOfOutputPorts())]
+    if algorithm.IsA('vtkShapeAlgorithm') and held[-1].IsA('vtkTable'):
+        for data in held[:-1]:
+            data.facts = held[-1].GetRowData()
+    return held
 
 
 def copy(data):
     result = data.NewInstance()
     result.DeepCopy(data)
+    if hasattr(data, 'facts'):
+        result.facts = data.facts
     return result
 
 
@@ -64,10 +75,15 @@ def array(data, name):
     return vtk_to_numpy(values)
 
 
+def facts(data):
+    """The arrays that describe how an output was made: what its filter said, else its field data."""
+    return getattr(data, 'facts', data.GetFieldData())
+
+
 def fact(data, name):
-    """A number or words in the field data."""
-    values = data.GetFieldData().GetAbstractArray(name)
-    assert values is not None, 'there is no field data ' + name
+    """A number or words of them."""
+    values = facts(data).GetAbstractArray(name)
+    assert values is not None, 'there is no fact ' + name
     return values.GetValue(0)
 
 
@@ -196,7 +212,7 @@ def outputs(algorithm):
     """The outputs of an algorithm, which must not fail."""
     messages = run(algorithm)
     assert not messages, messages
-    return [algorithm.GetOutputDataObject(port) for port in range(algorithm.GetNumberOfOutputPorts())]
+    return outputs_of(algorithm)
 
 
 def refusal(algorithm):

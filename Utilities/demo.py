@@ -22,6 +22,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 import off
 import pictures
+import shapemap
 
 START = time.time()
 AREA_WEIGHT = 3.0
@@ -86,10 +87,6 @@ def save(proxy, path):
     simple.SaveData(path, proxy=proxy, DataMode='Binary')
 
 
-def fact(data, name):
-    return data.GetFieldData().GetAbstractArray(name).GetValue(0)
-
-
 def smallest_share(model, sphere, corners, share):
     """How much of the sphere the most shrunk triangles get that make up a share of the model."""
     areas = [numpy.linalg.norm(area_vectors(x, corners), axis=1) for x in (model, sphere)]
@@ -141,11 +138,10 @@ def main(model_path, folder):
     # The solid into the ball.
     harmonic = simple.ShapeHarmonicVolumeMap(Domain=remesh, Boundary=parameterize, FoldFree=1)
     outputs, map_seconds = update(harmonic, 'harmonic map into the ball')
-    errors = [fact(outputs[0], 'HarmonicVolumeMap.' + name)
-              for name in ('RMSEVertices', 'RMSEInside', 'Maximum')]
-    if fact(outputs[0], 'HarmonicVolumeMap.OutsidePoints'):
-        raise RuntimeError('%d points of the hexahedra are not in the map\'s domain' % fact(
-            outputs[0], 'HarmonicVolumeMap.OutsidePoints'))
+    facts = shapemap.facts(harmonic)
+    errors = [facts[name] for name in ('RMSEVertices', 'RMSEInside', 'Maximum')]
+    if facts['OutsidePoints']:
+        raise RuntimeError('%d points of the hexahedra are not in the map\'s domain' % facts['OutsidePoints'])
 
     in_ball = vtk_to_numpy(outputs[0].GetCellData().GetArray('ScaledJacobian'))
     by_map = simple.ShapeApplyVolumeMap(Input=remesh, Map=simple.OutputPort(harmonic, 1))
@@ -183,8 +179,8 @@ Volume map   error on the sphere: root mean square %.2e at points and %.2e insid
 Charges      %d in %d levels
 Seconds      hexahedra %.1f, sphere map %.1f, volume map %.1f, pictures %.1f, all %.1f
 Results      %s''' % (
-        len(model), len(corners), len(jacobians), fact(solid, 'HexRemesh.Method'), jacobians.min(),
-        jacobians.mean(), 100.0 * fact(solid, 'HexRemesh.Distance') / surface.GetLength(),
+        len(model), len(corners), len(jacobians), shapemap.facts(remesh)['Method'], jacobians.min(),
+        jacobians.mean(), 100.0 * shapemap.facts(remesh)['Distance'] / surface.GetLength(),
         flipped, share, conformal_share, folded.min(), folded.mean(), (folded <= 0.0).sum(),
         in_ball.min(), in_ball.mean(), (in_ball <= 0.0).sum(), *errors, charges, outputs[2].GetNumberOfRows() - 1,
         remesh_seconds, sphere_seconds, map_seconds, picture_seconds, time.time() - START, folder),

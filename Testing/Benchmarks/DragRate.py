@@ -90,7 +90,7 @@ def play(size, port, result):
     w.wait(1000 * SECONDS)
     w.python('''
         first = [at for name, at in marks if name == 'data'][:%d]
-        assert len(first) == %d and made.FieldData['PasteFeature.Refused'].GetRange()[0] == 0, len(first)
+        assert len(first) == %d and shapemap.facts(made)['Refused'] == 0, len(first)
 
         def median(begin, end):
             """Of the times from each `begin` to the `end` that follows it."""

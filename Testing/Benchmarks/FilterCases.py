@@ -122,7 +122,7 @@ def pastes():
         cut = [chain('ShapeCutFeature', port, [shape(name), section(shape(name), 0.8)])
                for port in (0, 1)]
         yield 'ShapePasteFeature', name + ' in its old position', cut, {
-            'Seed': lambda cut=cut: numpy.array(cut[0]().GetFieldData().GetArray(
+            'Seed': lambda cut=cut: numpy.array(shapetesting.facts(cut[0]()).GetArray(
                 'CutFeature.Seed').GetTuple(0)).tolist()}, False
 
 

@@ -16,6 +16,7 @@ import sweep
 import numpy
 import scenes
 import shapemap
+import shapetesting
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 # RMSE inside triangles that VolumeMap.py asks for, by points; between them, along the logarithms.
@@ -48,8 +49,8 @@ def main():
         row = dict(border=name, points=surface.GetNumberOfPoints())
         for key, fact in (('vertices', 'RMSEVertices'), ('inside', 'RMSEInside'),
                           ('maximum', 'Maximum'), ('fitted', 'JumpMaximum')):
-            row[key] = vtk_to_numpy(charges.GetFieldData().GetArray(
-                'HarmonicVolumeMap.Border' + fact))[region]
+            row[key] = vtk_to_numpy(shapetesting.facts(charges).GetArray(
+                'HarmonicVolumeMap.Border' + fact))[0, region]
         limit = numpy.exp(numpy.interp(numpy.log(row['points']), numpy.log(SIZES), numpy.log(LIMITS)))
         claims.at_most(name, 'RMSE inside triangles', row['inside'], limit)
         if region:

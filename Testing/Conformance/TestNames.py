@@ -55,7 +55,7 @@ for name in filters.names():
         if property.IsA('vtkSMInputProperty'):
             inputs += 1
             hints = property.GetHints()
-            optional = hints is not None and hints.FindNestedElementByName('Optional') is not None
+            optional = hints.FindNestedElementByName('Optional') if hints is not None else None
             ports = [i for i in range(fresh.GetNumberOfInputPorts()) if fresh.GetInputName(i) == key]
             check(len(ports) == 1, where, 'names no input port')
             own_command = property.GetCommand() != 'SetInputConnection'
@@ -63,8 +63,10 @@ for name in filters.names():
             port = fresh.GetInputPortInformation(ports[0])
             check(own_command == bool(port.Get(fresh.INPUT_IS_REPEATABLE())), where,
                   'needs a command of its own exactly where the port is repeatable')
-            check(optional == bool(port.Get(fresh.INPUT_IS_OPTIONAL())), where,
+            check((optional is not None) == bool(port.Get(fresh.INPUT_IS_OPTIONAL())), where,
                   'is optional in XML or in C++, but not in both')
+            needed = optional is None or optional.GetAttribute('needed') == '1'
+            check(needed == fresh.IsInputRequired(ports[0]), where, 'is needed in XML or in C++, but not in both')
             check(hasattr(fresh, property.GetCommand()), where, 'calls', property.GetCommand())
         else:
             check_value(where, key, property, fresh)

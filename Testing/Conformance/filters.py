@@ -107,7 +107,7 @@ def required_ports(algorithm):
     name = algorithm.GetClassName()[len('vtk'):]
     return [port for port in range(algorithm.GetNumberOfInputPorts())
             if (name, algorithm.GetInputName(port)) in NEEDED_INPUTS or
-            not algorithm.GetInputPortInformation(port).Get(algorithm.INPUT_IS_OPTIONAL())]
+            algorithm.IsInputRequired(port)]
 
 
 def with_good_inputs(name):

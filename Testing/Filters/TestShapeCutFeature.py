@@ -58,7 +58,7 @@ angle = numpy.arctan2(0.5, 0.9)
 assert abs(points(cap)[on_loop][:, 2] - numpy.cos(angle)).max() < 0.01
 assert abs(numpy.linalg.norm(array(cap, 'LoopCoordinates')[on_loop], axis=1) - angle).max() < 0.03
 assert abs(array(cap, 'LoopNormal')[on_loop] - points(cap)[on_loop]).max() < 0.05
-seed = vtk_to_numpy(cap.GetFieldData().GetArray('CutFeature.Seed'))[0]
+seed = vtk_to_numpy(shapetesting.facts(cap).GetArray('CutFeature.Seed'))[0]
 assert numpy.linalg.norm(seed - [0, 0, 1]) < 0.02
 
 # The same with a few places in place of a loop: the way between them is straight over the surface.
@@ -240,7 +240,7 @@ for curve_ in (closed_curve(circle(0.8, 0.6)), closed_curve(circle(-0.7, 0.7))):
     paste = shapemap.vtkShapePasteFeature()
     paste.SetInputDataObject(0, feature)
     paste.SetInputDataObject(1, rest)
-    paste.SetSeed(*vtk_to_numpy(feature.GetFieldData().GetArray('CutFeature.Seed'))[0])
+    paste.SetSeed(*vtk_to_numpy(shapetesting.facts(feature).GetArray('CutFeature.Seed'))[0])
     assert not shapetesting.run(paste)
     back = points(paste.GetOutputDataObject(0))
     assert max(numpy.linalg.norm(back - place, axis=1).min() for place in points(feature)) < 1e-12
@@ -255,6 +255,6 @@ dragged.SetInputDataObject(1, closed_curve(circle(0.8, 0.6)[:2]))
 assert not shapetesting.run(dragged)
 last = dragged.GetOutputDataObject(0)
 assert fact(last, 'CutFeature.Refused') == 1 and (points(last) == points(good)).all()
-assert last.GetFieldData().GetAbstractArray('CutFeature.Refusal').GetValue(0)
+assert shapetesting.facts(last).GetAbstractArray('CutFeature.Refusal').GetValue(0)
 dragged.SetDragging(False)
 assert shapetesting.run(dragged)

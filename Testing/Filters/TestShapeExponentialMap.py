@@ -22,7 +22,7 @@ def patch_of(*arguments, **options):
 
 
 def vector(data, name):
-    return numpy.array(data.GetFieldData().GetArray('ExponentialMap.' + name).GetTuple(0))
+    return numpy.array(shapetesting.facts(data).GetArray('ExponentialMap.' + name).GetTuple(0))
 
 
 def cells(data, name):
@@ -55,7 +55,7 @@ assert abs(vtk_to_numpy(texture) - (0.5 + flat[:, :2] / 2.0)).max() < 1e-12
 # An isometry has 4; the circle around a pole is angle / sin(angle) times as long in the plane.
 stretch = numpy.array([1e-9, 1.0]) / numpy.sin([1e-9, 1.0])
 least, most = stretch ** 2 + stretch ** -2 + 2.0
-median, tail = (patch.GetFieldData().GetArray('ExponentialMap.SymmetricDirichlet').GetTuple(0))
+median, tail = (shapetesting.facts(patch).GetArray('ExponentialMap.SymmetricDirichlet').GetTuple(0))
 assert least < median < tail < most * 1.02
 
 # Points, cells and their data are the surface's; polygons count by their parts.

@@ -22,8 +22,8 @@ def filled(surface, **properties):
 
 
 def facts(data, name):
-    values = data.GetFieldData().GetAbstractArray('FillHoles.' + name)
-    return [values.GetValue(i) for i in range(values.GetNumberOfTuples())]
+    values = shapetesting.facts(data).GetAbstractArray('FillHoles.' + name)
+    return [values.GetValue(i) for i in range(values.GetNumberOfValues())]
 
 
 def cells(data, name):

@@ -294,7 +294,7 @@ for factor, least, greatest in ((1.0, 0.0, 1e-12), (1.1, 0.045, 0.055)):
     for port in (0, 1):
         missed = fact(compared.GetOutputDataObject(port), 'HarmonicVolumeMap.TargetDistance')
         assert least <= missed <= greatest, (factor, missed)
-assert not drawn.GetFieldData().HasArray('HarmonicVolumeMap.TargetDistance')
+assert not shapetesting.facts(drawn).HasArray('HarmonicVolumeMap.TargetDistance')
 
 
 def joined(*parts):
@@ -451,7 +451,7 @@ ids = array(tetrahedra, 'OriginalPointId')
 assert (points(free)[:len(ids)][ids >= 0] == twisted[ids[ids >= 0]]).all()
 assert (array(free, 'SourcePosition')[:len(ids)] == points(tetrahedra)).all()
 assert (array(charges, 'Charge') == array(same_charges, 'Charge')).all()
-assert not folding.GetFieldData().HasArray('HarmonicVolumeMap.InvertedBefore')
+assert not shapetesting.facts(folding).HasArray('HarmonicVolumeMap.InvertedBefore')
 for domain, words in ((cloud([[0.0, 0.0, 0.0]]), 'FoldFree needs a Domain with solid cells'),
                       (surface, 'FoldFree needs a Domain with solid cells'),
                       (tables, 'FoldFree needs a Domain that is one data set')):

@@ -29,7 +29,7 @@ def quads(boundary):
 
 
 def words(data, name):
-    return data.GetFieldData().GetAbstractArray(name).GetValue(0)
+    return shapetesting.facts(data).GetAbstractArray(name).GetValue(0)
 
 
 def made(surface, polycube=None, inner=(), **settings):
@@ -64,7 +64,7 @@ def check_measures(solid):
         expected = vtk_to_numpy(quality.GetOutput().GetCellData().GetArray('Quality'))
         own = vtk_to_numpy(solid.GetCellData().GetArray(name))
         assert (own == expected).all(), name
-        summary = solid.GetFieldData().GetArray('HexRemesh.' + name)
+        summary = shapetesting.facts(solid).GetArray('HexRemesh.' + name)
         assert [summary.GetComponentName(k) for k in range(3)] == ['Minimum', 'Mean', 'Maximum']
         assert numpy.allclose(summary.GetTuple3(0), (own.min(), own.mean(), own.max()),
                               rtol=1e-12), name
@@ -91,7 +91,7 @@ def check(solid, boundary, euler):
     assert fact(solid, 'HexRemesh.MinimumScaledJacobian') == own.min()
     assert abs(fact(solid, 'HexRemesh.MeanScaledJacobian') - own.mean()) < 1e-12
     histogram = vtk_to_numpy(
-        solid.GetFieldData().GetArray('HexRemesh.ScaledJacobianHistogram'))
+        shapetesting.facts(solid).GetArray('HexRemesh.ScaledJacobianHistogram'))[0]
     assert (histogram == numpy.histogram(own, numpy.linspace(0.0, 1.0, 21))[0]).sum() >= 19
     assert histogram.sum() == len(own) == fact(solid, 'HexRemesh.Hexahedra')
     # The quads are the faces that one hexahedron has alone.

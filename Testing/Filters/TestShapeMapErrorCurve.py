@@ -50,7 +50,7 @@ assert abs(errors - wanted).max() < 2e-3 * ANGLE, abs(errors - wanted).max()
 assert abs(fact(found, 'MapErrorCurve.Mean') - wanted.mean()) < 2e-3 * ANGLE
 assert abs(fact(found, 'MapErrorCurve.Maximum') - ANGLE) < 2e-3 * ANGLE
 assert fact(found, 'MapErrorCurve.Coverage') > 0.9999
-assert found.GetFieldData().GetArray('MapErrorCurve.RoundTripMean') is None
+assert shapetesting.facts(found).GetArray('MapErrorCurve.RoundTripMean') is None
 
 # Divided by the root of the area, and by pi; a truth of a few places, in blocks.
 surface = shapetesting.output(turned)

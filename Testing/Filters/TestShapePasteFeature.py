@@ -112,7 +112,7 @@ def refused(words, *args, **properties):
 
 whole = horn()
 feature, rest = parts(whole)
-seed = [feature.GetFieldData().GetArray('CutFeature.Seed').GetComponent(0, k) for k in range(3)]
+seed = [shapetesting.facts(feature).GetArray('CutFeature.Seed').GetComponent(0, k) for k in range(3)]
 
 # Dropped in place, the original is back: every point of it, and no other surface.
 back = paste(feature, rest, seed)
@@ -142,7 +142,7 @@ for target, number, place in ((torus(), 0, [1.5, 1.5, 1.0]), (sphere(90, 1.2), 2
     assert (part == 1).sum() == fact(result, 'PasteFeature.BandTriangles') > 0
 
 # The field data say where it stands: an orthonormal frame on the target.
-frame = [numpy.array([result.GetFieldData().GetArray('PasteFeature.' + name).GetComponent(0, k)
+frame = [numpy.array([shapetesting.facts(result).GetArray('PasteFeature.' + name).GetComponent(0, k)
                       for k in range(3)]) for name in ('Seed', 'Normal', 'Direction')]
 assert abs(numpy.linalg.norm(frame[0]) - 1.2) < 1e-3 and abs(frame[1].dot(frame[0]) - 1.2) < 1e-2
 assert abs(frame[1].dot(frame[2])) < 1e-12 and abs(numpy.linalg.norm(frame[2]) - 1.0) < 1e-12

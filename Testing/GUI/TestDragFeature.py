@@ -98,7 +98,7 @@ def play(port):
     # The knob, which is where the output says that angle 0 points, turns and scales.
     w.python('''
         def fact(name):
-            return numpy.array([made.FieldData['PasteFeature.' + name].GetRange(i)[0] for i in range(3)])
+            return shapemap.facts(made)[name]
 
         seed, normal, direction = fact('Seed'), fact('Normal'), fact('Direction')
         bounds = numpy.reshape(made.Feature.GetDataInformation().GetBounds(), (3, 2))
@@ -130,7 +130,7 @@ def play(port):
     w.python('''
         assert [update[0] for update in updates] == [1, 1, 0], updates
         assert updates[0][3] == updates[2][3] == made.Scale and 3.0 < made.Scale < 0.2 * updates[1][3], updates
-        assert made.FieldData['PasteFeature.Refused'].GetRange()[0] == 0
+        assert shapemap.facts(made)['Refused'] == 0
         made.Scale = 1.0
         Render()
         updates.clear()''')

@@ -125,7 +125,7 @@ def cut(surface, loop, **options):
 
 
 def seed_of(feature):
-    return scenes.vtk_to_numpy(feature.GetFieldData().GetArray('CutFeature.Seed'))[0]
+    return facts_of(feature, 'CutFeature.Seed')
 
 
 def paste(feature, target, seed, **options):
@@ -139,7 +139,7 @@ def paste(feature, target, seed, **options):
 
 
 def facts_of(data, name):
-    return scenes.vtk_to_numpy(data.GetFieldData().GetArray(name))[0]
+    return scenes.vtk_to_numpy(shapetesting.facts(data).GetArray(name))[0]
 
 
 def pasted_points(surface):

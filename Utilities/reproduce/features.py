@@ -28,6 +28,7 @@ import numpy
 
 import charts
 import scenes
+import shapetesting
 from scenes import array, fact, points, say
 
 WEIGHTS = [1.0, 5.0, 20.0, 100.0, 1000.0]
@@ -128,8 +129,8 @@ def exact(case, head, *inner, **options):
     solid, charges, table = (algorithm.GetOutputDataObject(port) for port in range(3))
     assert array(solid, 'OutsideDomain').sum() == 0, 'features lie outside the domain'
     misses = 100.0 * numpy.linalg.norm(points(solid) - wanted, axis=1) / size
-    by_region = {name: scenes.vtk_to_numpy(solid.GetFieldData().GetArray(
-        'HarmonicVolumeMap.Border' + name)) for name in ('RMSEInside', 'JumpRMS', 'JumpMaximum')}
+    by_region = {name: scenes.vtk_to_numpy(shapetesting.facts(solid).GetArray(
+        'HarmonicVolumeMap.Border' + name))[0] for name in ('RMSEInside', 'JumpRMS', 'JumpMaximum')}
     for region, surface in enumerate(inner, 1):
         jumps = scenes.jumps_across(
             surface, charges, 20000, 1e-10 * size, numpy.random.default_rng(1)) / size

@@ -92,6 +92,11 @@ std::string vtkShapeAlgorithm::GetInputName(int port)
   return this->InputPorts[port].Name;
 }
 
+bool vtkShapeAlgorithm::IsInputRequired(int port)
+{
+  return this->InputPorts[port].Use == PortUse::Required;
+}
+
 void vtkShapeAlgorithm::DeclareInput(
   const std::string& name, PortData data, PortUse use, const std::vector<std::string>& types)
 {
@@ -149,7 +154,7 @@ int vtkShapeAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
   // Accepted by every port: the default composite executive would run the filter once for each
   // block.
   info->Append(INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  info->Set(INPUT_IS_OPTIONAL(), port > 0 || declared.Use != PortUse::Required);
+  info->Set(INPUT_IS_OPTIONAL(), port > 0 || !this->IsInputRequired(port));
   info->Set(INPUT_IS_REPEATABLE(), declared.Use == PortUse::OptionalRepeatable);
   return 1;
 }
@@ -284,7 +289,7 @@ void vtkShapeAlgorithm::PrepareInputs()
   for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
   {
     const InputPort& declared = this->InputPorts[port];
-    if (declared.Use == PortUse::Required && this->GetNumberOfInputConnections(port) == 0)
+    if (this->IsInputRequired(port) && this->GetNumberOfInputConnections(port) == 0)
     {
       throw shape::InvalidInput(declared.Name + " is not connected; choose it under Inputs");
     }

@@ -116,6 +116,10 @@ public:
   /// Returns the name of an input port in errors and in ParaView, such as "Domain".
   std::string GetInputName(int port);
 
+  /// Whether the filter needs this input. All inputs but the first are optional for VTK: the filter
+  /// itself says in one line that one is missing.
+  bool IsInputRequired(int port);
+
   ///@{
   /// The controller of the processes that hold pieces of the same data; initially the global
   /// controller. With nullptr, or with one process, nothing is communicated. Otherwise, every
@@ -139,8 +143,6 @@ protected:
     WholeGrid,    ///< one vtkUnstructuredGrid, which may contain solid cells
     Selection     ///< a vtkSelection, or the cells that it extracted; may be empty
   };
-  /// An input that is Required and not the first is optional for VTK: Run then says in the words of
-  /// the panel that it is missing.
   enum class PortUse
   {
     Required,
