@@ -91,7 +91,7 @@ void pqShapeViews::startup()
 void pqShapeViews::AddMenu()
 {
   auto* window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget());
-  auto* view = window ? window->menuBar()->findChild<QMenu*>("menuView") : nullptr;
+  auto* view = window ? window->menuBar()->findChild<QMenu*>("menu_View") : nullptr;
   if (this->Menu || !view)
   {
     return;

@@ -37,8 +37,8 @@ def use(w, opened=False):
         made = GetActiveSource()
         assert made.GetXMLName() == 'ShapeParameterize', made.GetXMLName()
         assert made.PointData.GetArray('TargetPosition').GetNumberOfComponents() == 3''')
-    w.event('menubar', 'activate', 'menuView')
-    w.event('menubar/menuView/ShapeMapViews', 'activate', 'map_quality')
+    w.event('menubar', 'activate', 'menu_View')
+    w.event('menubar/menu_View/ShapeMapViews', 'activate', 'map_quality')
     w.python('''
         assert sorted(view.GetXMLName() for view in GetViewsInLayout()) == 2 * ['RenderView'], GetViewsInLayout()
         import shapemap

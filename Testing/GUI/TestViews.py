@@ -6,8 +6,8 @@ w = window.Window()
 
 def layout(name, views):
     """The entry is chosen; the active layout then has these views."""
-    w.event('menubar', 'activate', 'menuView')
-    w.event('menubar/menuView/ShapeMapViews', 'activate', name)
+    w.event('menubar', 'activate', 'menu_View')
+    w.event('menubar/menu_View/ShapeMapViews', 'activate', name)
     w.wait(300)
     w.python('''
         found = sorted(view.GetXMLName() for view in GetViewsInLayout())
@@ -18,13 +18,17 @@ w.open('DentedSphere600.vtp')
 layout('map_quality', ['RenderView', 'RenderView'])
 w.python('''
     surface = FindSource('DentedSphere600.vtp')
-    SetActiveSource(ShapeHexRemesh(Surface=surface, CellsOnLongestSide=10))''')
+    hexahedra = ShapeHexRemesh(Surface=surface, CellsOnLongestSide=10)
+    hexahedra.UpdatePipeline()
+    SetActiveSource(hexahedra)''')
 layout('hexahedra', ['RenderView', 'XYBarChartView'])
-w.python("SetActiveSource(FindSource('ShapeHexRemesh1'))")
+w.python('SetActiveSource(hexahedra)')
 layout('deck_check', ['RenderView', 'RenderView'])
 w.python('''
     scaled = Transform(Input=surface)
     scaled.Transform.Scale = [1.0, 1.3, 0.8]
-    SetActiveSource(ShapeCorrespondence(SurfaceA=surface, SurfaceB=scaled))''')
+    maps = ShapeCorrespondence(SurfaceA=surface, SurfaceB=scaled)
+    maps.UpdatePipeline()
+    SetActiveSource(maps)''')
 layout('correspondence', ['RenderView', 'RenderView'])
 w.run()
