@@ -16,6 +16,8 @@ def map_quality(source=None, map_array='TargetPosition', measure='ConformalDisto
     if map_array not in port.PointData.keys():
         raise ValueError('Map Quality needs the point array %s, which Shape Correspondence or Shape Parameterize makes'
                          % map_array)
+    if not hasattr(simple, 'ShapeMapQuality'):
+        simple._add_functions(vars(simple)) # the plugin was loaded after paraview.simple
     measured = simple.ShapeMapQuality(Input=port, MapArray=map_array)
     image = simple.Calculator(Input=measured, Function=map_array, CoordinateResults=1)
     layout, views = _new_layout('Map Quality', ['RenderView', 'RenderView'])

@@ -67,6 +67,7 @@ def manage_plugins():
 def manage_plugins_with_data():
     w = without_path()
     w.open('DentedSphere600.vtp')
+    w.python('assert len(GetSources()) == 1') # the shell's functions are those before the plugin
     load_new(w)
     w.click('PluginManagerDialog/buttonBox/1QPushButton0')
     use(w, opened=True)
