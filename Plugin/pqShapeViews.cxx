@@ -68,10 +68,13 @@ const std::vector<Layout> Layouts = {
 
 void Show(const Layout& layout)
 {
-  BEGIN_UNDO_SET(QString("Show %1").arg(layout.Label));
+  // ParaView cannot take back the creation of a layout, and crashes if it tries: as after a command
+  // in its Python shell, there is nothing to undo.
+  BEGIN_UNDO_EXCLUDE();
   pqPVApplicationCore::instance()->pythonManager()->executeCode(
     QString("import shapemap.views\nshapemap.views.show('%1')\n").arg(layout.Function).toUtf8());
-  END_UNDO_SET();
+  END_UNDO_EXCLUDE();
+  CLEAR_UNDO_STACK();
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-"""View > ShapeMap Views: each layout opens in a tab of its own."""
+"""View > ShapeMap Views: each layout opens in a tab of its own, and undo after it is safe."""
 import window
 
 w = window.Window()
@@ -15,7 +15,11 @@ def layout(name, views):
 
 
 w.open('DentedSphere600.vtp')
-layout('map_quality', ['RenderView', 'RenderView'])
+w.event('menubar', 'activate', 'menu_View')
+w.event('menubar/menu_View/ShapeMapViews', 'activate', 'map_quality')
+w.wait(300)
+w.undo() # there is nothing to undo, and nothing breaks
+w.python('assert len(GetSources()) == 5 and len(GetLayouts()) == 2, (GetSources(), GetLayouts())')
 w.python('''
     surface = FindSource('DentedSphere600.vtp')
     hexahedra = ShapeHexRemesh(Surface=surface, CellsOnLongestSide=10)
@@ -31,4 +35,4 @@ w.python('''
     maps.UpdatePipeline()
     SetActiveSource(maps)''')
 layout('correspondence', ['RenderView', 'RenderView'])
-w.run()
+w.run(280)
