@@ -1,5 +1,7 @@
 #include "pqShapeInputsWidget.h"
 
+#include "pqShapeNeeded.h"
+
 #include "vtkCommand.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMDataTypeDomain.h"
@@ -32,13 +34,6 @@ namespace
 pqServerManagerModel* GetModel()
 {
   return pqApplicationCore::instance()->getServerManagerModel();
-}
-
-bool IsNeeded(vtkSMProperty* input)
-{
-  vtkPVXMLElement* hints = input->GetHints();
-  vtkPVXMLElement* optional = hints ? hints->FindNestedElementByName("Optional") : nullptr;
-  return !optional || optional->GetAttribute("needed");
 }
 
 QList<QPointer<pqOutputPort>> GetConnections(vtkSMProperty* input)
@@ -221,7 +216,7 @@ void pqShapeInputsWidget::ChooseNeeded(pqServerManagerModelItem* item)
   }
   for (Row& row : this->Rows)
   {
-    if (!IsNeeded(row.Property) || !row.Chosen.isEmpty())
+    if (!pqShapeNeeded::IsNeeded(row.Property) || !row.Chosen.isEmpty())
     {
       continue;
     }
@@ -287,9 +282,9 @@ void pqShapeInputsWidget::FillList(const Row& row, int index) const
 {
   QComboBox* list = row.Lists[index];
   QStringList entries;
-  entries << (IsNeeded(row.Property)            ? tr("choose ...")
-      : index > 0 && index == row.Chosen.size() ? tr("add ...")
-                                                : tr("none"));
+  entries << (pqShapeNeeded::IsNeeded(row.Property) ? tr("choose ...")
+      : index > 0 && index == row.Chosen.size()     ? tr("add ...")
+                                                    : tr("none"));
   for (const pqOutputPort* port : row.Offered)
   {
     entries << GetName(port);

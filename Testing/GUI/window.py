@@ -31,7 +31,7 @@ ESCAPE, ENTER, BACKSPACE, DELETE = 0x01000000, 0x01000004, 0x01000003, 0x0100000
 class Window:
     def __init__(self, port=None, options=(), finds_plugin=True, home=None):
         """port: of the server to connect to; None is the built-in one. options: more of them for the
-        command. finds_plugin: whether PV_PLUGIN_PATH names the plugin's folder. home: the user's folder,
+        command. finds_plugin: whether PV_PLUGIN_PATH names the plugin's folder, and PYTHONPATH that of shapemap. home: the user's folder,
         whose settings are read and written; None is an empty one, and settings are not used."""
         self.folder = tempfile.mkdtemp(prefix='shapemap-window-')
         self.command = ['paraview', *options]
@@ -189,8 +189,11 @@ class Window:
         """Plays the steps and returns what the window printed."""
         script = self.file('events.xml')
         ElementTree.ElementTree(self.events).write(script)
+        modules = os.environ.get('PYTHONPATH', '').split(os.pathsep)
+        if not self.finds_plugin: # nor the package shapemap, which lies beside the plugin
+            modules = [folder for folder in modules if not os.path.exists(os.path.join(folder, 'shapemap'))]
         environment = dict(
-            os.environ, PYTHONPATH=os.pathsep.join([os.path.dirname(__file__), os.environ.get('PYTHONPATH', '')]),
+            os.environ, PYTHONPATH=os.pathsep.join([os.path.dirname(__file__), *modules]),
             HOME=self.home, XDG_CONFIG_HOME=self.home, XDG_RUNTIME_DIR=self.folder)
         if not self.finds_plugin:
             environment.pop('PV_PLUGIN_PATH')

@@ -60,6 +60,7 @@ vtkShapeLandmarks::vtkShapeLandmarks()
   this->DeclareOutput("vtkPolyData");
   this->DeclareOutput("vtkPolyData");
   this->DeclareOutput("vtkPolyData");
+  this->DeclareFacts();
 }
 
 void vtkShapeLandmarks::SetNumberOfPointsA(int count)

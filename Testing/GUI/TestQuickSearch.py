@@ -1,0 +1,54 @@
+"""The quick search (Ctrl+Space) finds each filter by every search word of its XML, and offers it exactly
+when the pipeline has what the filter needs."""
+import glob
+import os
+from xml.etree import ElementTree
+
+import shapetesting
+import window
+
+DIALOG = 'QuickLaunchDialog'
+# What a solid without a map can be an input of.
+SOLID = ['Shape Apply Volume Map', 'Shape Boundary Distance', 'Shape Deform', 'Shape Geodesic Distance',
+         'Shape Harmonic Volume Map', 'Shape Transfer Fields', 'Shape Untangle']
+hints = {}
+for path in glob.glob(os.path.join(shapetesting.ROOT, 'Filters', 'VTK', '*', '*.xml')):
+    for proxy in ElementTree.parse(path).iter('SourceProxy'):
+        if proxy.find('Hints/ShapeMap') is not None:
+            hints[proxy.get('label')] = proxy.find('Hints/ShapeMap')
+assert len(hints) >= 20, sorted(hints)
+
+
+def search(w, text):
+    """Opens the dialog and types."""
+    w.event('menubar', 'activate', 'menuFilters')
+    w.event('menubar/menuFilters', 'activate', 'Search...\tCtrl+Space')
+    for letter in text.lower():
+        w.event(DIALOG, 'keyEvent', '6:%d:0:%s:0:1' % (ord(letter.upper()), letter))
+
+
+def check(w, text, offered):
+    """Enter would apply the filter with this label, or none if it is empty."""
+    search(w, text)
+    w.check(DIALOG + '/selection', 'text', offered)
+    for escape in range(2):
+        w.event(DIALOG, 'keyEvent', '6:%d:0::0:1' % window.ESCAPE)
+
+
+# The pipeline has what each filter needs beside the active source: a surface with a map, a solid and
+# a charge set.
+w = window.Window()
+w.open('DentedSphereCharges.vtp')
+w.open('BallSmall.vtu')
+for label in hints:
+    check(w, label, label if label in SOLID else '')
+w.open('DentedSphere600.vtp')
+for label, hint in hints.items():
+    for word in hint.get('keywords').split(', '):
+        check(w, word, '' if label == 'Shape Untangle' else label)
+search(w, 'hex mesh')
+w.event(DIALOG, 'keyEvent', '6:%d:0::0:1' % window.ENTER)
+w.python('''
+    made = GetActiveSource()
+    assert made.GetXMLName() == 'ShapeHexRemesh', made.GetXMLName()''')
+w.run(280)
