@@ -42,7 +42,8 @@ echo "installed, with all that it depends on: $((($(du -sk --one-file-system "$c
 
 screen=(xvfb-run -a -s "-screen 0 1600x1000x24 -noreset")
 cd /
-echo "Python:" && as_user /usr/bin/python3 /tmp/test/use/python.py
+# As root, who could leave compiled files.
+echo "Python:" && in_chroot /usr/bin/python3 /tmp/test/use/python.py
 echo "pvpython:" && as_user "${screen[@]}" pvpython /tmp/test/use/pvpython.py
 echo "pvserver:" && as_user "${screen[@]}" pvpython /tmp/test/use/pvpython.py server
 echo "the window:" && as_user "${screen[@]}" paraview --dr --test-script=/tmp/test/use/window.xml --exit >"$run/log" 2>&1 ||

@@ -30,6 +30,9 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
 set(CPACK_DEBIAN_PACKAGE_DEPENDS
   "paraview (>= 5.11), paraview (<< 5.12~), python3-paraview (>= 5.11), python3-paraview (<< 5.12~), python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
+# Python's compiled files come and go with the package.
+set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA
+  "${CMAKE_CURRENT_LIST_DIR}/postinst" "${CMAKE_CURRENT_LIST_DIR}/prerm")
 
 # ParaView's programs read this file beside them, and load the plugins that it names.
 file(RELATIVE_PATH plugins_file /usr/bin

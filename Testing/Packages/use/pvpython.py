@@ -17,5 +17,6 @@ low, high = OutputPort(sphere, 1).GetDataInformation().GetBounds()[:2]
 assert 1.9 < high - low <= 2.0, (low, high)
 print('Shape Parameterize ran', flush=True)
 if process:
+    del sphere
     Disconnect()
     process.kill()
