@@ -5,13 +5,14 @@
 
 class vtkSMProxy;
 
-/// Reads facts from the field data of the first output of a filter. `name` is the name of the fact
-/// without the prefix: "Seed" is PasteFeature.Seed of Shape Paste Feature. If there is no such
-/// fact, the result is empty.
+/// Reads the facts of a filter: the output Facts or, without it, the field data of the first
+/// output. `name` is the name of the fact without the prefix: "Seed" is PasteFeature.Seed of Shape
+/// Paste Feature. If there is no such fact, the result is empty.
 namespace pqShapeFacts
 {
 
 std::vector<double> GetNumbers(vtkSMProxy* filter, const std::string& name);
 std::string GetText(vtkSMProxy* filter, const std::string& name);
+std::vector<std::string> GetNames(vtkSMProxy* filter); ///< of all facts
 
 } // namespace pqShapeFacts

@@ -144,6 +144,7 @@ void SetColorMap(vtkSMProxy* representation, const std::string& array)
   {
     return;
   }
+  Set(table, "ColorSpace", 0); // mix red, green and blue
   Set(table, "AutomaticRescaleRangeMode", vtkSMTransferFunctionManager::NEVER);
   Set(table, "RGBPoints", map->Points);
   if (!map->Below.empty())
