@@ -13,12 +13,25 @@ namespace pqShapeFacts
 namespace
 {
 
+std::string GetPrefix(vtkSMProxy* filter)
+{
+  return std::string(filter->GetXMLName()).substr(std::strlen("Shape")) + ".";
+}
+
+/// The facts are the columns of the last output, a table with one row.
+vtkPVDataSetAttributesInformation* GetArrays(vtkSMProxy* filter)
+{
+  auto* source = vtkSMSourceProxy::SafeDownCast(filter);
+  const unsigned int last = source->GetNumberOfOutputPorts() - 1;
+  const char* name = source->GetOutputPortName(last);
+  return name && std::strcmp(name, "Facts") == 0
+    ? source->GetDataInformation(last)->GetRowDataInformation()
+    : source->GetDataInformation(0)->GetFieldDataInformation();
+}
+
 vtkPVArrayInformation* Find(vtkSMProxy* filter, const std::string& name)
 {
-  const std::string prefix = std::string(filter->GetXMLName()).substr(std::strlen("Shape"));
-  auto* source = vtkSMSourceProxy::SafeDownCast(filter);
-  vtkPVDataInformation* table = source->GetDataInformation(source->GetNumberOfOutputPorts() - 1);
-  return table->GetRowDataInformation()->GetArrayInformation((prefix + "." + name).c_str());
+  return GetArrays(filter)->GetArrayInformation((GetPrefix(filter) + name).c_str());
 }
 
 } // namespace
@@ -39,6 +52,22 @@ std::string GetText(vtkSMProxy* filter, const std::string& name)
   vtkPVArrayInformation* array = Find(filter, name);
   const char* text = array ? array->GetStringValue(0) : nullptr;
   return text ? text : "";
+}
+
+std::vector<std::string> GetNames(vtkSMProxy* filter)
+{
+  const std::string prefix = GetPrefix(filter);
+  vtkPVDataSetAttributesInformation* arrays = GetArrays(filter);
+  std::vector<std::string> names;
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    const std::string name = arrays->GetArrayInformation(i)->GetName();
+    if (name.compare(0, prefix.size(), prefix) == 0)
+    {
+      names.push_back(name.substr(prefix.size()));
+    }
+  }
+  return names;
 }
 
 } // namespace pqShapeFacts

@@ -13,5 +13,6 @@ namespace pqShapeFacts
 
 std::vector<double> GetNumbers(vtkSMProxy* filter, const std::string& name);
 std::string GetText(vtkSMProxy* filter, const std::string& name);
+std::vector<std::string> GetNames(vtkSMProxy* filter); ///< of all facts
 
 } // namespace pqShapeFacts

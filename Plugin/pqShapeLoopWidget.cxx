@@ -28,6 +28,7 @@ pqShapeLoopWidget::pqShapeLoopWidget(vtkSMProxy* filter, vtkSMPropertyGroup* gro
   , Button(new QPushButton(tr("Draw Loop"), this))
   , Curve(vtkSmartPointer<vtkPolyData>::New())
   , Marks(vtkSmartPointer<vtkPolyData>::New())
+  , HiddenMarks(vtkSmartPointer<vtkPolyData>::New())
 {
   this->Button->setObjectName("DrawLoop");
   this->Button->setCheckable(true);
@@ -46,12 +47,15 @@ pqShapeLoopWidget::pqShapeLoopWidget(vtkSMProxy* filter, vtkSMPropertyGroup* gro
 
   this->CurveActor = pqShapeDisplay::MakeCurve(this->Curve);
   this->MarksActor = pqShapeDisplay::MakeCurve(this->Marks);
+  this->HiddenMarksActor = pqShapeDisplay::MakeCurve(this->HiddenMarks);
   this->HoveredActor = pqShapeDisplay::MakeBall();
   this->CurveActor->GetProperty()->SetColor(1.0, 0.55, 0.05);
   this->MarksActor->GetProperty()->SetColor(1.0, 0.55, 0.05);
+  this->HiddenMarksActor->GetProperty()->SetColor(0.55, 0.4, 0.25);
   this->HoveredActor->GetProperty()->SetColor(1.0, 0.85, 0.4);
   this->AddActor(this->CurveActor);
   this->AddActor(this->MarksActor);
+  this->AddActor(this->HiddenMarksActor);
   this->AddActor(this->HoveredActor);
 }
 
@@ -104,13 +108,18 @@ int pqShapeLoopWidget::FindPart(const Eigen::Vector2d& pixel)
   {
     // Positions on the far side are visible, but cannot be grabbed.
     if ((pqShapeDisplay::ToPixel(renderer, positions[i]) - pixel).norm() <= reach &&
-      pqShapeDisplay::FacesViewer(
-        renderer, positions[i], this->GetSurface().FindClosest(positions[i]).Normal))
+      this->FacesViewer(positions[i]))
     {
       return static_cast<int>(i) + 1;
     }
   }
   return 0;
+}
+
+bool pqShapeLoopWidget::FacesViewer(const Eigen::Vector3d& position) const
+{
+  return pqShapeDisplay::FacesViewer(
+    this->GetRenderer(), position, this->GetSurface().FindClosest(position).Normal);
 }
 
 void pqShapeLoopWidget::Grab(int part, const Eigen::Vector2d& pixel, bool, bool)
@@ -211,8 +220,10 @@ void pqShapeLoopWidget::Draw()
 {
   const Positions positions = this->GetPlaces();
   this->DrawCurve(positions);
+  this->DrawMarks(positions);
   pqShapeDisplay::SetWidth(this->CurveActor, this->GetRenderer(), CurvePixels);
   pqShapeDisplay::SetWidth(this->MarksActor, this->GetRenderer(), MarkPixels);
+  pqShapeDisplay::SetWidth(this->HiddenMarksActor, this->GetRenderer(), MarkPixels);
   const int hovered = this->GetHovered();
   const bool bright = hovered > 0 && static_cast<std::size_t>(hovered) <= positions.size();
   this->HoveredActor->SetVisibility(bright);
@@ -253,5 +264,15 @@ void pqShapeLoopWidget::DrawCurve(const Positions& positions)
     curve.push_back(positions[segments % positions.size()]);
   }
   pqShapeDisplay::SetCurve(this->Curve, curve);
-  pqShapeDisplay::SetMarks(this->Marks, positions);
+}
+
+void pqShapeLoopWidget::DrawMarks(const Positions& positions)
+{
+  Positions near, hidden;
+  for (const Eigen::Vector3d& position : positions)
+  {
+    (this->FacesViewer(position) ? near : hidden).push_back(position);
+  }
+  pqShapeDisplay::SetMarks(this->Marks, near);
+  pqShapeDisplay::SetMarks(this->HiddenMarks, hidden);
 }

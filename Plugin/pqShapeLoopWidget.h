@@ -46,7 +46,10 @@ private:
   Positions GetPlaces() const;
   void SetPlaces(const Positions& positions);
   void Close();
+  bool FacesViewer(const Eigen::Vector3d& position) const;
   void DrawCurve(const Positions& positions);
+  void DrawMarks(
+    const Positions& positions); ///< dimmed on the far side, where they cannot be grabbed
 
   QPushButton* Button;
   Positions Drawn;
@@ -55,6 +58,6 @@ private:
   int ShownVersion = 0;
   int Grabbed = 0;
   Eigen::Vector2d Offset = Eigen::Vector2d::Zero();
-  vtkSmartPointer<vtkPolyData> Curve, Marks;
-  vtkSmartPointer<vtkActor> CurveActor, MarksActor, HoveredActor;
+  vtkSmartPointer<vtkPolyData> Curve, Marks, HiddenMarks;
+  vtkSmartPointer<vtkActor> CurveActor, MarksActor, HiddenMarksActor, HoveredActor;
 };

@@ -1,0 +1,98 @@
+"""The first Apply shows the result: coloured, and in the view. Later, and for scripts, the view is the user's."""
+import window
+
+w = window.Window()
+w.python('''
+    def shown():
+        names = {source.SMProxy: name[0] for name, source in GetSources().items()}
+        displays = [display for display in GetActiveView().Representations if hasattr(display, 'Input')]
+        return sorted((names[display.Input.SMProxy], display.Input.Port) for display in displays if display.Visibility)
+
+    def colored(source, port=0):
+        return GetDisplayProperties(OutputPort(source, port)).ColorArrayName[1]''')
+
+# Hexahedra have edges and a fixed range of colours, in which bad is red.
+w.open('DentedSphere600.vtp')
+w.filter('Shape Hex Remesh')
+w.event(window.PROPERTIES + 'CellSize/DoubleLineEdit0', 'set_string', '0.3')
+w.apply()
+w.python('''
+    made = GetActiveSource()
+    display = GetDisplayProperties(made)
+    table = GetColorTransferFunction('ScaledJacobian')
+    points = list(table.RGBPoints)
+    assert display.Representation == 'Surface With Edges', display.Representation
+    assert colored(made) == 'ScaledJacobian' and shown() == [('ShapeHexRemesh1', 0)], (colored(made), shown())
+    assert points[0] == 0 and points[-4] == 1 and points[1] > points[3] and points[-1] > points[-3], points
+    assert table.AutomaticRescaleRangeMode == 'Never'
+    ColorBy(display, ('CELLS', 'Volume'))''')
+w.event(window.PROPERTIES + 'CellSize/DoubleLineEdit0', 'set_string', '0.35')
+w.apply()
+w.python('assert colored(made) == "Volume"; Delete(made)')
+
+# Another port than the first is shown, and is the active one.
+w.select('/0/0|0')
+w.filter('Shape Parameterize')
+w.apply()
+w.python('''
+    made = GetActiveSource()
+    assert made.Port == 1 and colored(made, 1) == 'SourcePosition', made.Port
+    assert shown() == [('ShapeParameterize1', 1)], shown()
+    Delete(made)''')
+
+# Where the filter refuses, its input stays; the next Apply is the first one with a result.
+w.select('/0/0|0')
+w.filter('Shape Cut Feature')
+w.apply()
+w.python('''
+    assert ('DentedSphere600.vtp', 0) in shown(), shown()
+    cut = GetActiveSource()
+    cut.LoopPoints = [0.9, 0, 0.5, 0, 0.9, 0.5, -0.9, 0, 0.5, 0, -0.9, 0.5]''')
+w.event(window.PROPERTIES + 'Side/ComboBox', 'set_string', 'Larger')
+w.apply()
+w.python('''
+    assert shown() == [('ShapeCutFeature1', 0), ('ShapeCutFeature1', 1)], shown()
+    parts = [list(GetDisplayProperties(OutputPort(cut, port)).DiffuseColor) for port in (0, 1)]
+    assert parts[0] != parts[1], parts
+    Delete(cut)''')
+
+# A script in the window's shell decides by itself.
+w.python('''
+    hexahedra = ShapeHexRemesh(Surface=FindSource('DentedSphere600.vtp'), CellSize=0.35)
+    display = Show(hexahedra)
+    display.ColorArrayName = ['POINTS', '']
+    hexahedra.CellSize = 0.4
+    Render()
+    assert not colored(hexahedra), colored(hexahedra)
+    Delete(hexahedra)''')
+
+# Two shapes in one place are drawn beside each other, and the camera sees both.
+w.open('FigureBSmall.vtp')
+w.open('FigureASmall.vtp')
+w.filter('Shape Correspondence')
+w.choose_inputs(SurfaceB='FigureBSmall.vtp')
+w.apply()
+w.python('''
+    import numpy
+    maps = GetActiveSource()
+    bounds = [numpy.reshape(OutputPort(maps, port).GetDataInformation().GetBounds(), (3, 2)) for port in (0, 1)]
+    shift = GetDisplayProperties(OutputPort(maps, 1)).Position
+    assert bounds[1][0, 0] + shift[0] > bounds[0][0, 1], (bounds, shift)
+    assert shown() == [('ShapeCorrespondence1', 0), ('ShapeCorrespondence1', 1)], shown()''')
+
+# The giver stays, and the receiver has its colours.
+w.python('''
+    for other in GetSources().values():
+        if other != maps:
+            Hide(other)
+    elevation = Elevation(registrationName='Height', Input=OutputPort(maps, 1), LowPoint=[0, -1, 0], HighPoint=[0, 1, 0])
+    Hide(OutputPort(maps, 1))
+    ColorBy(Show(elevation), ('POINTS', 'Elevation'))
+    SetActiveSource(OutputPort(maps, 0))''')
+w.filter('Shape Transfer Fields')
+w.choose_inputs(Source='Height')
+w.apply()
+w.python('''
+    assert shown() == [('Height', 0), ('ShapeTransferFields1', 0)], shown()
+    assert colored(GetActiveSource()) == 'Elevation', colored(GetActiveSource())''')
+w.run(200)
