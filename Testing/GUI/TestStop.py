@@ -36,7 +36,9 @@ def play(port):
 
         def check_stopped(what, result):
             now = time.time()
-            if presser.poll() is None:
+            try:
+                presser.wait(5)  # until the button or the key is released
+            except subprocess.TimeoutExpired:
                 presser.kill()
                 raise AssertionError('the filter ended before the button was enabled')
             pressed = float(open(result).read().split()[0])

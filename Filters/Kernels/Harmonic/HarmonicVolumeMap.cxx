@@ -130,7 +130,7 @@ HarmonicVolumeMapResult ComputeHarmonicVolumeMap(const Surface& boundary,
     // Step 3: charges close to the boundary.
     AcceleratedSetup own;
     SolveAccelerated(problem, options, setup ? *setup : own, result,
-      progress.Part(0.05, 0.7, "fitting the charges"));
+      progress.Part(0.05, problem.HasFeatures() ? 0.7 : 1.0, "fitting the charges"));
     if (problem.HasFeatures())
     {
       // Step 4. The correction for features is smooth near the boundary, so a few distant charges

@@ -111,8 +111,7 @@ HexRemeshResult ByPolycube(
 {
   const auto polycube = OfMethod<PolycubeHexesOptions>(options);
   const bool isAutomatic = options.CellSize == 0.0;
-  PolycubeHexesResult result =
-    BuildPolycubeHexahedra(surface, polycube, progress.Part(0.0, 0.9));
+  PolycubeHexesResult result = BuildPolycubeHexahedra(surface, polycube, progress.Part(0.0, 0.9));
   if (isAutomatic)
   {
     result = WithNearCreases(surface, polycube, std::move(result), progress.Part(0.9, 0.95));

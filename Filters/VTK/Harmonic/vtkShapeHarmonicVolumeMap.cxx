@@ -153,23 +153,23 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
       }
       if (first)
       {
-        result = this->Solve(holder, progress.Part(0.0, 0.8));
+        result = this->Solve(holder, progress.Part(0.0, 0.9));
       }
     });
   vtkShapeGather::Share(controller, holder);
   vtkShapeChargeSet::Share(controller, result.Map.Charges);
   vtkShapeGather::Share(controller, result.Targets);
-  const shape::PiecewiseHarmonicMap map(result.Map.Charges, progress.Part(0.8, 0.82));
+  const shape::PiecewiseHarmonicMap map(result.Map.Charges, progress.Part(0.9, 0.92));
   const auto counts = vtkShapeChargeSet::Move(
     domain, moved,
     [&](const Eigen::MatrixXd& points, const shape::Progress& part)
     { return shape::ApplyVolumeMap(map, points, part); },
-    progress.Part(0.82, this->FoldFree ? 0.9 : 1.0, "moving the points"));
+    progress.Part(0.92, this->FoldFree ? 0.95 : 1.0, "moving the points"));
   if (this->FoldFree)
   {
     const auto inverted = vtkShapeSolid::MakeFoldFree(domain, moved,
       vtkShapeConvert::ToMesh(this->GetGatheredInput(1).Data, "the Boundary"), result.Targets,
-      controller, progress.Part(0.9, 1.0, "untangling the moved solid"));
+      controller, progress.Part(0.95, 1.0, "untangling the moved solid"));
     vtkShapeConvert::AddFact(moved, Facts + "InvertedBefore", inverted.first);
     vtkShapeConvert::AddFact(moved, Facts + "InvertedAfter", inverted.second);
   }

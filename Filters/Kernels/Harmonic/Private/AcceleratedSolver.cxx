@@ -114,7 +114,7 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
   {
     setup.Boundary = boundary;
     setup.System = std::make_unique<NearSurfaceChargeSystem>(problem.Distance(), boundary, effort,
-      progress.Part(0.0, 0.3, "preparing the fast summation"));
+      progress.Part(0.0, 0.1, "preparing the fast summation"));
   }
   result.OffsetDistance = setup.System->Offset();
   result.PointsWithoutCharge = setup.System->PointsWithoutCharge();
@@ -123,15 +123,17 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     options.MostRefined * std::max(CheapPoints, static_cast<double>(boundary.Points().rows()));
   for (int number = 1;; ++number)
   {
-    // The number of levels is unknown: level k takes the share 1 / k - 1 / (k + 1).
-    const double done = 0.3 + 0.7 * (1.0 - 1.0 / number);
-    const Progress part = progress.Part(done, 0.3 + 0.7 * (1.0 - 1.0 / (number + 1)));
+    // The number of levels is unknown. The second one, of the refined boundary, takes longest.
+    const auto end = [](int level) {
+      return level == 0 ? 0.1 : level == 1 ? 0.25 : 1.0 - 0.2 * std::exp2(2 - level);
+    };
+    const Progress part = progress.Part(end(number - 1), end(number));
     // Step 1: the system.
     std::unique_ptr<NearSurfaceChargeSystem> finer;
     if (number > 1)
     {
       finer = std::make_unique<NearSurfaceChargeSystem>(problem.Distance(), refined.Surface, effort,
-        part.Part(0.0, 0.3, "preparing the fast summation"));
+        part.Part(0.0, 0.55, "preparing the fast summation"));
     }
     const NearSurfaceChargeSystem& system = finer ? *finer : *setup.System;
     result.OffsetDistance = std::min(result.OffsetDistance, system.Offset());
@@ -139,18 +141,18 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     // corners' images.
     Eigen::MatrixXd targets(system.Rows().rows(), 3);
     targets << refined.Targets, AverageAtCorners(refined.Surface.Triangles, refined.Targets);
-    const Eigen::MatrixXd left = problem.Left(system.Rows(), targets, part.Part(0.3, 0.4));
+    const Eigen::MatrixXd left = problem.Left(system.Rows(), targets, part.Part(0.55, 0.6));
     // Step 3: GMRES.
     GmresOptions gmres;
     gmres.Tolerance = ShareOfTolerance * options.Tolerance;
     gmres.LeastGain = options.LeastGain;
     const GmresResult fit =
-      system.Solve(left, gmres, part.Part(0.4, 0.9, "solving for the charges"));
+      system.Solve(left, gmres, part.Part(0.6, 0.95, "solving for the charges"));
     result.Iterations += fit.Iterations;
     result.RefinedPoints =
       static_cast<int>(refined.Surface.Points.rows() - boundary.Points().rows());
     // Step 4: the sum.
-    const double gain = problem.Add(system.Sources(), fit.Solution, part.Part(0.9, 1.0));
+    const double gain = problem.Add(system.Sources(), fit.Solution, part.Part(0.95, 1.0));
 
     AddLevel(problem, system.Sources().rows(), system.Rows().rows(), gain, start, result);
     const HarmonicVolumeMapResult::Level& level = result.Levels.back();

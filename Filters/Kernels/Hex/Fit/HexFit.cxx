@@ -299,6 +299,7 @@ HexFit FitHexahedra(const HexMesh& core, const Surface& surface, const SurfaceFe
       fit->CreasesKept = features.Curves.empty();
     }
   }
+  progress(1.0);
   fit->Creases = CompareCreases(surface, features, fit->Solid.Points, fit->Quads, fit->PatchOf);
   return std::move(fit.value());
 }

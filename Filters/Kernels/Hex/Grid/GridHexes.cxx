@@ -166,14 +166,15 @@ void ChangeIfBetter(GridHexesResult& result, const GridGoals& goals, const Chang
 /// that are too small for the cells, and at bad hexahedra. Returns whether the seeds cover most of
 /// the solid. features: include patches of any size.
 bool AddSeeds(const GridHexesResult& result, const GridBoundary& boundary,
-  const SurfaceFeatures& features, const GridGoals& goals, std::vector<RefinementSeed>& seeds)
+  const SurfaceFeatures& features, const GridGoals& goals, std::vector<RefinementSeed>& seeds,
+  const Progress& progress)
 {
   const HexMesh& solid = result.Fit.Solid;
   RefinementSeeds positions(result.CellSize);
   const auto addFarOnSurface = [&](const Surface& surface, const Eigen::MatrixXi& quads)
   {
-    positions.AddDistant(
-      ComputeDistancesToSurface(surface, SurfaceLocator({ solid.Points, SplitQuads(quads) })),
+    positions.AddDistant(ComputeDistancesToSurface(
+                           surface, SurfaceLocator({ solid.Points, SplitQuads(quads) }), progress),
       goals.Distance);
   };
   addFarOnSurface(boundary.Outer, result.Fit.Quads);
@@ -280,7 +281,8 @@ public:
       bool isSnapped = IsAsWanted(*result, this->Goals);
       if (!isSnapped)
       {
-        if (AddSeeds(*result, this->Boundary, this->AllFeatures, this->Goals, seeds))
+        if (AddSeeds(*result, this->Boundary, this->AllFeatures, this->Goals, seeds,
+              part.Part(0.8, 0.8, "finding where to refine the grid")))
         {
           growth = LargeGrowth;
         }

@@ -202,6 +202,7 @@ VoxelPolycube FindVoxelPolycube(
   Eigen::VectorXi labels;
   const Eigen::MatrixXd positions = Bent(
     solid, compactness, labels, progress.Part(0.2, 0.7, "deforming the solid towards the axes"));
+  progress(0.7);
   const Mesh bent = solid.Surface(positions);
   const double volume = ComputeEnclosedVolume(bent);
   const SignedDistance distance(bent);
@@ -218,7 +219,9 @@ VoxelPolycube FindVoxelPolycube(
         std::to_string(topology.EulerNumber) +
         ") when the solid is deformed towards the axes; choose Method Grid");
     }
-    grid = SampleDistance(distance, BestOffset(bent, labels, size), size, progress.Part(0.7, 0.9));
+    progress(0.7);
+    const auto offset = BestOffset(bent, labels, size);
+    grid = SampleDistance(distance, offset, size, progress.Part(0.7, 0.9));
     cubes = CubesOf(grid, topology);
   }
   VoxelPolycube result;
