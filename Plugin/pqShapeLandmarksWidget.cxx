@@ -421,7 +421,13 @@ void pqShapeLandmarksWidget::Draw()
 
 pqShapeLandmarkTable pqShapeLandmarksWidget::GetTable() const
 {
-  return { this->GetValues("Points"), this->GetValues("TargetPoints"), this->GetNames() };
+  // The table is updated by the event of a new value, which comes before the panel's copy of it.
+  const auto read = [this](const char* function)
+  {
+    vtkSMProperty* property = this->GetProperty(function);
+    return property ? vtkSMPropertyHelper(property).GetDoubleArray() : std::vector<double>();
+  };
+  return { read("Points"), read("TargetPoints"), this->GetNames() };
 }
 
 void pqShapeLandmarksWidget::SetTable(const pqShapeLandmarkTable& landmarks)
