@@ -15,13 +15,13 @@ packages=(
   qtxmlpatterns5-dev-tools libqt5opengl5-dev libopenmpi-dev libdouble-conversion-dev libglew-dev
   # libraries
   libeigen3-dev libtbb-dev libopenblas-dev liblapacke-dev libhwy-dev libnanoflann-dev
-  libsuitesparse-dev libtet1.5-dev libboost-dev
+  libsuitesparse-dev libtet1.5-dev libboost-dev zlib1g-dev
   # a display and real models
   xvfb xauth libcgal-demo
 )
 test_packages=(
   # frameworks, style, keys and pictures of a window, readers of what is written
-  libgtest-dev clang-format-14 clang-tidy-14 xdotool imagemagick gmsh calculix-ccx
+  libgtest-dev clang-format-14 clang-tidy-14 xdotool imagemagick gmsh calculix-ccx chromium
 )
 targets=(ShapeMap vtkShapeFiltersPython)
 if [ "$what" = all ]; then
