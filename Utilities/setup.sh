@@ -15,15 +15,16 @@ packages=(
   qtxmlpatterns5-dev-tools libqt5opengl5-dev libopenmpi-dev libdouble-conversion-dev libglew-dev
   # libraries
   libeigen3-dev libtbb-dev libopenblas-dev liblapacke-dev libhwy-dev libnanoflann-dev
-  libsuitesparse-dev libtet1.5-dev libboost-dev libxcb1-dev
+  libsuitesparse-dev libtet1.5-dev libboost-dev zlib1g-dev libxcb1-dev
   # a display and real models
   xvfb xauth libcgal-demo
   # pages of the help and of the site
   python3-markdown python3-pygments
 )
 test_packages=(
-  # frameworks, style, types, keys and pictures of a window, readers of what is written
-  libgtest-dev clang-format-14 clang-tidy-14 mypy python3-venv unzip xdotool imagemagick gmsh calculix-ccx
+  # frameworks, style, types, keys and pictures of a window, a browser, readers of what is written
+  libgtest-dev clang-format-14 clang-tidy-14 mypy python3-venv unzip xdotool imagemagick chromium
+  gmsh calculix-ccx
 )
 targets=(ShapeMap vtkShapeFiltersPython)
 if [ "$what" = all ]; then

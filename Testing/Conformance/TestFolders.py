@@ -22,8 +22,8 @@ LIBRARIES = {'Base': [], 'Linear': ['Base'], 'Fmm': ['Base', 'Linear']}
 USE_VTK = ['Search/CellLocator.cxx', 'Search/Private/CellInterpolation.cxx',
            'Solids/IsoSurface.cxx']
 USE_TETGEN = ['Tetrahedra/Private/TetGen.cxx']
-# Filters whose mathematics is one line of the wrapper, which its header states: no kernel.
-WITHOUT_KERNEL = ['vtkShapeMorph']
+# No mathematics, or one line in the wrapper, which its header states: no kernel.
+WITHOUT_KERNEL = ['vtkShapeExample', 'vtkShapeMorph']
 # Base classes, whose XML holds what the others inherit.
 BASES = ['vtkShapeAlgorithm', 'vtkShapeDeformingAlgorithm', 'vtkShapeReader', 'vtkShapeWriter']
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)

@@ -41,6 +41,24 @@ sphere = simple.Sphere()
 sphere.UpdatePipeline()
 assert '*.inp' not in factory.GetSupportedFileTypes(sphere.SMProxy, 0)
 
+# Hexahedra of Shape Hex Remesh keep its patches: a smooth shape is one patch, though quads meet at
+# sharper angles than Feature Angle somewhere.
+for shape, sharp in (('DentedSphere600.vtp', False), ('BentBarSmall.vtp', True)):
+    surface = simple.XMLPolyDataReader(FileName=[shapetesting.data_file(shape)])
+    remeshed = simple.ShapeHexRemesh(Surface=surface, Method='Grid', CellsOnLongestSide=12)
+    simple.SaveData(os.path.join(folder, 'remeshed.inp'), remeshed, FeatureAngle=5)
+    text = open(os.path.join(folder, 'remeshed.inp')).read()
+    boundary = shapetesting.output(remeshed, 1)
+    patches = vtk_to_numpy(boundary.GetCellData().GetArray('Patch'))
+    assert (patches.max() > 0) == sharp, patches.max()
+    assert text.count('*NSET, NSET=Patch') == patches.max() + 1
+    corners = vtk_to_numpy(boundary.GetPolys().GetConnectivityArray()).reshape(-1, 4)
+    original = vtk_to_numpy(boundary.GetPointData().GetArray('OriginalPointId'))
+    for patch in range(patches.max() + 1):
+        block = text.split('*NSET, NSET=Patch%d\n' % patch)[1].split('*')[0]
+        written = {int(word) - 1 for word in block.replace(',', ' ').split()}
+        assert written == set(original[corners[patches == patch]].ravel().tolist()), (shape, patch)
+
 # A block that is pulled has a linear displacement, which its elements reproduce: the patch test. By
 # displacements on the node sets, and by pressure on a surface.
 young, poisson, strain = 210.0, 0.3, 0.01

@@ -182,6 +182,10 @@ void WriteBoundary(std::ostream& file, const MeshSets& sets)
   for (const std::vector<int>& faces : GroupFacesByPatch(sets))
   {
     const std::string number = std::to_string(patch++);
+    if (faces.empty())
+    {
+      continue;
+    }
     WriteSet(file, "*NSET, NSET=Patch" + number, PointsOf(boundary.Corners, faces));
     file << "*SURFACE, NAME=PatchSurface" << number << ", TYPE=ELEMENT\n";
     for (const int face : faces)

@@ -33,9 +33,9 @@ struct AbaqusWriterOptions
  * - The element sets Region0, ... contain the solid cells of each region. If there are no solid
  *   cells, they contain the cells of the highest dimension.
  * - The node set Boundary contains the boundary of the solid cells, and the node sets Patch0, ...
- *   contain its patches. The surfaces PatchSurface0, ... contain the element faces (S1 to S6) of
- *   each patch. The node sets Interface0_1, ... contain the points shared by solid cells of two
- *   regions.
+ *   contain its patches that have faces. The surfaces PatchSurface0, ... contain the element faces
+ * (S1 to S6) of each patch. The node sets Interface0_1, ... contain the points shared by solid
+ * cells of two regions.
  *
  * Abaqus and CalculiX read at most 20 columns of a number. Coordinates that fit in 20 columns are
  * written exactly. Coordinates with absolute values from 0.01 to 1e17 always fit. Other coordinates

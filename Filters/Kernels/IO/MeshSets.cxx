@@ -100,6 +100,49 @@ void TurnWedges(Cells& cells)
   }
 }
 
+/// Returns the given patch of each boundary face, or -1.
+Eigen::VectorXi ReadGivenPatches(const MeshSets& sets, const Eigen::MatrixXi& facePatches)
+{
+  const SolidFaces& faces = sets.Boundary;
+  Eigen::VectorXi patches = Eigen::VectorXi::Constant(faces.Cell.size(), -1);
+  for (Eigen::Index face = 0; face < patches.size() && facePatches.size() > 0; ++face)
+  {
+    const int cell = faces.Cell(face);
+    if (sets.Mesh.Kinds(cell) != Hexahedron)
+    {
+      continue;
+    }
+    patches(face) = facePatches(cell, faces.Face(face));
+    if (patches(face) < -1 || patches(face) >= facePatches.size())
+    {
+      throw InvalidInput("the patch of a face of cell " + std::to_string(cell) + " is " +
+        std::to_string(patches(face)) + "; number patches from 0");
+    }
+  }
+  return patches;
+}
+
+/// Returns the patches that are given, and patches by the angle for the other faces.
+Eigen::VectorXi FindPatches(
+  const MeshSets& sets, const Eigen::MatrixXi& facePatches, double featureAngle)
+{
+  Eigen::VectorXi patches = ReadGivenPatches(sets, facePatches);
+  std::vector<int> others;
+  for (int face = 0; face < patches.size(); ++face)
+  {
+    if (patches(face) < 0)
+    {
+      others.push_back(face);
+    }
+  }
+  const int first = patches.size() > 0 ? patches.maxCoeff() + 1 : 0;
+  patches(others) =
+    FindBoundaryPatches(sets.Mesh.Points, sets.Boundary.Corners(others, Eigen::all), featureAngle)
+      .array() +
+    first;
+  return patches;
+}
+
 } // namespace
 
 int GetDimension(int kind)
@@ -110,8 +153,8 @@ int GetDimension(int kind)
                                                 : 0;
 }
 
-MeshSets FindMeshSets(
-  const Cells& cells, const Eigen::VectorXi& regions, double featureAngle, const Progress& progress)
+MeshSets FindMeshSets(const Cells& cells, const Eigen::VectorXi& regions, double featureAngle,
+  const Eigen::MatrixXi& facePatches, const Progress& progress)
 {
   Check(cells);
   MeshSets sets;
@@ -129,7 +172,7 @@ MeshSets FindMeshSets(
   }
   sets.Boundary = FindBoundaryFaces(sets.Mesh);
   progress(0.5);
-  sets.Patches = FindBoundaryPatches(sets.Mesh.Points, sets.Boundary.Corners, featureAngle);
+  sets.Patches = FindPatches(sets, facePatches, featureAngle);
   sets.PatchCount = sets.Patches.size() > 0 ? sets.Patches.maxCoeff() + 1 : 0;
   progress(0.8);
   sets.Interfaces = FindRegionInterfaces(sets.Mesh, sets.Regions);

@@ -20,7 +20,7 @@ struct MeshSets
   int Dimension = 0;       ///< highest dimension of the cells
   SolidFaces Boundary;     ///< boundary of the solid cells
   Eigen::VectorXi Patches; ///< patch of each face of Boundary
-  int PatchCount = 0;
+  int PatchCount = 0;      ///< highest patch + 1; patches without faces are possible
   std::vector<RegionInterface> Interfaces; ///< between solid cells of two regions
 };
 
@@ -30,14 +30,17 @@ struct MeshSets
  * cells: their kinds are constants of cell_kind, and their points are finite. The points of wedges
  * may be numbered in either orientation, because VTK's own sources use both. The orientation that
  * makes most wedges positive is used for all. regions: m values, one for each cell; empty if all
- * cells are in region 0. featureAngle: see FindBoundaryPatches.
+ * cells are in region 0. featureAngle: see FindBoundaryPatches. facePatches: m x 6, the patch of
+ * each face (GetFaces in Mesh/CellFaces.h) of each cell, -1 for faces without one; empty if there
+ * are none. Only the faces of hexahedra are looked up. Boundary faces without a patch are divided
+ * by featureAngle, and their patches are numbered after the given ones.
  *
  * Throws InvalidInput if there is no cell, a cell is of another kind, a corner is not a point of
- * the mesh, a coordinate is not finite, or a region is negative. Throws the exceptions of
- * FindBoundaryPatches, and Aborted.
+ * the mesh, a coordinate is not finite, a region is negative, or a patch is less than -1 or not
+ * less than the number of faces. Throws the exceptions of FindBoundaryPatches, and Aborted.
  */
 MeshSets FindMeshSets(const Cells& cells, const Eigen::VectorXi& regions, double featureAngle,
-  const Progress& progress = {});
+  const Eigen::MatrixXi& facePatches = {}, const Progress& progress = {});
 
 /// Returns the dimension of a kind of cell (cell_kind): 0 for vertices, 1 for lines, 2 for surface
 /// cells and 3 for solid cells.

@@ -24,8 +24,9 @@
  *   cube).
  * - `EquiangleSkew` (0 for a box, 1 if an angle of a face is 0 or 180 degrees).
  * - `Skew`, `Taper` (0 for a box), `Shape` (1 for a cube, 0 if degenerate).
- * The arrays after `RegionId` are of type double. The Mesh Quality filter defines measures with the
- * same names.
+ * - `FacePatch` (int, 6): patch of each face in VTK's order; -1 for faces inside the solid.
+ * The arrays after `RegionId` are of type double, except `FacePatch`. The Mesh Quality filter
+ * defines measures with the same names.
  *
  * Output 1 (vtkPolyData): the quads of the boundary, then the quads between regions, which face out
  * of the inner surface. `OriginalPointId` of a point is its index in output 0. The cell arrays are

@@ -16,6 +16,7 @@
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include "Hex/FacePatches.h"
 #include "Mesh/Topology.h"
 #include "Quality/ScaledJacobian.h"
 #include "Search/ClosestPoint.h"
@@ -101,6 +102,23 @@ vtkSmartPointer<vtkDoubleArray> Summary(vtkDataArray* values, const std::string&
   return summary;
 }
 
+/// Returns an array whose tuples are the rows of `values`.
+vtkSmartPointer<vtkIntArray> ToTuples(const Eigen::MatrixXi& values, const char* name)
+{
+  vtkNew<vtkIntArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(static_cast<int>(values.cols()));
+  array->SetNumberOfTuples(values.rows());
+  for (Eigen::Index row = 0; row < values.rows(); ++row)
+  {
+    for (Eigen::Index column = 0; column < values.cols(); ++column)
+    {
+      array->SetTypedComponent(row, static_cast<int>(column), values(row, column));
+    }
+  }
+  return array;
+}
+
 /// Computes the share of quads that are at most 1.2 times as large as wanted, and the median ratio.
 void AddSizeFacts(const Eigen::VectorXd& ratios, vtkDataObject* output)
 {
@@ -122,6 +140,8 @@ void vtkShapeHexResult::WriteHexahedra(const shape::HexFit& fit, vtkUnstructured
   output->GetCellData()->AddArray(
     vtkShapeConvert::ToArray(shape::ComputeScaledJacobians(fit.Solid), "ScaledJacobian"));
   output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(fit.RegionOf, "RegionId"));
+  output->GetCellData()->AddArray(
+    ToTuples(shape::FindFacePatches(fit.Solid, fit.Quads, fit.PatchOf), "FacePatch"));
   vtkShapeMeasures::AddToHexahedra(Measures(), output);
 }
 

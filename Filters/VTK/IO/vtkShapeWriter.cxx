@@ -1,14 +1,12 @@
 #include "vtkShapeWriter.h"
 
 #include "vtkShapeConvert.h"
-#include "vtkShapeProgress.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkCellTypes.h"
 #include "vtkDataArray.h"
-#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkUnstructuredGrid.h"
@@ -18,30 +16,13 @@
 #include "Mesh/CellFaces.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
-#include <locale>
-#include <new>
-#include <stdexcept>
-#include <system_error>
+#include <string>
+#include <utility>
 
 namespace
 {
-
-/// The file cannot be written.
-class FileError : public std::runtime_error
-{
-public:
-  FileError(const std::string& what, unsigned long code)
-    : std::runtime_error(what)
-    , Code(code)
-  {
-  }
-  unsigned long Code; ///< of vtkErrorCode
-};
 
 void RequireKnownCells(const shape::Cells& cells)
 {
@@ -88,12 +69,26 @@ Eigen::VectorXi ReadRegions(vtkUnstructuredGrid* grid, const std::string& name)
   return regions;
 }
 
-} // namespace
-
-std::string vtkShapeWriter::GetLabel()
+/// Reads the patch of each face of each hexahedron.
+Eigen::MatrixXi ReadFacePatches(vtkUnstructuredGrid* grid)
 {
-  return vtkShapeAlgorithm::LabelOf(this->GetClassName());
+  vtkDataArray* array = grid->GetCellData()->GetArray("FacePatch");
+  if (!array || array->GetNumberOfComponents() != 6)
+  {
+    return {};
+  }
+  Eigen::MatrixXi patches(array->GetNumberOfTuples(), 6);
+  for (Eigen::Index cell = 0; cell < patches.rows(); ++cell)
+  {
+    for (int face = 0; face < 6; ++face)
+    {
+      patches(cell, face) = static_cast<int>(array->GetComponent(cell, face));
+    }
+  }
+  return patches;
 }
+
+} // namespace
 
 int vtkShapeWriter::FillInputPortInformation(int, vtkInformation* info)
 {
@@ -101,7 +96,7 @@ int vtkShapeWriter::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-shape::MeshSets vtkShapeWriter::ReadInput(const shape::Progress& progress)
+vtkShapeFileWriter::Content vtkShapeWriter::ReadInput(const shape::Progress& progress)
 {
   vtkNew<vtkUnstructuredGrid> grid;
   grid->ShallowCopy(vtkUnstructuredGrid::SafeDownCast(this->GetInput()));
@@ -112,89 +107,15 @@ shape::MeshSets vtkShapeWriter::ReadInput(const shape::Progress& progress)
   shape::Cells cells = vtkShapeConvert::ToCells(grid, "the Input");
   vtkShapeConvert::ReorderVoxels(cells);
   RequireKnownCells(cells);
-  return shape::FindMeshSets(
-    cells, ReadRegions(grid, this->RegionArray), this->FeatureAngle, progress);
-}
-
-void vtkShapeWriter::WriteWhole(const shape::MeshSets& sets, const shape::Progress& progress)
-{
-  const auto why = [] { return " (" + std::generic_category().message(errno) + "); "; };
-  // Streams do not report why they failed, but the system calls that they use set errno.
-  errno = 0;
-  std::ofstream file(this->FileName);
-  if (!file)
-  {
-    throw FileError("cannot open the file '" + this->FileName + "'" + why() +
-        "choose an existing folder with write permission",
-      vtkErrorCode::CannotOpenFileError);
-  }
-  try
-  {
-    file.imbue(std::locale::classic()); // otherwise digits may be grouped
-    this->WriteText(file, sets, progress);
-    file.close();
-    if (!file)
-    {
-      throw FileError("the file '" + this->FileName + "' could not be written completely" + why() +
-          "free some space, or choose another disk",
-        vtkErrorCode::OutOfDiskSpaceError);
-    }
-  }
-  catch (...)
-  {
-    file.close();
-    std::error_code ignored;
-    // A partial file is removed, but never a device or a pipe.
-    if (std::filesystem::is_regular_file(this->FileName, ignored))
-    {
-      std::filesystem::remove(this->FileName, ignored);
-    }
-    throw;
-  }
-}
-
-void vtkShapeWriter::WriteData()
-{
-  const shape::Progress progress = vtkShapeProgress::Make(this, this->GetLabel());
-  unsigned long code = vtkErrorCode::UserError;
-  std::string message;
-  try
-  {
-    if (this->FileName.empty())
-    {
-      throw FileError("there is no file name; set one", vtkErrorCode::NoFileNameError);
-    }
-    this->WriteWhole(this->ReadInput(progress.Part(0.0, 0.5, "reading the input")),
-      progress.Part(0.5, 1.0, "writing the file"));
-    return;
-  }
-  catch (const shape::Aborted&)
-  {
-  }
-  catch (const FileError& error)
-  {
-    code = error.Code;
-    message = error.what();
-  }
-  catch (const std::bad_alloc&)
-  {
-    message = "out of memory; use a coarser mesh";
-  }
-  catch (const std::exception& error)
-  {
-    message = error.what();
-  }
-  this->SetErrorCode(code);
-  if (!message.empty())
-  {
-    vtkErrorMacro(<< this->GetLabel() << ": " << message);
-  }
+  shape::MeshSets sets = shape::FindMeshSets(cells, ReadRegions(grid, this->RegionArray),
+    this->FeatureAngle, ReadFacePatches(grid), progress);
+  return [this, sets = std::move(sets)](std::ostream& file, const shape::Progress& part)
+  { this->WriteText(file, sets, part); };
 }
 
 void vtkShapeWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << this->FileName << "\n";
   os << indent << "RegionArray: " << this->RegionArray << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
 }

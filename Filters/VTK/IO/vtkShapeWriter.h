@@ -4,23 +4,16 @@
  *
  * Input: vtkUnstructuredGrid of linear vertices, lines, triangles, quadrilaterals (or pixels),
  * tetrahedra, pyramids, wedges and hexahedra (or voxels), mixed. Other cells are errors. Ghost
- * cells are ignored. Each point is written, even if no cell uses it.
- *
- * The writer writes only the data of this process. In ParaView, the pieces of all processes are
- * first gathered on one process, and coincident points of different pieces are merged.
- *
- * After an error or an abort, the incomplete file is removed.
+ * cells are ignored. Each point is written, even if no cell uses it. The cell array FacePatch (int,
+ * 6), which Shape Hex Remesh writes, has the patch of each face of a hexahedron in VTK's order.
  *
  * The sets in the files: shape::FindMeshSets.
  */
 #ifndef vtkShapeWriter_h
 #define vtkShapeWriter_h
 
-#include "vtkShapeAlgorithm.h"     // for the macros
-#include "vtkShapeFiltersModule.h" // for the export macro
-#include "vtkWriter.h"
+#include "vtkShapeFileWriter.h"
 
-#include "Base/Progress.h"         // for shape::Progress
 #include "Geometry/FeatureAngle.h" // for the default
 
 #include <iosfwd> // for the file
@@ -31,19 +24,14 @@ namespace shape
 struct MeshSets;
 }
 
-class VTKSHAPEFILTERS_EXPORT vtkShapeWriter : public vtkWriter
+class VTKSHAPEFILTERS_EXPORT vtkShapeWriter : public vtkShapeFileWriter
 {
 public:
-  vtkTypeMacro(vtkShapeWriter, vtkWriter);
+  vtkTypeMacro(vtkShapeWriter, vtkShapeFileWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  /// Returns the name of the writer in messages: "Shape Abaqus Writer" for vtkShapeAbaqusWriter.
-  std::string GetLabel();
 
   ///@{
   /// The properties. Effects and ranges: vtkShapeWriter.xml.
-  vtkSetStdStringFromCharMacro(FileName);
-  vtkGetCharFromStdStringMacro(FileName);
   vtkSetStdStringFromCharMacro(RegionArray);
   vtkGetCharFromStdStringMacro(RegionArray);
   vtkSetMacro(FeatureAngle, double);
@@ -54,7 +42,7 @@ protected:
   vtkShapeWriter() = default;
   ~vtkShapeWriter() override = default;
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  void WriteData() final;
+  Content ReadInput(const shape::Progress& progress) final;
 
   /// Writes the content of the file.
   virtual void WriteText(
@@ -64,10 +52,6 @@ private:
   vtkShapeWriter(const vtkShapeWriter&) = delete;
   void operator=(const vtkShapeWriter&) = delete;
 
-  shape::MeshSets ReadInput(const shape::Progress& progress);
-  void WriteWhole(const shape::MeshSets& sets, const shape::Progress& progress);
-
-  std::string FileName;
   std::string RegionArray = "RegionId";
   double FeatureAngle = shape::DefaultFeatureAngle;
 };

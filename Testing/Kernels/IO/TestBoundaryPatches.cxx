@@ -193,6 +193,30 @@ TEST(MeshSets, TurnWedgesThatAreNumberedTheOtherWay)
   EXPECT_EQ(shape::FindMeshSets(turned, {}, 40.0).Mesh.Corners, given.Corners);
 }
 
+TEST(MeshSets, KeepGivenPatchesAndDivideTheOtherFacesByAngle)
+{
+  const shape::Cells cells = shapetest::Cubes({ 2, 1, 1 }, shapetest::Everywhere);
+  // The faces of a hexahedron: -x, +x, -y, +y, -z, +z. One patch lies around two edges.
+  Eigen::MatrixXi given(2, 6);
+  given << 4, -1, -1, 4, 1, 4, -1, -1, -1, 4, 1, 4;
+  const shape::MeshSets sets = shape::FindMeshSets(cells, {}, 40.0, given);
+  const auto groups = shape::GroupFacesByPatch(sets);
+  std::vector<std::size_t> sizes;
+  for (const auto& faces : groups)
+  {
+    sizes.push_back(faces.size());
+  }
+  // -z, then +y, +z and -x, then both faces of -y, then +x.
+  EXPECT_EQ(sizes, (std::vector<std::size_t>{ 0, 2, 0, 0, 5, 2, 1 }));
+  EXPECT_EQ(sets.PatchCount, 7);
+  for (const int face : groups[5])
+  {
+    EXPECT_EQ(AreaVector(cells, sets.Boundary.Corners.row(face)), Eigen::RowVector3d(0, -1, 0));
+  }
+  given(0, 0) = 12;
+  EXPECT_REFUSED(shape::FindMeshSets(cells, {}, 40.0, given), "a face of cell 0 is 12");
+}
+
 TEST(MeshSets, RefuseWhatCannotBeWritten)
 {
   const shape::Cells good = shapetest::Cubes({ 2, 1, 1 }, shapetest::Everywhere);

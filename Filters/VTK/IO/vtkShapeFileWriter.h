@@ -1,0 +1,58 @@
+/**
+ * @class   vtkShapeFileWriter
+ * @brief   base of the writers of files
+ *
+ * The writer writes only the data of this process. In ParaView, the pieces of all processes are
+ * first gathered on one process, and coincident points of different pieces are merged.
+ *
+ * The input is read before the file is opened, so that a wrong input leaves an existing file
+ * unchanged. After another error or an abort, the incomplete file is removed.
+ */
+#ifndef vtkShapeFileWriter_h
+#define vtkShapeFileWriter_h
+
+#include "vtkShapeAlgorithm.h"     // for the macros
+#include "vtkShapeFiltersModule.h" // for the export macro
+#include "vtkWriter.h"
+
+#include "Base/Progress.h" // for shape::Progress
+
+#include <functional> // for the content
+#include <iosfwd>     // for the file
+#include <string>     // for names
+
+class VTKSHAPEFILTERS_EXPORT vtkShapeFileWriter : public vtkWriter
+{
+public:
+  vtkTypeMacro(vtkShapeFileWriter, vtkWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Returns the name of the writer in messages: "Shape Abaqus Writer" for vtkShapeAbaqusWriter.
+  std::string GetLabel();
+
+  ///@{
+  /// The file to write.
+  vtkSetStdStringFromCharMacro(FileName);
+  vtkGetCharFromStdStringMacro(FileName);
+  ///@}
+
+protected:
+  vtkShapeFileWriter() = default;
+  ~vtkShapeFileWriter() override = default;
+  void WriteData() final;
+
+  /// Writes the content of an open file.
+  using Content = std::function<void(std::ostream& file, const shape::Progress& progress)>;
+  /// Reads the input and returns what writes it. Throws shape::InvalidInput, shape::Aborted.
+  virtual Content ReadInput(const shape::Progress& progress) = 0;
+
+  std::string FileName;
+
+private:
+  vtkShapeFileWriter(const vtkShapeFileWriter&) = delete;
+  void operator=(const vtkShapeFileWriter&) = delete;
+
+  void WriteWhole(const Content& content, const shape::Progress& progress);
+};
+
+#endif
