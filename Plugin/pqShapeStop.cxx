@@ -71,11 +71,11 @@ void pqShapeStop::startup()
     return;
   }
   vtkShapeProgress::SetStopRequest([this] { return this->Wanted.load(); });
-  this->connect(progress, &pqProgressManager::progress, this, &pqShapeStop::onProgress);
-  this->connect(progress, &pqProgressManager::progressEndEvent, this, &pqShapeStop::onEnd);
+  this->connect(progress, &pqProgressManager::progress, this, &pqShapeStop::OnProgress);
+  this->connect(progress, &pqProgressManager::progressEndEvent, this, &pqShapeStop::OnEnd);
   pqServerManagerModel* model = core->getServerManagerModel();
   this->connect(
-    model, &pqServerManagerModel::modifiedStateChanged, this, &pqShapeStop::onModifiedStateChanged);
+    model, &pqServerManagerModel::modifiedStateChanged, this, &pqShapeStop::OnModifiedStateChanged);
   this->connect(model, &pqServerManagerModel::sourceRemoved, this,
     [this](pqPipelineSource* source) { this->Stopped.erase(source); });
 }
@@ -86,7 +86,7 @@ void pqShapeStop::shutdown()
   vtkShapeProgress::SetStopRequest({});
 }
 
-void pqShapeStop::onProgress(const QString& text, int percent)
+void pqShapeStop::OnProgress(const QString& text, int percent)
 {
   // "Shape Hex Remesh: optimizing the hexahedra"; ParaView's own filters never begin so.
   if (!text.startsWith("Shape "))
@@ -95,7 +95,7 @@ void pqShapeStop::onProgress(const QString& text, int percent)
   }
   if (!this->Watch)
   {
-    this->watch();
+    this->Watch();
   }
   if (!this->Wanted)
   {
@@ -104,7 +104,7 @@ void pqShapeStop::onProgress(const QString& text, int percent)
   }
 }
 
-void pqShapeStop::watch()
+void pqShapeStop::Watch()
 {
   QWidget* main = pqCoreUtilities::mainWidget();
   auto* button = main ? main->findChild<QToolButton*>("AbortButton") : nullptr;
@@ -132,7 +132,7 @@ void pqShapeStop::watch()
       });
 }
 
-void pqShapeStop::onEnd()
+void pqShapeStop::OnEnd()
 {
   if (!this->Watch)
   {
@@ -143,11 +143,11 @@ void pqShapeStop::onEnd()
   if (this->Wanted.exchange(false))
   {
     this->Unreported = this->Label;
-    QTimer::singleShot(0, this, &pqShapeStop::report);
+    QTimer::singleShot(0, this, &pqShapeStop::Report);
   }
 }
 
-void pqShapeStop::report()
+void pqShapeStop::Report()
 {
   bool isFound = false;
   for (pqPipelineSource* source :
@@ -155,7 +155,7 @@ void pqShapeStop::report()
   {
     vtkSMSourceProxy* filter = source->getSourceProxy();
     // In the first Apply, the state changes only after the filter has run; until then a filter that
-    // was stopped looks like one that was never applied (onModifiedStateChanged).
+    // was stopped looks like one that was never applied (OnModifiedStateChanged).
     if (this->Unreported == filter->GetXMLLabel() &&
       source->modifiedState() == pqProxy::UNMODIFIED &&
       filter->GetDataInformation(0)->GetNumberOfPoints() == 0)
@@ -181,7 +181,7 @@ void pqShapeStop::report()
   }
 }
 
-void pqShapeStop::onModifiedStateChanged(pqServerManagerModelItem* item)
+void pqShapeStop::OnModifiedStateChanged(pqServerManagerModelItem* item)
 {
   auto* source = qobject_cast<pqPipelineSource*>(item);
   if (!source || source->modifiedState() != pqProxy::UNMODIFIED)
@@ -194,6 +194,6 @@ void pqShapeStop::onModifiedStateChanged(pqServerManagerModelItem* item)
   }
   if (!this->Unreported.isEmpty())
   {
-    QTimer::singleShot(0, this, &pqShapeStop::report);
+    QTimer::singleShot(0, this, &pqShapeStop::Report);
   }
 }

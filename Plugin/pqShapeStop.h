@@ -33,13 +33,13 @@ public:
   void shutdown();
 
 private Q_SLOTS:
-  void onProgress(const QString& text, int percent);
-  void onEnd();
-  void report();
-  void onModifiedStateChanged(pqServerManagerModelItem* item);
+  void OnProgress(const QString& text, int percent);
+  void OnEnd();
+  void Report();
+  void OnModifiedStateChanged(pqServerManagerModelItem* item);
 
 private:
-  void watch();
+  void Watch();
 
   std::unique_ptr<pqShapeStopWatch> Watch;
   std::atomic<bool> Wanted{ false };

@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonDataModel import VTK_POLY_LINE, vtkCellArray, vtkPolyDa
 from vtkmodules.vtkFiltersCore import vtkExtractCells, vtkFeatureEdges
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridReader
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 BUILD = os.environ.get('SHAPEMAP_BUILD', os.path.join(ROOT, 'build'))
@@ -49,11 +50,16 @@ def output(proxy, port=0):
 
 
 def outputs_of(algorithm):
-    """Its outputs. Each remembers the table of facts, for facts()."""
+    """Its outputs. Each remembers the facts of the first process, for facts()."""
     held = [algorithm.GetOutputDataObject(port) for port in range(algorithm.GetNumberOfOutputPorts())]
     if algorithm.IsA('vtkShapeAlgorithm') and held[-1].IsA('vtkTable'):
+        table = held[-1].NewInstance()
+        table.ShallowCopy(held[-1])
+        if parallel()[0] > 1:
+            vtkMultiProcessController.GetGlobalController().Broadcast(table, 0)
         for data in held[:-1]:
-            data.facts = held[-1].GetRowData()
+            data.facts = table.GetRowData()
+    algorithm.held = held  # they remember as long as Python knows them
     return held
 
 
@@ -192,6 +198,7 @@ def run(algorithm):
     algorithm.Update()
     for source, tag in tags:
         source.RemoveObserver(tag)
+    outputs_of(algorithm)
     return messages
 
 
@@ -234,7 +241,6 @@ def check_refused(algorithm, *words):
 
 def parallel():
     """How many processes run this script, and the number of this one."""
-    from vtkmodules.vtkParallelCore import vtkMultiProcessController
     controller = vtkMultiProcessController.GetGlobalController()
     return (controller.GetNumberOfProcesses(), controller.GetLocalProcessId()) if controller else (1, 0)
 

@@ -23,7 +23,7 @@ packages=(
 )
 test_packages=(
   # frameworks, style, types, keys and pictures of a window, a browser, readers of what is written
-  libgtest-dev clang-format-14 clang-tidy-14 mypy python3-venv unzip xdotool imagemagick chromium
+  libgtest-dev clang-format-14 universal-ctags mypy python3-venv unzip xdotool imagemagick chromium
   gmsh calculix-ccx
 )
 targets=(ShapeMap vtkShapeFiltersPython)

@@ -100,7 +100,8 @@ def run(name, inputs, **options):
         getattr(algorithm, 'Set' + option)(*value if isinstance(value, tuple) else (value,))
     messages = shapetesting.run(algorithm)
     assert not messages, (name, messages)
-    return [algorithm.GetOutputDataObject(port) for port in range(algorithm.GetNumberOfOutputPorts())]
+    held = [algorithm.GetOutputDataObject(port) for port in range(algorithm.GetNumberOfOutputPorts())]
+    return [output for output in held if not output.IsA('vtkTable')]
 
 
 def words_of(attributes, name):

@@ -9,7 +9,7 @@ import window
 
 proxies = {proxy.get('name'): proxy for path in glob.glob(os.path.join(shapetesting.ROOT, 'Filters', 'VTK', '*', '*.xml'))
            for proxy in ElementTree.parse(path).iter('SourceProxy')}
-filters = [proxy for proxy in proxies.values() if proxy.find('Hints/ShowInMenu') is not None]
+filters = [proxy for proxy in proxies.values() if proxy.find('Hints/ShapeMap') is not None]
 assert len(filters) >= 2
 
 w = window.Window()

@@ -9,8 +9,7 @@ import window
 
 DIALOG = 'QuickLaunchDialog'
 # What a solid without a map can be an input of.
-SOLID = ['Shape Apply Volume Map', 'Shape Boundary Distance', 'Shape Deform', 'Shape Geodesic Distance',
-         'Shape Harmonic Volume Map', 'Shape Transfer Fields', 'Shape Untangle']
+SOLID = ['Shape Apply Volume Map', 'Shape Boundary Distance', 'Shape Deform', 'Shape Harmonic Volume Map', 'Shape Transfer Fields', 'Shape Untangle']
 hints = {}
 for path in glob.glob(os.path.join(shapetesting.ROOT, 'Filters', 'VTK', '*', '*.xml')):
     for proxy in ElementTree.parse(path).iter('SourceProxy'):

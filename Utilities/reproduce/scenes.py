@@ -59,7 +59,6 @@ def checked(algorithm):
     count = output.GetNumberOfRows() if output.IsA('vtkTable') else output.GetNumberOfPoints()
     if messages or count == 0:
         raise RuntimeError(' '.join(messages) or 'an empty output')
-    algorithm.held = shapetesting.outputs_of(algorithm)  # they remember their facts as long as Python knows them
     return algorithm
 
 

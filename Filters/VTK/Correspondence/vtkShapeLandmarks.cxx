@@ -176,12 +176,13 @@ void vtkShapeLandmarks::Execute(const shape::Progress& progress)
       " positions, and Points B has " + std::to_string(countB) +
       "; give equally many, because they are paired by order");
   }
-  const Eigen::MatrixXd a = this->Project(OnA, progress.Part(0.0, isPaired ? 0.5 : 1.0));
+  const Eigen::MatrixXd a =
+    this->Project(OnA, progress.Part(0.0, isPaired ? 0.5 : 1.0, "projecting the landmarks"));
   if (!isPaired)
   {
     return;
   }
-  const Eigen::MatrixXd b = this->Project(OnB, progress.Part(0.5, 1.0));
+  const Eigen::MatrixXd b = this->Project(OnB, progress.Part(0.5, 1.0, "projecting the landmarks"));
   const auto addTargets = [this](int port, const Eigen::MatrixXd& targets)
   {
     vtkPolyData::SafeDownCast(this->GetOutputDataObject(port))
