@@ -5,8 +5,10 @@ The pictures in Documentation/Pictures are part of the source, because the help 
 as the plugin is built. Draw one again when its filter's result changes, and look at it."""
 import math
 import os
+import shutil
 import subprocess
 import sys
+import tempfile
 
 from paraview.simple import *
 
@@ -335,6 +337,61 @@ def MeditWriter():
 
 
 @drawing
+def Landmarks():
+    a, b = figures()
+    ends = [0.0, 0.0, 1.12, 0.51, 0.0, 0.8, -0.51, 0.0, 0.8]
+    pairs = ShapeLandmarks(SurfaceA=place(a, (-0.62, 0, 0)), SurfaceB=place(b, (0.62, 0, 0)), MaximumDistance=1.0)
+    bodies = [servermanager.Fetch(source) for source in (a, b)]
+    near = [bodies[0].FindPoint(ends[i:i + 3]) for i in range(0, len(ends), 3)]
+    for body, name, x in zip(bodies, ('PointsA', 'PointsB'), (-0.62, 0.62)):
+        positions = [body.GetPoint(point) for point in near]
+        setattr(pairs, name, [value for p in positions for value in (p[0] + x, p[1], p[2])])
+    show(a, (-0.62, 0, 0))
+    show(b, (0.62, 0, 0))
+    for port in (0, 1):
+        show(Glyph(Input=OutputPort(pairs, port), GlyphType='Sphere', ScaleFactor=0.05, ScaleArray=[
+            'POINTS', 'No scale array'], GlyphMode='All Points'), colour=ACCENT)
+    show(OutputPort(pairs, 2), colour=ACCENT).LineWidth = 3.0
+    return FRONT
+
+
+@drawing
+def Example():
+    for name, x, turn in (('Figure', -1.8, (0, 0, 0)), ('Two-Holed Torus', -0.6, (70, 0, 0)),
+                          ('Twisted Bar', 0.6, (60, 60, 0)), ('Bunny', 1.8, (90, 0, 0))):
+        source = ShapeExample(Shape=name)
+        source.UpdatePipeline()
+        size = source.GetDataInformation().GetBounds()
+        middle = Transform(Input=source)
+        middle.Transform.Translate = [-0.5 * (size[k] + size[k + 1]) for k in (0, 2, 4)]
+        shown = show(middle, (x, 0, 0), colour=[0.55, 0.74, 0.80])
+        shown.Scale = [1.0 / max(size[k + 1] - size[k] for k in (0, 2, 4))] * 3
+        shown.Orientation = list(turn)
+    return FRONT
+
+
+@drawing
+def OFFReader():
+    show(OpenDataFile(os.path.join(ROOT, 'build', 'models', 'bunny00.off')), colour=[0.55, 0.74, 0.80])
+    return (0.3, 0.3, 1.0), (0, 1, 0)
+
+
+@drawing
+def HTMLWriter():
+    """The page in Chromium."""
+    solid = ShapeHexRemesh(Surface=shape('BentBar.vtp'), CellsOnLongestSide=16)
+    folder = tempfile.mkdtemp()
+    page, picture = os.path.join(folder, 'bar.html'), os.path.join(folder, 'page.png')
+    SaveData(page, solid, Title='A bent bar')
+    subprocess.run(['chromium', '--headless', '--no-sandbox', '--use-angle=swiftshader',
+                    '--enable-unsafe-swiftshader', '--user-data-dir=' + os.path.join(folder, 'profile'),
+                    '--window-size=1000,680', '--virtual-time-budget=20000', '--screenshot=' + picture,
+                    'file://%s#axis=-Z&cut=0.4&color=ScaledJacobian' % page],
+                   check=True, stderr=subprocess.DEVNULL, timeout=180)
+    return picture
+
+
+@drawing
 def HexRemeshCells():
     """Cells On Longest Side 10 and 24."""
     for number, x in ((10, -0.62), (24, 0.62)):
@@ -382,13 +439,17 @@ def draw(name):
     view = CreateRenderView(ViewSize=[1120, 760], OrientationAxesVisibility=0, UseColorPaletteForBackground=0,
                             Background=[1, 1, 1], CameraParallelProjection=1)
     SetActiveView(view)
-    camera = drawings[name]()
-    if camera:
-        view.CameraFocalPoint, view.CameraPosition, view.CameraViewUp = [0, 0, 0], camera[0], camera[1]
-        ResetCamera(view)
-        view.GetActiveCamera().Zoom(1.25)
+    # The camera's position and upward direction, or a picture that another program made.
+    made = drawings[name]()
     path = os.path.join(FOLDER, name + '.png')
-    SaveScreenshot(path, GetActiveView(), ImageResolution=[1120, 760])
+    if isinstance(made, str):
+        shutil.copy(made, path)
+    else:
+        if made:
+            view.CameraFocalPoint, view.CameraPosition, view.CameraViewUp = [0, 0, 0], made[0], made[1]
+            ResetCamera(view)
+            view.GetActiveCamera().Zoom(1.25)
+        SaveScreenshot(path, GetActiveView(), ImageResolution=[1120, 760])
     subprocess.check_call(['convert', path, '-trim', '+repage', '-bordercolor', 'white', '-border', '12',
                            '-resize', '560x380', '-colors', '96', '-strip', '-define',
                            'png:compression-level=9', path])

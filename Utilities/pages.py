@@ -104,6 +104,10 @@ class Source:
         text = re.sub(r'\n- Class: .*?\n(?=\n)', '\n', text, flags=re.DOTALL)
         parts = sections(text)
         page = [parts[0][1]]
+        # A page without effects has the properties before its limits.
+        if EFFECTS not in dict(parts):
+            limits = next(i for i, (heading, _) in enumerate(parts) if heading.startswith('Limits'))
+            parts.insert(limits, (EFFECTS, ''))
         for heading, body in parts[1:]:
             if heading in ('Outputs and facts', 'What the file holds'):
                 page += ['## What it does\n', *('%s\n' % as_code(line) for line in proxy.description)]
@@ -112,7 +116,7 @@ class Source:
                 page += ['Outputs: %s.\n' % ', '.join(proxy.outputs)] if len(proxy.outputs) > 1 else []
             elif heading == EFFECTS:
                 body = re.sub(r'(?m)^\|.*\n', '', body)
-                page += ['## Properties\n', self.properties(proxy)]
+                page += ['## Properties\n', self.properties(proxy)] if proxy.properties else []
             else:
                 page.append('## ' + heading)
             page.append(body)

@@ -1,4 +1,5 @@
-"""The pages say what is there: no dead link, a page and a row for every filter and writer, every
+"""The pages say what is there: no dead link, a page and a row for every filter, source,
+reader and writer, every
 benchmark on its page, the rooms of the code in their order, an entry for every paper that a comment
 cites, the effect of small and large values of every number, generated parts that are up to date, and none
 of the words that the glossary forbids. Run with python3 TestDocumentation.py ROOT."""
@@ -56,15 +57,22 @@ for path in documentation.files('Testing', 'Benchmarks', 'Cases', ends='.cxx'):
         if '`%s`' % case not in texts[benchmarks]:
             faults.append('%s has no `%s`' % (benchmarks, case))
 
-# Filters are what the menu shows; readers and writers are what a factory names.
-names = set()
+# Filters and sources are what a menu shows; readers and writers are what a factory names. Every page has a
+# picture, limits and an example. The page of a filter also says when to use it and has the effect of values, and
+# that of a file format says what the file holds.
+FILE, SOURCE, FILTER = ['\n## What the file holds'], ['\n## Outputs and facts'], [
+    '\n## When to use', '\n## Outputs and facts', '\n## Small and large values']
+names = {}
 for path in documentation.files('Filters', 'VTK', ends='.xml'):
     text = documentation.read('Filters', 'VTK', path)
-    if any(hint in text for hint in ('<ShowInMenu', '<ReaderFactory', '<WriterFactory')):
-        names.add((os.path.basename(path)[len('vtkShape'):-len('.xml')], os.path.dirname(path)))
-assert len(names) > 2, 'no filter was found'
+    parts = (FILE if '<ReaderFactory' in text or '<WriterFactory' in text else
+             None if '<ShowInMenu' not in text else
+             SOURCE if '<ProxyGroup name="sources">' in text else FILTER)
+    if parts:
+        names[os.path.basename(path)[len('vtkShape'):-len('.xml')]] = os.path.dirname(path), parts
+assert FILTER in [parts for _, parts in names.values()], 'no filter was found'
 overview = texts['Documentation/Filters.md']
-for name, room in sorted(names):
+for name, (room, own) in sorted(names.items()):
     label = 'Shape ' + re.sub(r'(?<=[a-z])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])', ' ', name)
     page = 'Documentation/Filters/%s.md' % name
     if '| [%s](Filters/%s.md) |' % (label, name) not in overview:
@@ -72,13 +80,11 @@ for name, room in sorted(names):
     if page not in texts:
         faults.append('there is no ' + page)
         continue
-    for part in ('# %s\n' % label, '../../Filters/VTK/%s/vtkShape%s.h' % (room, name), '](../Pictures/',
-                 '\n## When to use', '\n## Small and large values', '\n## Limits', '\n## Example', '```python\n'):
+    for part in ('# %s\n' % label, '../../Filters/VTK/%s/vtkShape%s.h' % (room, name), '](../Pictures/', *own,
+                 '\n## Limits', '\n## Example', '```python\n'):
         # A picture of several filters is in the root folder.
         if part not in texts[page].replace('](../../Correspondence.png', '](../Pictures/'):
             faults.append('%s has no %s' % (page, part.strip()))
-    if '## Outputs and facts' not in texts[page] and '## What the file holds' not in texts[page]:
-        faults.append(page + ' does not say what comes out')
 
 # The effect of small and large values of every number; the overview groups filters as the menu does.
 source = pages_of.Source()
@@ -92,7 +98,7 @@ for stem, proxy in source.proxies.items():
             proxy.label, menu.get(stem), proxy.task))
 for page in texts:
     stem = os.path.basename(page)[:-len('.md')]
-    if page.startswith('Documentation/Filters/') and stem not in dict(names):
+    if page.startswith('Documentation/Filters/') and stem not in names:
         faults.append('%s is about no filter' % page)
 
 described = re.findall(r'^\| `([\w/]+)` \|', texts['Documentation/Architecture.md'], re.MULTILINE)
@@ -132,5 +138,5 @@ for name, text in documentation.generated():
 
 if faults:
     raise AssertionError('\n'.join(faults))
-print(len(pages), 'pages,', len(names), 'filters and writers,', len(papers), 'papers,',
+print(len(pages), 'pages,', len(names), 'filters, sources, readers and writers,', len(papers), 'papers,',
       len(forbidden), 'words that are not used')

@@ -13,7 +13,8 @@ resources = {file.get('alias') for file in ElementTree.parse(os.path.join(root, 
 
 places, words = {}, {}
 for path in sorted(glob.glob(os.path.join(root, 'Filters', 'VTK', '*', '*.xml'))):
-    for proxy in ElementTree.parse(path).iter('SourceProxy'):
+    # Sources are in Sources > ShapeMap, which ParaView makes.
+    for proxy in ElementTree.parse(path).iterfind("ProxyGroup[@name='filters']/SourceProxy"):
         entry = proxy.find('Hints/ShowInMenu')
         if entry is None or entry.get('category') != 'ShapeMap':
             continue

@@ -22,8 +22,9 @@
  *   polygons of the other surface are triangles and it has no strips. Otherwise, polygons and
  *   strips are cut into triangles, which are numbered in order after vertices and lines.
  * - `TargetBarycentric` (double, 3): the barycentric coordinates, in the order of the corners.
+ * `MapColors` (unsigned char, 3) are colours for the eye: corresponding points have the same one.
  *
- * Field data of both, with the prefix Correspondence
+ * Facts, with the prefix Correspondence
  * - .Landmarks: number of landmarks used. .LandmarksFound: 1 if the filter found the landmarks
  *   itself, otherwise 0. .LandmarkTargets: where the positions on SurfaceB come from,
  *   "TargetPosition" or "TargetLandmarks"; only with Landmarks.

@@ -18,7 +18,7 @@
  * landmark on the other surface. Without SurfaceB, there is no such array, and outputs 1 and 2 are
  * empty. In parallel, the first process has all outputs.
  *
- * Field data of output 0: Landmarks.LargestDistanceFromA and Landmarks.LargestDistanceFromB, the
+ * Facts: Landmarks.LargestDistanceFromA and Landmarks.LargestDistanceFromB, the
  * largest distance of the given positions from each surface. It is 0 without positions.
  *
  * The mathematics: shape::ProjectLandmarks.

@@ -22,9 +22,9 @@
  * The first two arrays are means over the smallest regions that NumberOfEigenpairs functions can
  * resolve.
  *
- * Field data: MapDifference.AreaEigenvalues, .ConformalEigenvalues, .UndeterminedFunctions (number
+ * Facts: MapDifference.AreaEigenvalues, .ConformalEigenvalues, .UndeterminedFunctions (number
  * of functions on SurfaceB that the map covers too little to determine) and .PreciseMap (1 if
- * `TargetCell` was used, otherwise 0).
+ * `TargetCell` was used, otherwise 0). The eigenvalues are also field data of output 0.
  *
  * Output 1: a table, on one process, with both operators as matrices in the eigenbasis of the
  * Laplacian of SurfaceA. It has a row for each eigenfunction and the columns Area0, Area1, ...,

@@ -17,7 +17,7 @@
  *   divided by .Unit. The rows are in ascending order of this error.
  * - `Share`: the share of points with at most this error.
  *
- * Field data, with the prefix MapErrorCurve
+ * Facts, with the prefix MapErrorCurve
  * - .Mean, .Median, .Percentile95, .Maximum, .AreaUnderCurve (the mean share for errors up to
  *   LargestError).
  * - .Unit: the length by which errors were divided.

@@ -28,14 +28,14 @@
  * - `LoopCoordinates` (double, 3): u, v and 0, the coordinates of the point in the exponential map
  *   of the filled rest around the centre of the fill.
  * - `LoopNormal` (double, 3): the unit normal of the filled rest.
- * The feature also has field data with the prefix CutFeature:
- * - .Seed, .SeedNormal, .SeedDirection (3 numbers each): the origin, the normal and the u axis of
- *   the exponential map.
+ * The feature also has field data, which are facts, too, with the prefix CutFeature:
+ * - .SeedNormal, .SeedDirection (3 numbers each): the normal and the u axis of the exponential map.
  * - .ConformalRadius: 0 unless the layout is conformal.
  * - .Refined: 1 if the layout minimises distortion.
- * - .ReturnsInPlace: 1 if the loop returns to its position when it is pasted there.
  *
- * Field data of both outputs, with the prefix CutFeature
+ * Facts, with the prefix CutFeature
+ * - .Seed (3 numbers): the origin of the exponential map.
+ * - .ReturnsInPlace: 1 if the loop returns to its position when it is pasted there.
  * - .Loops: number of closed loops that were cut. .LoopsLeftOut: number of ignored parts of curves
  *   that touch themselves. Only the longest part of such a curve is used.
  * - .CutLength: length of the cut. .FeatureArea: area of the feature. .WeldedPoints: number of

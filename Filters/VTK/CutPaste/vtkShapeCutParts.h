@@ -18,7 +18,7 @@ namespace vtkShapeCutParts
 void Write(const shape::CutFeatureResult& cut, const shape::NumberedSurface& numbered,
   vtkPolyData* surface, vtkPolyData* feature, vtkPolyData* rest);
 
-/// Adds field data to one of the outputs: Loops, LoopsLeftOut, CutLength, FeatureArea, Holes,
+/// Adds facts to one of the outputs: Loops, LoopsLeftOut, CutLength, FeatureArea, Holes,
 /// WeldedPoints.
 void AddFacts(const shape::CutFeatureResult& cut, vtkPolyData* output);
 

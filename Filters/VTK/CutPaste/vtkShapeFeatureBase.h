@@ -7,8 +7,8 @@ class vtkPolyData;
 /**
  * Conversion of the base of a feature to VTK data and back. The base is the filled surface on which
  * the feature stood when it was cut. The data are the point arrays `LoopCoordinates` and
- * `LoopNormal` and the field data CutFeature.Seed, .SeedNormal, .SeedDirection, .ConformalRadius,
- * .Refined and .ReturnsInPlace: see vtkShapeCutFeature.
+ * `LoopNormal` and the field data CutFeature.SeedNormal, .SeedDirection, .ConformalRadius and
+ * .Refined: see vtkShapeCutFeature.
  */
 namespace vtkShapeFeatureBase
 {

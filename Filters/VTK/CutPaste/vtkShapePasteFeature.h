@@ -16,7 +16,7 @@
  * keep their arrays (see vtkShapePastedData). The cell array `Part` is 0 on the target, 1 on the
  * seam band and 2 on the feature.
  *
- * Field data, with the prefix PasteFeature
+ * Facts, with the prefix PasteFeature
  * - .Seed, .Normal, .Direction (3 numbers each): the position on the target, its normal, and the
  *   tangent from which Rotation is measured.
  * - .DeviationBefore, .DeviationAfter: median angle between the normals of feature and target at

@@ -23,7 +23,7 @@
  * If the handle is scaled by the factor Scale, the entire shape undergoes the same similarity. If
  * the handle does not move, the shape does not change.
  *
- * Field data, with the prefix Deform
+ * Facts, with the prefix Deform
  * - .Islands: number of parts that are not connected to the handle.
  * - .EmptyBands: number of points without upwind points within UpwindRadius. .ZeroWeights: number
  *   of points whose upwind points all have weight 0.

@@ -19,7 +19,7 @@
  *   than twice as long as its own longest edge. There the front met itself behind a protrusion.
  * - `ConformalDistortion`, `SymmetricDirichlet`: as defined in vtkShapeMapQuality.
  *
- * Field data, with the prefix ExponentialMap
+ * Facts, with the prefix ExponentialMap
  * - .Seed, .SeedNormal, .XAxis (3 numbers each): origin of the patch, its normal, and the direction
  *   of the first texture coordinate.
  * - .SeedDistance: distance of Seed from the surface. .Radius: the radius that was used.

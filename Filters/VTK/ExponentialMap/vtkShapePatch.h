@@ -11,7 +11,7 @@ namespace vtkShapePatch
 {
 
 /// Writes the patch of a surface to `output`, with the point and cell data of the surface, and with
-/// the arrays and field data of vtkShapeExponentialMap. mesh: the triangles of the surface. cells:
+/// the arrays and facts of vtkShapeExponentialMap. mesh: the triangles of the surface. cells:
 /// for each triangle, the cell of the surface to which it belongs.
 void Write(const shape::PatchLayout& layout, const shape::Mesh& mesh, vtkPolyData* surface,
   const Eigen::VectorXi& cells, vtkPolyData* output);

@@ -22,12 +22,12 @@
  * changed interactively. The frames at the loop are optimised once, for the default parameters. A
  * factorisation cannot be interrupted, so an abort takes effect at its end.
  *
- * Field data, with the prefix FillHoles
+ * Facts, with the prefix FillHoles
  * - .Loops: number of loops found. .UnclosedSides: number of boundary edges that belong to no
  *   closed loop.
  * - .CopiedPoints: number of copies of points where sheets touch.
  * - .LooseSegments, .SkippedFaces: for input without polygons, see shape::CurveNetwork.
- * These arrays have a tuple for each filled loop:
+ * These facts have an entry for each filled loop:
  * - .Loop: index of the loop, 0 for the longest. .LoopPoints: number of its points. .Method and
  *   .Reason (strings).
  * - .Nonplanarity: maximum distance of a point of the loop from the plane of the loop, divided by

@@ -21,7 +21,7 @@ void Write(const shape::FilledSurface& filled, const shape::NumberedSurface& num
 int Split(
   const shape::FilledSurface& filled, const shape::NumberedSurface& numbered, vtkPolyData* output);
 
-/// Adds the field data that describe each fill. loops: for each fill, the index of its loop among
+/// Adds the facts that describe each fill. loops: for each fill, the index of its loop among
 /// all loops.
 void AddFacts(
   const shape::FilledSurface& filled, const std::vector<int>& loops, vtkPolyData* output);

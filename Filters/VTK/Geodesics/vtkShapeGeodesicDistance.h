@@ -10,7 +10,7 @@
  *   projected to the surface. SeedPoints are further seeds. At least one seed is required.
  *
  * Output: the same surface with the point array `GeodesicDistance` (double, in the units of the
- * surface). On components without a seed, the distance is -1. Field data:
+ * surface). On components without a seed, the distance is -1. Facts:
  * GeodesicDistance.UnreachedPoints, the number of points on such components.
  *
  * If only the seeds change, everything that depends only on Input is reused.

@@ -23,7 +23,7 @@
  *   with Inverse, outside the image of the domain. It is 2 if the point is inside this image, but
  *   no preimage was found. Points with the values 1 and 2 keep their position.
  *
- * Field data: ApplyVolumeMap.OutsidePoints and ApplyVolumeMap.NotInverted, the numbers of points
+ * Facts: ApplyVolumeMap.OutsidePoints and ApplyVolumeMap.NotInverted, the numbers of points
  * with the values 1 and 2 (over all processes, without ghosts).
  *
  * The mathematics: shape::ApplyVolumeMap, shape::PiecewiseInverseMap.

@@ -31,9 +31,10 @@
  *   longest edge of the bounding box of the target. With Exact, the errors refer to the boundary of
  *   the region.
  *
- * Field data of outputs 0 and 1, with the prefix HarmonicVolumeMap
+ * Facts, with the prefix HarmonicVolumeMap
  * - .RMSEVertices, .RMSEInside, .Maximum, .RMSEFeatures (0 without features), .FeaturePoints.
- * - .OffsetDistance: distance of the nearest charges from the boundary. .DeletedSources,
+ * - .OffsetDistance: distance of the nearest charges from the boundary, also field data of the
+ *   charge set. .DeletedSources,
  *   .InsertedSources: numbers of sources that were removed or added.
  * - .OutsidePoints: number of points outside the boundary, over all processes, without ghosts.
  * - .TargetDistance: only with Target, the root mean square distance of the images of the boundary
@@ -64,21 +65,20 @@
  * - Field data `Skin` with a number for each region: the thickness of the skin along the inner side
  *   of its interface. In the skin, the map of the outer layer is blended into the map of the
  *   region.
- * Outputs 0 and 1 also have field data with the prefix HarmonicVolumeMap and an entry for each
- * region:
+ * There are also facts with the prefix HarmonicVolumeMap and an entry for each region:
  * - .BorderRMSEVertices, .BorderRMSEInside, .BorderMaximum: errors of the map of the region on the
  *   surface around the region.
  * - .BorderJumpRMS, .BorderJumpMaximum: difference between the fitted maps on both sides of this
  *   surface. The skin removes this difference.
  *
- * With FreeBoundary, the field data also have .DistortionBefore and .DistortionAfter. They are the
+ * With FreeBoundary, the facts also have .DistortionBefore and .DistortionAfter. They are the
  * mean symmetric Dirichlet energy of the map of the solid, after scaling the image to the same
  * volume. The energy is 6 for an isometry. To measure it, the solid is filled with tetrahedra.
  * .FreeBoundary (a string) is Slid or, if the energy did not decrease and the images are unchanged,
  * NotLower.
  *
  * With FoldFree, the moved domain is untangled (shape::ComputeFoldFreeMap). Unstructured grids get
- * the arrays of vtkShapeUntangle, and structured grids only `Inverted`. The field data of output 0
+ * the arrays of vtkShapeUntangle, and structured grids only `Inverted`. The facts
  * also have .InvertedBefore and .InvertedAfter, the numbers of inverted cells. The charge set still
  * stores the harmonic map, which may fold.
  *

@@ -11,15 +11,15 @@ class vtkTable;
 namespace vtkShapeVolumeMapFacts
 {
 
-/// Prefix of the names of the field data.
+/// Prefix of the names of the facts.
 inline constexpr const char* Prefix = "HarmonicVolumeMap.";
 
 /// Writes a row for each level of each region's map, with the columns that
 /// vtkShapeHarmonicVolumeMap documents.
 void WriteLevels(const std::vector<shape::HarmonicVolumeMapResult>& regions, vtkTable* output);
 
-/// Adds field data: the errors, the choices of the method, and the reason why it stopped. If
-/// `boundaries` is set, also adds field data with an entry for each region: the errors on the
+/// Adds facts: the errors, the choices of the method, and the reason why it stopped. If
+/// `boundaries` is set, also adds facts with an entry for each region: the errors on the
 /// surface around the region.
 void AddFacts(const shape::PiecewiseVolumeMapResult& result,
   shape::HarmonicVolumeMapOptions::MethodType method, bool boundaries, vtkDataObject* output);

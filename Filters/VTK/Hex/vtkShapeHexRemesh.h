@@ -36,7 +36,7 @@
  *   the inner surface.
  * In parallel, the first process has both outputs.
  *
- * Field data of both, with the prefix HexRemesh
+ * Facts, with the prefix HexRemesh
  * - .Method ("Polycube" or "Grid"), .Reason (for this choice), .Hexahedra, .CellSize, .Regions.
  * - .MinimumScaledJacobian, .MeanScaledJacobian, .ScaledJacobianHistogram (20 counts of hexahedra,
  *   for [0, 0.05), ..., [0.95, 1]).

@@ -8,7 +8,7 @@ class vtkDataObject;
 class vtkPolyData;
 class vtkUnstructuredGrid;
 
-/// Conversion of the result of Shape Hex Remesh to VTK data, with the arrays and field data that
+/// Conversion of the result of Shape Hex Remesh to VTK data, with the arrays and facts that
 /// vtkShapeHexRemesh documents.
 namespace vtkShapeHexResult
 {
@@ -21,7 +21,7 @@ void WriteHexahedra(const shape::HexFit& fit, vtkUnstructuredGrid* output);
 void WriteBoundary(const shape::HexRemeshResult& result, const shape::Surface& surface,
   const std::vector<shape::Surface>& innerSurfaces, vtkPolyData* output);
 
-/// Adds the field data. hexahedra: the output of WriteHexahedra.
+/// Adds the facts. hexahedra: the output of WriteHexahedra.
 void AddFacts(
   const shape::HexRemeshResult& result, vtkUnstructuredGrid* hexahedra, vtkDataObject* output);
 

@@ -16,7 +16,7 @@
  *   No triangle is flipped, and each triangle lies in a plane orthogonal to the direction of its
  *   label. The polycube may overlap itself.
  *
- * Field data of both: Polycube.Charts and .Corners (numbers of charts and corners), and .EdgeLength
+ * Facts: Polycube.Charts and .Corners (numbers of charts and corners), and .EdgeLength
  * (the unit of length that was used). Polycube.Distortion is the mean elliptic energy of the map
  * inside the solid, 1 without distortion.
  *

@@ -16,8 +16,9 @@
  *   an orbifold is cut open, and points on the cut have several copies at different positions.
  *   `OriginalPointId` of a copy is the index of its point in the input. In output 0,
  *   `TargetPosition` of this point is the position of the copy with the same index.
+ * Both have `MapColors` (unsigned char, 3): corresponding points have the same colour.
  *
- * Field data of both, with the prefix Parameterize
+ * Facts, with the prefix Parameterize
  * - .Method: for Sphere, ConformalFlow or, if that would flip triangles, PositiveFlow or
  *   GlobalReinsertion. With AreaWeight > 0, it is GlobalReinsertion. For Disk, it is the name of
  *   the weights, and for FreeBoundary, it is BoundaryFirst. For Disk and FreeBoundary, it is

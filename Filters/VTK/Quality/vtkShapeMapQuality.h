@@ -35,7 +35,7 @@
  * cells. In the other rows, it is the share of cells whose measure is undefined, either because the
  * cell has no area or volume, or because the value is 1e30.
  *
- * Field data of output 0: MapQuality.Cells, .FlippedCells, .DegenerateCells, and the numbers of the
+ * Facts: MapQuality.Cells, .FlippedCells, .DegenerateCells, and the numbers of the
  * table. Their names consist of the column and the row, such as MapQuality.MeanSymmetricDirichlet
  * and MapQuality.ShareJacobianDeterminant.
  *

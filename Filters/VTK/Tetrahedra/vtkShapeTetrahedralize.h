@@ -21,7 +21,7 @@
  * - Point data of Input. Points that are not from Input get the data at the closest position on the
  *   triangles of Input (vtkShapeCarry).
  *
- * Field data: Tetrahedralize.Points, .Tetrahedra, .SteinerPoints (number of points that belong to
+ * Facts: Tetrahedralize.Points, .Tetrahedra, .SteinerPoints (number of points that belong to
  * no surface), .Regions, .MinimumScaledJacobian (1 for the regular tetrahedron), .Volume.
  *
  * Open or self-intersecting surfaces are errors, and the message gives the position of the defect.

@@ -34,7 +34,7 @@
  * `TargetBarycentric` of a replaced map. An array of the giver with the same name as an array of
  * the receiver gets the prefix `Giver`.
  *
- * Field data, over all processes, without ghosts: TransferFields.OutsidePoints, the number of
+ * Facts, over all processes, without ghosts: TransferFields.OutsidePoints, the number of
  * points with OutsideDomain = 1, and .PrecisePoints, the number of points whose values were taken
  * in `TargetCell`.
  *

@@ -28,7 +28,7 @@
  *
  * Point normals are dropped. In parallel, the first process has all cells.
  *
- * Field data, with the prefix Untangle
+ * Facts, with the prefix Untangle
  * - .InvertedBefore, .InvertedAfter: numbers of inverted cells.
  * - .SplitCells: number of cells of Input that were split. .MovedPoints: number of points of Input
  *   that were moved.
