@@ -20,7 +20,9 @@ ROLES = {'Float': vtkDataSetAttributes.SCALARS, 'Double': vtkDataSetAttributes.V
          'Texture': vtkDataSetAttributes.TCOORDS, 'Words': vtkDataSetAttributes.PEDIGREEIDS}
 # What is not passed on, and why.
 TRANSFERRED = 'arrays on another mesh have no role there'
+SHOWN = 'the array of the result is the active one'
 LOST = {
+    ('ShapeFillHoles', 'role Float'): SHOWN,
     ('ShapeExponentialMap', 'role Texture'): 'the map itself is the texture coordinates',
     ('ShapeTransferFields', 'role Float'): TRANSFERRED,
     ('ShapeTransferFields', 'role Double'): TRANSFERRED,

@@ -10,11 +10,13 @@
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
 #include "Fill/FillHoles.h"
+#include "Geometry/VertexNormals.h"
 #include "Mesh/TouchingSheets.h"
 
 #include <functional>
@@ -161,6 +163,19 @@ int vtkShapeFilledData::Split(
                          shape::TraceCopies(split.Copied, filled.Surface.Points.rows(),
                            Eigen::VectorXi::LinSpaced(cells, 0, cells - 1)) } },
     output);
+  // Each sheet has a normal of its own at a split point.
+  if (vtkDataArray* normals = vtkShapeCarry::GetNormals(output->GetPointData()))
+  {
+    const Eigen::MatrixXd own =
+      shape::ComputeVertexNormals(split.Surface, shape::NormalWeight::Angle);
+    for (auto i = filled.Surface.Points.rows(); i < own.rows(); ++i)
+    {
+      for (const Eigen::Index point : { i, static_cast<Eigen::Index>(split.Copied[i]) })
+      {
+        normals->SetTuple(point, Eigen::RowVector3d(own.row(point)).data());
+      }
+    }
+  }
   return copies;
 }
 
