@@ -185,10 +185,12 @@ GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surf
   }
   result.Distortion = coupling.Distortion * Longest(onA, onB);
   result.Error = coupling.Error;
-  const LaplaceEigenpairs spectrumA = SolveLaplaceEigenproblem(
-                            a, std::min<int>(options.Eigenpairs, onA.Points.size())),
-                          spectrumB = SolveLaplaceEigenproblem(
-                            b, std::min<int>(options.Eigenpairs, onB.Points.size()));
+  const LaplaceEigenpairs spectrumA = SolveLaplaceEigenproblem(a,
+                            std::min<int>(options.Eigenpairs, onA.Points.size()),
+                            progress.Part(0.9, 0.92, "computing the eigenfunctions")),
+                          spectrumB = SolveLaplaceEigenproblem(b,
+                            std::min<int>(options.Eigenpairs, onB.Points.size()),
+                            progress.Part(0.92, 0.94, "computing the eigenfunctions"));
   result.Maps = { Spread(spectrumA, onA.Points, b, spectrumB, onB.Points, coupling.Masses,
                     progress.Part(0.94, 0.97, "finding the nearest points")),
     Spread(spectrumB, onB.Points, a, spectrumA, onA.Points, coupling.Masses.transpose(),

@@ -1,5 +1,6 @@
 #include "Correspondence/Transport/Private/Sinkhorn.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace shape
@@ -48,7 +49,8 @@ Eigen::MatrixXd Sinkhorn::Begin(const Eigen::MatrixXd& likeness)
   return masses * others.asDiagonal();
 }
 
-Eigen::MatrixXd Sinkhorn::Masses(const Eigen::MatrixXd& likeness, int iterations, double tolerance)
+Eigen::MatrixXd Sinkhorn::Masses(
+  const Eigen::MatrixXd& likeness, int iterations, double tolerance, const Progress& progress)
 {
   // Most steps update factors; some absorb these in the logarithms to stay within range.
   constexpr int span = 25;
@@ -57,6 +59,7 @@ Eigen::MatrixXd Sinkhorn::Masses(const Eigen::MatrixXd& likeness, int iterations
   constexpr double tiny = 1e-100, near = 0.03, relaxation = 1.6;
   for (int done = 0;;)
   {
+    progress(std::min(1.0, static_cast<double>(done) / iterations));
     Eigen::MatrixXd masses = this->Begin(likeness);
     Eigen::ArrayXd rows = Eigen::ArrayXd::Ones(masses.rows()), columns;
     const auto fitColumns = [&] {
