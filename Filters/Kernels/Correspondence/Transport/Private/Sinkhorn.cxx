@@ -59,7 +59,6 @@ Eigen::MatrixXd Sinkhorn::Masses(
   constexpr double tiny = 1e-100, near = 0.03, relaxation = 1.6;
   for (int done = 0;;)
   {
-    progress(std::min(1.0, static_cast<double>(done) / iterations));
     Eigen::MatrixXd masses = this->Begin(likeness);
     Eigen::ArrayXd rows = Eigen::ArrayXd::Ones(masses.rows()), columns;
     const auto fitColumns = [&] {
@@ -69,6 +68,7 @@ Eigen::MatrixXd Sinkhorn::Masses(
     columns = fitColumns();
     for (int k = 0; k <= span; ++k, ++done)
     {
+      progress(std::min(1.0, static_cast<double>(done) / iterations));
       const Eigen::ArrayXd sums = (masses * columns.matrix()).array().max(tiny);
       this->RowError = (sums * rows - this->Rows.array()).abs().sum();
       if (this->RowError < tolerance || done >= iterations || k == span)
