@@ -281,7 +281,7 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
     own.push_back({ one.PositionOf(pointA), two.PositionOf(pointB) });
   }
   const bool find = own.empty();
-  const double found = find ? 0.35 : 0.0; // share of the time
+  const double found = find ? 0.15 : 0.0; // share of the time
   if (find)
   {
     const CoarsePair pair(one.Surface, two.Surface, {}, options.CoarsePoints,
