@@ -232,11 +232,12 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
     case Options::MethodType::ReversibleHarmonic:
       break;
   }
-  const SurfaceMaps start = options.Start == Options::StartType::FunctionalMap
-    ? Functional(a, b, landmarks, options, result.Part, progress.Part(0.0, 0.4))
-    : MapByLandmarkCells(a, b, landmarks, progress.Part(0.0, 0.1));
-  if (options.Start == Options::StartType::FunctionalMap &&
-    result.Part.Which != SurfacePart::WhichType::None)
+  const bool isFunctional = options.Start == Options::StartType::FunctionalMap;
+  const double started = isFunctional ? 0.4 : 0.1; // share of the time
+  const Progress first = whole.Part(0.0, started);
+  const SurfaceMaps start = isFunctional ? Functional(a, b, landmarks, options, result.Part, first)
+                                         : MapByLandmarkCells(a, b, landmarks, first);
+  if (isFunctional && result.Part.Which != SurfacePart::WhichType::None)
   {
     return pair.OnFine(start, lift); // iterations would spread the part over the other surface
   }
@@ -245,7 +246,7 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
   // Landmarks that were found may be inexact, so they are not pinned.
   own.PinLandmarks = options.PinLandmarks && !result.Found;
   ReversibleHarmonicResult harmonic =
-    RefineReversibleHarmonicMap(pair, start, landmarks, own, whole.Part(0.4, 1.0));
+    RefineReversibleHarmonicMap(pair, start, landmarks, own, whole.Part(started, 1.0));
   result.Iterations = static_cast<int>(harmonic.Energies.size());
   return std::move(harmonic.Maps);
 }
@@ -280,12 +281,13 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
     own.push_back({ one.PositionOf(pointA), two.PositionOf(pointB) });
   }
   const bool find = own.empty();
+  const double found = find ? 0.15 : 0.0; // share of the time
   if (find)
   {
     const CoarsePair pair(one.Surface, two.Surface, {}, options.CoarsePoints,
       progress.Part(0.0, 0.05, "coarsening the surfaces"));
     Begin(pair.A(), pair.B(), own, options.Part, result,
-      progress.Part(0.05, 0.35, "finding landmarks"));
+      progress.Part(0.05, found, "finding landmarks"));
     own = pair.OnFine(own);
     result.Start.Pairs = pair.OnFine(result.Start.Pairs);
     result.Start.Rival = pair.OnFine(result.Start.Rival);
@@ -296,7 +298,7 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
   // that of the method.
   const CoarsePair pair(one.Surface, two.Surface, kept,
     EnoughPoints(std::max(one, two, HasFewer).Surface, options),
-    progress.Part(0.35, 0.4, "coarsening the surfaces"));
+    progress.Part(found, found + 0.05, "coarsening the surfaces"));
   result.CoarsePoints =
     static_cast<int>(std::max(pair.A().Points().rows(), pair.B().Points().rows()));
   own = pair.OnCoarse(own);
@@ -304,10 +306,10 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
   if (!find)
   {
     Begin(pair.A(), pair.B(), own, options.Part, result,
-      progress.Part(0.4, 0.45, "comparing the landmarks"));
+      progress.Part(found + 0.05, found + 0.1, "comparing the landmarks"));
   }
   const SurfaceMaps maps =
-    Find(pair, own, options, result, progress.Part(0.45, 0.95, "mapping the surfaces"));
+    Find(pair, own, options, result, progress.Part(found + 0.1, 0.95, "mapping the surfaces"));
   result.Start.Rival = pair.OnFine(result.Start.Rival);
   const auto asGiven = [&](Landmarks found)
   {

@@ -106,7 +106,7 @@ HarmonicVolumeMapResult ComputeHarmonicVolumeMap(const Surface& boundary,
   options.OffsetDistance = NearestOffset(scaled.Surface, options);
   // Step 2: the affine part.
   FundamentalSolutionFit problem(
-    scaled, features, options, progress.Part(0.0, 0.05, "fitting the affine part"));
+    scaled, features, options, progress.Part(0.0, 0.02, "fitting the affine part"));
   HarmonicVolumeMapResult result;
   result.OffsetDistance = options.OffsetDistance;
   result.Levels.push_back(problem.Errors());
@@ -118,19 +118,19 @@ HarmonicVolumeMapResult ComputeHarmonicVolumeMap(const Surface& boundary,
   else if (options.Method == HarmonicVolumeMapOptions::MethodType::SingleShot)
   {
     // Step 3: all charges at once.
-    SolveSingleShot(problem, options, result, progress.Part(0.05, 1.0, "fitting the charges"));
+    SolveSingleShot(problem, options, result, progress.Part(0.02, 1.0, "fitting the charges"));
   }
   else if (options.Method == HarmonicVolumeMapOptions::MethodType::MultiLevel)
   {
     // Step 3: a sum of maps.
-    SolveMultiLevel(problem, options, result, progress.Part(0.05, 1.0, "fitting the charges"));
+    SolveMultiLevel(problem, options, result, progress.Part(0.02, 1.0, "fitting the charges"));
   }
   else
   {
     // Step 3: charges close to the boundary.
     AcceleratedSetup own;
     SolveAccelerated(problem, options, setup ? *setup : own, result,
-      progress.Part(0.05, problem.HasFeatures() ? 0.7 : 1.0, "fitting the charges"));
+      progress.Part(0.02, problem.HasFeatures() ? 0.7 : 1.0, "fitting the charges"));
     if (problem.HasFeatures())
     {
       // Step 4. The correction for features is smooth near the boundary, so a few distant charges

@@ -111,12 +111,12 @@ HexRemeshResult ByPolycube(
 {
   const auto polycube = OfMethod<PolycubeHexesOptions>(options);
   const bool isAutomatic = options.CellSize == 0.0;
-  PolycubeHexesResult result = BuildPolycubeHexahedra(surface, polycube, progress.Part(0.0, 0.9));
+  PolycubeHexesResult result = BuildPolycubeHexahedra(surface, polycube, progress.Part(0.0, 0.95));
   if (isAutomatic)
   {
-    result = WithNearCreases(surface, polycube, std::move(result), progress.Part(0.9, 0.95));
+    result = WithNearCreases(surface, polycube, std::move(result), progress.Part(0.95, 0.97));
   }
-  SnapIfFar(result.Fit, surface, progress.Part(0.95, 1.0, "moving the boundary onto the surface"));
+  SnapIfFar(result.Fit, surface, progress.Part(0.97, 1.0, "moving the boundary onto the surface"));
   const char* maps[] = {
     "mapped by the harmonic map of the polycube's boundary",
     "mapped by the map of tetrahedra onto the polycube, because the harmonic map of its boundary "

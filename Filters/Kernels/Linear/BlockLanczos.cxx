@@ -54,7 +54,7 @@ public:
     {
       for (bool isFull = false; !isFull;)
       {
-        progress(0.99 * std::min(1.0, static_cast<double>(this->Size) / this->Most));
+        this->Report(progress);
         // Step 2: the next block.
         this->Extend();
         isFull = this->Size + Block > this->Most;
@@ -77,6 +77,17 @@ public:
   }
 
 private:
+  /// The number of restarts is unknown. The converged pairs show how far the iteration is once the
+  /// basis was full.
+  void Report(const Progress& progress)
+  {
+    constexpr double filling = 0.3; // share of the time until the first restart
+    this->Filled = std::max(this->Filled, this->Size);
+    progress(0.99 *
+      (filling * std::min(1.0, static_cast<double>(this->Filled) / this->Most) +
+        (1.0 - filling) * static_cast<double>(this->Converged) / this->Wanted));
+  }
+
   Eigen::MatrixXd Random(Eigen::Index columns)
   {
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -159,15 +170,17 @@ private:
     this->Vectors = std::move(ritz.Vectors);
   }
 
-  bool IsFound() const
+  bool IsFound()
   {
     // The residual of a Ritz pair lies in the next block alone, so its norm needs no application of
     // the operator.
     const Eigen::VectorXd residuals =
       (this->Last * this->Vectors.bottomRows(Block)).colwise().norm().transpose();
-    return (residuals.head(this->Wanted).array() <=
+    const auto converged = (residuals.head(this->Wanted).array() <=
       this->Tolerance * this->Values.head(this->Wanted).array())
-      .all();
+                             .count();
+    this->Converged = std::max(this->Converged, static_cast<int>(converged));
+    return converged == this->Wanted;
   }
 
   /// Keeps only the best Ritz vectors and the block that would have been next.
@@ -197,6 +210,8 @@ private:
   Eigen::MatrixXd Vectors;
   int Size = 0;          ///< columns of the basis to which the operator was applied
   int Recurrent = Block; ///< first column from which images have three terms
+  int Filled = 0;        ///< maximum of Size so far
+  int Converged = 0;     ///< wanted pairs that a convergence test has found, at most
   std::mt19937 Generator;
 };
 
@@ -205,8 +220,9 @@ private:
 Eigenpairs FindExtremeEigenpairs(const SymmetricOperator& apply, const Eigen::MatrixXd& known,
   int wanted, const Progress& progress, double tolerance)
 {
-  constexpr Eigen::Index many = 4096; // number of rows from which several threads are faster
-  const BlasThreads threads(known.rows() >= many);
+  // The products have few columns. Threads of BLAS would save little time, and lose much whenever
+  // other programs use the cores, because they wait for each other in every product.
+  const BlasThreads one(false);
   return Iteration(apply, known, wanted, tolerance).Find(progress);
 }
 

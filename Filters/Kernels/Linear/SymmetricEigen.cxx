@@ -1,6 +1,7 @@
 #include "Linear/SymmetricEigen.h"
 
 #include "Base/Errors.h"
+#include "Base/Parallel.h"
 
 #include <lapacke.h>
 #include <new>
@@ -13,6 +14,7 @@ Eigenpairs FindLargestEigenpairs(Eigen::MatrixXd matrix, int count)
 {
   const auto size = static_cast<lapack_int>(matrix.rows());
   Eigen::VectorXd values(size);
+  const BlasThreads threads(BlasThreads::WorthSharing(size));
   const lapack_int status =
     LAPACKE_dsyevd(LAPACK_COL_MAJOR, 'V', 'L', size, matrix.data(), size, values.data());
   if (status == LAPACK_WORK_MEMORY_ERROR || status == LAPACK_TRANSPOSE_MEMORY_ERROR)

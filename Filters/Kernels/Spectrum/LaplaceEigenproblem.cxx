@@ -151,7 +151,9 @@ std::vector<ComponentSpectrum> FindEnough(
   // Otherwise the number of its pairs is doubled.
   while (found != wanted)
   {
-    const double step = 0.5 * (1.0 - begin) / static_cast<double>(parts.size());
+    // The pairs of a single component are always enough.
+    const double step =
+      (parts.size() == 1 ? 1.0 : 0.5) * (1.0 - begin) / static_cast<double>(parts.size());
     for (std::size_t c = 0; c < parts.size(); ++c, begin += step)
     {
       wanted[c] = std::min({ wanted[c], pairs, static_cast<int>(parts[c].Masses().size()) });

@@ -13,7 +13,7 @@ LaplaceSpectrumResult ComputeLaplaceSpectrum(
   RequireOption(options.EmbeddingDimensions >= 1, "EmbeddingDimensions",
     options.EmbeddingDimensions, "at least 1");
   const bool isSpectral = options.Embedding == LaplaceSpectrumOptions::EmbeddingType::Spectral;
-  const double share = isSpectral ? 0.9 : 0.5; // share of the time
+  const double share = isSpectral ? 0.97 : 0.5; // share of the time
   LaplaceSpectrumResult analysis;
   analysis.Spectrum = SolveLaplaceEigenproblem(
     surface, options.NumberOfEigenpairs, progress.Part(0.0, share, "computing the eigenfunctions"));
@@ -22,6 +22,7 @@ LaplaceSpectrumResult ComputeLaplaceSpectrum(
     analysis.Embedding = ComputeSpectralEmbedding(analysis.Spectrum, options.EmbeddingDimensions);
   }
   analysis.HeatKernel = ComputeHeatKernelSignature(analysis.Spectrum);
+  progress(share);
   analysis.WaveKernel = ComputeWaveKernelSignature(analysis.Spectrum);
   if (!isSpectral)
   {

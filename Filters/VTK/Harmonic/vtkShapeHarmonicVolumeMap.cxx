@@ -139,6 +139,7 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   vtkDataObject* domain = this->GetInputDataObject(0, 0);
   vtkDataObject* moved = this->GetOutputDataObject(0);
   vtkNew<vtkPolyData> holder; // of the facts, as field data
+  const double solved = this->FoldFree ? 0.9 : 0.97; // share of the time
   shape::VolumeMapResult result;
   vtkShapeGather::RunOnAllOrFail(controller,
     [&]
@@ -153,18 +154,18 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
       }
       if (first)
       {
-        result = this->Solve(holder, progress.Part(0.0, 0.9));
+        result = this->Solve(holder, progress.Part(0.0, solved));
       }
     });
   vtkShapeGather::Share(controller, holder);
   vtkShapeChargeSet::Share(controller, result.Map.Charges);
   vtkShapeGather::Share(controller, result.Targets);
-  const shape::PiecewiseHarmonicMap map(result.Map.Charges, progress.Part(0.9, 0.92));
+  const shape::PiecewiseHarmonicMap map(result.Map.Charges, progress.Part(solved, solved + 0.01));
   const auto counts = vtkShapeChargeSet::Move(
     domain, moved,
     [&](const Eigen::MatrixXd& points, const shape::Progress& part)
     { return shape::ApplyVolumeMap(map, points, part); },
-    progress.Part(0.92, this->FoldFree ? 0.95 : 1.0, "moving the points"));
+    progress.Part(solved + 0.01, this->FoldFree ? 0.95 : 1.0, "moving the points"));
   if (this->FoldFree)
   {
     const auto inverted = vtkShapeSolid::MakeFoldFree(domain, moved,

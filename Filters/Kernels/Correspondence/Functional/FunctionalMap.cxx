@@ -197,6 +197,8 @@ private:
 Eigen::MatrixXd FitFunctionalMap(const SurfaceDescriptors& a, const SurfaceDescriptors& b,
   const FunctionalMapFitOptions& options, const Progress& progress)
 {
+  // The matrices are small (30 x 30 by default): starting threads would take longer than a product.
+  const BlasThreads one(false);
   const Operators ofA = OperatorsOf(a, options, progress.Part(0.0, 0.2));
   const Operators ofB = OperatorsOf(b, options, progress.Part(0.2, 0.4));
   const int size = options.Size;
@@ -219,8 +221,6 @@ Eigen::MatrixXd FitFunctionalMap(const SurfaceDescriptors& a, const SurfaceDescr
     return result;
   };
 
-  // The matrices are small (30 x 30 by default): starting threads would take longer than a product.
-  const BlasThreads one(false);
   // The limit and the tolerance suffice, since the refinement improves the map anyway.
   constexpr int maximum = 200;
   constexpr double minimum = 1e-6; // of the right-hand side

@@ -120,7 +120,7 @@ GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surf
   RequireLandmarks(landmarks, a, b);
   const Landmarks distinct = Distinct(landmarks);
   const std::vector<Landmarks> starts =
-    Starts(a, b, distinct, options, progress.Part(0.0, 0.2, "finding landmarks"));
+    Starts(a, b, distinct, options, progress.Part(0.0, 0.1, "finding landmarks"));
   const auto fixed = static_cast<int>(distinct.size());
   Landmarks pinned;
   for (int k = 0; k < fixed; ++k)
@@ -128,10 +128,10 @@ GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surf
     pinned.push_back({ k, k });
   }
   const SampledSurface onA = SampleSurface(a, options.Samples,
-                         progress.Part(0.2, 0.35, "computing geodesic distances"),
+                         progress.Part(0.1, 0.13, "computing geodesic distances"),
                          PointsOf(distinct, 0)),
                        onB = SampleSurface(b, options.Samples,
-                         progress.Part(0.35, 0.5, "computing geodesic distances"),
+                         progress.Part(0.13, 0.16, "computing geodesic distances"),
                          PointsOf(distinct, 1));
   const bool isFullA = fixed == static_cast<int>(onA.Points.size()),
              isFullB = fixed == static_cast<int>(onB.Points.size());
@@ -153,8 +153,8 @@ GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surf
   // distortion shows which local minimum is better.
   for (std::size_t k = 0; k < starts.size(); ++k)
   {
-    const double share = 0.2 / static_cast<double>(starts.size()),
-                 begin = 0.5 + share * static_cast<double>(k);
+    const double share = 0.1 / static_cast<double>(starts.size()),
+                 begin = 0.16 + share * static_cast<double>(k);
     const Eigen::MatrixXd positionsA = EmbedByLandmarks(a, PointsOf(starts[k], 0)),
                           positionsB = EmbedByLandmarks(b, PointsOf(starts[k], 1));
     EntropicCoupling own = SolveCoupling(Spaces(fewA, fewB, fixed),
@@ -181,14 +181,16 @@ GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surf
     last.FirstEntropy = std::min(last.FirstEntropy, more * last.Entropy);
     last.Iterations = std::min(last.Iterations, fewer);
     coupling = SolveCoupling(spaces, gains / last.FirstEntropy, pinned, last,
-      progress.Part(0.7, 0.9, "coupling the samples"));
+      progress.Part(0.26, 0.9, "coupling the samples"));
   }
   result.Distortion = coupling.Distortion * Longest(onA, onB);
   result.Error = coupling.Error;
-  const LaplaceEigenpairs spectrumA = SolveLaplaceEigenproblem(
-                            a, std::min<int>(options.Eigenpairs, onA.Points.size())),
-                          spectrumB = SolveLaplaceEigenproblem(
-                            b, std::min<int>(options.Eigenpairs, onB.Points.size()));
+  const LaplaceEigenpairs spectrumA = SolveLaplaceEigenproblem(a,
+                            std::min<int>(options.Eigenpairs, onA.Points.size()),
+                            progress.Part(0.9, 0.92, "computing the eigenfunctions")),
+                          spectrumB = SolveLaplaceEigenproblem(b,
+                            std::min<int>(options.Eigenpairs, onB.Points.size()),
+                            progress.Part(0.92, 0.94, "computing the eigenfunctions"));
   result.Maps = { Spread(spectrumA, onA.Points, b, spectrumB, onB.Points, coupling.Masses,
                     progress.Part(0.94, 0.97, "finding the nearest points")),
     Spread(spectrumB, onB.Points, a, spectrumA, onA.Points, coupling.Masses.transpose(),

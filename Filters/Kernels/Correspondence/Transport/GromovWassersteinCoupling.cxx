@@ -88,16 +88,19 @@ EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd
   // 2 sum a b, and the sums of squares are fixed by the marginals.
   const double own = rows.dot(spaces.DistancesA.cwiseAbs2() * rows) +
     columns.dot(spaces.DistancesB.cwiseAbs2() * columns);
-  const auto follow = [&](const State& from, Eigen::MatrixXd likeness)
+  const auto follow = [&](const State& from, Eigen::MatrixXd likeness, const Progress& part)
   {
     State next{ std::move(likeness), {}, {}, from.Scaling };
     Fix(fixed, next.Likeness);
-    next.Masses = next.Scaling.Masses(next.Likeness, options.SinkhornIterations, options.Tolerance);
-    next.Gains = spaces.DistancesA * next.Masses * spaces.DistancesB;
+    next.Masses = next.Scaling.Masses(
+      next.Likeness, options.SinkhornIterations, options.Tolerance, part.Part(0.0, 0.5));
+    const Eigen::MatrixXd ofA = spaces.DistancesA * next.Masses;
+    part(0.75);
+    next.Gains = ofA * spaces.DistancesB;
     return next;
   };
   EntropicCoupling coupling;
-  State state = follow({ {}, {}, {}, Sinkhorn(rows, columns) }, start);
+  State state = follow({ {}, {}, {}, Sinkhorn(rows, columns) }, start, progress.Part(0.0, 0.0));
   // The small number keeps an exact power of Factor from costing one more level by rounding.
   const double span = std::log(options.Entropy / options.FirstEntropy) / std::log(options.Factor);
   const int levels = 1 + static_cast<int>(std::ceil(span - 1e-9));
@@ -113,12 +116,14 @@ EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd
     double before = std::numeric_limits<double>::infinity(), power = 1.0;
     for (int iteration = 0; iteration < options.Iterations; ++iteration)
     {
-      progress((level + static_cast<double>(iteration) / options.Iterations) / levels);
+      const auto reached = [&](int iterations)
+      { return (level + static_cast<double>(iterations) / options.Iterations) / levels; };
+      const Progress part = progress.Part(reached(iteration), reached(iteration + 1));
       // The paper's damping: P^(1 - eta) times the new masses to the power eta, a weighted mean of
       // logarithms.
       State next = power < 1.0
-        ? follow(state, power / entropy * state.Gains + (1.0 - power) * state.Likeness)
-        : follow(state, state.Gains / entropy);
+        ? follow(state, power / entropy * state.Gains + (1.0 - power) * state.Likeness, part)
+        : follow(state, state.Gains / entropy, part);
       const double objective = 0.25 * own - 0.5 * next.Masses.cwiseProduct(next.Gains).sum() +
         entropy * RelativeEntropy(next.Masses, rows, columns);
       constexpr double enough = 1e-5, little = 1e-3; // of the objective

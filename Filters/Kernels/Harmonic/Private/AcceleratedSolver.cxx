@@ -114,7 +114,7 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
   {
     setup.Boundary = boundary;
     setup.System = std::make_unique<NearSurfaceChargeSystem>(problem.Distance(), boundary, effort,
-      progress.Part(0.0, 0.1, "preparing the fast summation"));
+      progress.Part(0.0, 0.02, "preparing the fast summation"));
   }
   result.OffsetDistance = setup.System->Offset();
   result.PointsWithoutCharge = setup.System->PointsWithoutCharge();
@@ -123,9 +123,11 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     options.MostRefined * std::max(CheapPoints, static_cast<double>(boundary.Points().rows()));
   for (int number = 1;; ++number)
   {
-    // The number of levels is unknown. The second one, of the refined boundary, takes longest.
-    const auto end = [](int level) {
-      return level == 0 ? 0.1 : level == 1 ? 0.25 : 1.0 - 0.2 * std::exp2(2 - level);
+    // The number of levels is unknown: usually three to five, each of more points than the last.
+    const auto end = [](int level)
+    {
+      constexpr double first[] = { 0.02, 0.08, 0.3 };
+      return level < 3 ? first[level] : 1.0 - 0.3 * std::exp2(3 - level);
     };
     const Progress part = progress.Part(end(number - 1), end(number));
     // Step 1: the system.

@@ -73,6 +73,7 @@ void SampleDistances(
   // Distances are only computed in the band.
   const double far = LevelBand * grid.Spacing;
   const Eigen::VectorXi windings = ComputeGridWindingNumbers(surface, grid);
+  progress(0.0);
   grid.Values =
     (windings.array() > 0).select(Eigen::VectorXd::Constant(windings.size(), -far), far);
   const std::vector<char> near = CellsNear(boundary.GetSurface(), grid);

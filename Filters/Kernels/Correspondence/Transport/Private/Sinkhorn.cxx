@@ -1,5 +1,6 @@
 #include "Correspondence/Transport/Private/Sinkhorn.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace shape
@@ -48,7 +49,8 @@ Eigen::MatrixXd Sinkhorn::Begin(const Eigen::MatrixXd& likeness)
   return masses * others.asDiagonal();
 }
 
-Eigen::MatrixXd Sinkhorn::Masses(const Eigen::MatrixXd& likeness, int iterations, double tolerance)
+Eigen::MatrixXd Sinkhorn::Masses(
+  const Eigen::MatrixXd& likeness, int iterations, double tolerance, const Progress& progress)
 {
   // Most steps update factors; some absorb these in the logarithms to stay within range.
   constexpr int span = 25;
@@ -66,6 +68,7 @@ Eigen::MatrixXd Sinkhorn::Masses(const Eigen::MatrixXd& likeness, int iterations
     columns = fitColumns();
     for (int k = 0; k <= span; ++k, ++done)
     {
+      progress(std::min(1.0, static_cast<double>(done) / iterations));
       const Eigen::ArrayXd sums = (masses * columns.matrix()).array().max(tiny);
       this->RowError = (sums * rows - this->Rows.array()).abs().sum();
       if (this->RowError < tolerance || done >= iterations || k == span)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Base/Progress.h"
+
 #include <Eigen/Core>
 
 namespace shape
@@ -21,7 +23,8 @@ public:
   /// Returns the masses. The column sums are exact. The row sums differ from the prescribed ones by
   /// less than `tolerance` in total, unless `iterations` steps do not suffice. likeness: each entry
   /// is finite, or -infinity if the mass must be 0.
-  Eigen::MatrixXd Masses(const Eigen::MatrixXd& likeness, int iterations, double tolerance);
+  Eigen::MatrixXd Masses(const Eigen::MatrixXd& likeness, int iterations, double tolerance,
+    const Progress& progress = {});
 
   /// The sum of |row sum - weight| for the last masses.
   double Error() const { return this->RowError; }

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -102,10 +103,14 @@ SampledGrid SampleDistance(const SignedDistance& distance, const Eigen::RowVecto
 }
 
 /// Returns the cells inside the first level set that has the wanted topology.
-std::optional<HexMesh> CubesOf(const SampledGrid& distances, const Topology& wanted)
+std::optional<HexMesh> CubesOf(
+  const SampledGrid& distances, const Topology& wanted, const Progress& progress)
 {
-  for (const double reach : Reaches)
+  for (const double& reach : Reaches)
   {
+    const double tried = static_cast<double>(&reach - Reaches) / std::size(Reaches);
+    const Progress part = progress.Part(tried, 1.0);
+    part(0.0);
     SampledGrid levels = distances;
     levels.Values.array() -= reach * levels.Spacing;
     WellComposedVoxels solid = FindVoxelSolid(levels);
@@ -114,7 +119,9 @@ std::optional<HexMesh> CubesOf(const SampledGrid& distances, const Topology& wan
     {
       continue;
     }
+    part(0.05);
     KeepLargestParts(levels, wanted.Components, solid.Inside);
+    part(0.1);
     HexMesh cubes = BuildVoxelHexahedra(levels, solid.Inside);
     if (cubes.Hexahedra.rows() > 0 && HasBoundaryTopology(cubes, wanted))
     {
@@ -221,8 +228,8 @@ VoxelPolycube FindVoxelPolycube(
     }
     progress(0.7);
     const auto offset = BestOffset(bent, labels, size);
-    grid = SampleDistance(distance, offset, size, progress.Part(0.7, 0.9));
-    cubes = CubesOf(grid, topology);
+    grid = SampleDistance(distance, offset, size, progress.Part(0.7, 0.8));
+    cubes = CubesOf(grid, topology, progress.Part(0.8, 0.9));
   }
   VoxelPolycube result;
   result.CellSize = size / CellShrinkage;
