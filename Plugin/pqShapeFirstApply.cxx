@@ -1,5 +1,7 @@
 #include "pqShapeFirstApply.h"
 
+#include "pqShapePorts.h"
+
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkDataObject.h"
@@ -10,7 +12,6 @@
 #include "vtkPVGeneralSettings.h"
 #include "vtkPVXMLElement.h"
 #include "vtkSMPVRepresentationProxy.h"
-#include "vtkSMParaViewPipelineControllerWithRendering.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSourceProxy.h"
@@ -87,22 +88,6 @@ vtkSMProxy* FindRepresentation(pqPipelineSource* filter, int port, pqView* view)
   return representation && representation->isVisible() ? representation->getProxy() : nullptr;
 }
 
-pqOutputPort* FindInput(vtkSMProxy* filter, const std::string& name)
-{
-  const vtkSMPropertyHelper helper(filter, name.c_str());
-  auto* source =
-    pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(
-      helper.GetAsProxy());
-  return source ? source->getOutputPort(static_cast<int>(helper.GetOutputPort())) : nullptr;
-}
-
-void SetVisible(pqOutputPort* port, pqView* view, bool visible)
-{
-  const vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
-  controller->SetVisibility(vtkSMSourceProxy::SafeDownCast(port->getSourceProxy()),
-    port->getPortNumber(), view->getViewProxy(), visible);
-}
-
 void Set(vtkSMProxy* proxy, const char* property, const std::vector<double>& values)
 {
   SM_SCOPED_TRACE(PropertiesModified).arg("proxy", proxy);
@@ -171,7 +156,7 @@ void ColorByArray(pqPipelineSource* filter, vtkPVXMLElement* element, pqView* vi
   int association =
     Get(element, "association") == "CELLS" ? vtkDataObject::CELL : vtkDataObject::POINT;
   const std::string like = Get(element, "like");
-  pqOutputPort* input = like.empty() ? nullptr : FindInput(filter->getProxy(), like);
+  pqOutputPort* input = like.empty() ? nullptr : pqShapePorts::FindInput(filter->getProxy(), like);
   pqDataRepresentation* model = input ? input->getRepresentation(view) : nullptr;
   if (model && vtkSMPVRepresentationProxy::GetUsingScalarColoring(model->getProxy()))
   {
@@ -355,10 +340,10 @@ void Show(pqPipelineSource* filter, vtkPVXMLElement* hints, pqView* view)
     }
     else if (name == "Hide")
     {
-      pqOutputPort* input = FindInput(filter->getProxy(), Get(element, "input"));
+      pqOutputPort* input = pqShapePorts::FindInput(filter->getProxy(), Get(element, "input"));
       if (input && input->getRepresentation(view))
       {
-        SetVisible(input, view, false);
+        pqShapePorts::SetVisible(input, view, false);
       }
     }
   }
@@ -412,13 +397,13 @@ void pqShapeFirstApply::OnStateChanged(pqServerManagerModelItem* item)
   if (!HasResult(filter))
   {
     this->Failed.insert(filter);
-    SetVisible(input, view, true);
+    pqShapePorts::SetVisible(input, view, true);
     return;
   }
   this->New.remove(filter);
   if (this->Failed.remove(filter))
   {
-    SetVisible(input, view, false);
+    pqShapePorts::SetVisible(input, view, false);
   }
   vtkPVXMLElement* hints = filter->getProxy()->GetHints();
   vtkPVXMLElement* first = hints ? hints->FindNestedElementByName("FirstApply") : nullptr;

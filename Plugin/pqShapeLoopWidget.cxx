@@ -1,12 +1,19 @@
 #include "pqShapeLoopWidget.h"
 
 #include "pqShapeDisplay.h"
+#include "pqShapePorts.h"
 
 #include "vtkActor.h"
+#include "vtkPVDataInformation.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkSMProxy.h"
 
+#include "pqApplicationCore.h"
+#include "pqOutputPort.h"
+#include "pqPipelineSource.h"
+#include "pqServerManagerModel.h"
 #include "pqView.h"
 
 #include <QPushButton>
@@ -42,6 +49,7 @@ pqShapeLoopWidget::pqShapeLoopWidget(vtkSMProxy* filter, vtkSMPropertyGroup* gro
     [this]
     {
       this->Drawn.clear();
+      this->ShowSurface();
       this->RequestRender();
     });
 
@@ -63,6 +71,33 @@ void pqShapeLoopWidget::deselect()
 {
   this->Button->setChecked(false);
   this->Superclass::deselect();
+}
+
+void pqShapeLoopWidget::ShowSurface()
+{
+  if (!this->view())
+  {
+    return;
+  }
+  pqOutputPort* port = pqShapePorts::FindInput(
+    this->proxy(), this->proxy()->GetPropertyName(this->GetProperty("Surface")));
+  if (this->IsDrawing() && port && !pqShapePorts::IsVisible(port, this->view()))
+  {
+    this->ShownSurface = port;
+    pqShapePorts::SetVisible(port, this->view(), true);
+  }
+  else if (!this->IsDrawing() && this->ShownSurface)
+  {
+    const auto* filter =
+      pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(
+        this->proxy());
+    // Without a result, there is nothing else to see.
+    if (filter && filter->getOutputPort(0)->getDataInformation()->GetNumberOfPoints() > 0)
+    {
+      pqShapePorts::SetVisible(this->ShownSurface, this->view(), false);
+    }
+    this->ShownSurface.clear();
+  }
 }
 
 bool pqShapeLoopWidget::IsDrawing() const

@@ -2,7 +2,10 @@
 
 #include "pqShapeInteractiveWidget.h"
 
+#include <QPointer>
+
 class QPushButton;
+class pqOutputPort;
 
 /**
  * Draws a closed loop on a surface, position by position, and moves its positions.
@@ -45,6 +48,7 @@ private:
   /// positions of the filter's loop.
   Positions GetPlaces() const;
   void SetPlaces(const Positions& positions);
+  void ShowSurface(); ///< while a loop is drawn, the surface under the mouse is visible
   void Close();
   bool FacesViewer(const Eigen::Vector3d& position) const;
   void DrawCurve(const Positions& positions);
@@ -53,6 +57,7 @@ private:
 
   QPushButton* Button;
   Positions Drawn;
+  QPointer<pqOutputPort> ShownSurface; ///< that was hidden before the loop was drawn
   Positions Shown; ///< positions of the drawn curve, for ShownVersion of the surface
   bool ShownClosed = false;
   int ShownVersion = 0;

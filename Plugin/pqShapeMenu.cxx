@@ -4,6 +4,7 @@
 
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
+#include "pqObjectBuilder.h"
 #include "pqOutputPort.h"
 #include "pqPVApplicationCore.h"
 #include "pqProxyGroupMenuManager.h"
@@ -16,8 +17,10 @@
 #include "vtkPVXMLElement.h"
 #include "vtkSMDocumentation.h"
 #include "vtkSMInputProperty.h"
+#include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMProxySelectionModel.h"
+#include "vtkSMTrace.h"
 
 #include <QAction>
 #include <QApplication>
@@ -25,6 +28,9 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <vector>
 
 namespace
 {
@@ -130,6 +136,59 @@ bool CanWork(vtkSMProxy* prototype, pqOutputPort* active, const Outputs& all)
   return false;
 }
 
+/// The outputs that are selected in the pipeline browser, in the order of their selection.
+Outputs FindSelected()
+{
+  vtkSMProxySelectionModel* selection = pqActiveObjects::instance().activeSourcesSelectionModel();
+  const auto* model = pqApplicationCore::instance()->getServerManagerModel();
+  Outputs outputs;
+  for (unsigned int i = 0; selection && i < selection->GetNumberOfSelectedProxies(); ++i)
+  {
+    auto* item = model->findItem<pqServerManagerModelItem*>(selection->GetSelectedProxy(i));
+    auto* port = qobject_cast<pqOutputPort*>(item);
+    auto* source = qobject_cast<pqPipelineSource*>(item);
+    if (port || source)
+    {
+      outputs << (port ? port : source->getOutputPort(0));
+    }
+  }
+  return outputs;
+}
+
+/// Returns the outputs for the required inputs of a filter, by their order, if there is exactly one
+/// for each and the filter can work; otherwise, an empty list.
+Outputs Assign(vtkSMProxy* prototype, const Outputs& outputs)
+{
+  const QStringList inputs = pqShapeNeeded::GetInputs(prototype);
+  if (inputs.size() != outputs.size())
+  {
+    return {};
+  }
+  std::vector<int> order(static_cast<std::size_t>(outputs.size()));
+  std::iota(order.begin(), order.end(), 0);
+  do
+  {
+    QMap<QString, Outputs> candidates;
+    Outputs assigned;
+    for (int i = 0; i < inputs.size(); ++i)
+    {
+      pqOutputPort* output = outputs[order[static_cast<std::size_t>(i)]];
+      auto* input =
+        vtkSMInputProperty::SafeDownCast(prototype->GetProperty(inputs[i].toUtf8().data()));
+      if (Fits(input, output))
+      {
+        candidates[inputs[i]] = { output };
+        assigned << output;
+      }
+    }
+    if (assigned.size() == outputs.size() && CanWork(prototype, candidates))
+    {
+      return assigned;
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+  return {};
+}
+
 bool HasData(pqPipelineSource* source)
 {
   return source->modifiedState() != pqProxy::UNINITIALIZED;
@@ -213,6 +272,18 @@ void pqShapeMenu::Arrange(pqProxyGroupMenuManager* manager)
       taskOf(action), GetHint(manager->getPrototype(action), "order").toInt(), action->text());
   };
   QList<QAction*> actions = manager->actions(Category);
+  for (QAction* action : actions)
+  {
+    if (!action->property("TakesSelected").toBool())
+    {
+      // Before ParaView's own answer, which makes the filter.
+      action->setProperty("TakesSelected", true);
+      action->disconnect(SIGNAL(triggered()), manager);
+      connect(action, &QAction::triggered, manager,
+        [manager, action]() { TakeSelected(manager, action); });
+      connect(action, SIGNAL(triggered()), manager, SLOT(triggered()), Qt::UniqueConnection);
+    }
+  }
   std::sort(
     actions.begin(), actions.end(), [&](QAction* a, QAction* b) { return key(a) < key(b); });
   menu->clear();
@@ -234,10 +305,10 @@ void pqShapeMenu::Enable(pqProxyGroupMenuManager* manager)
   QMenu* menu = FindCategoryMenu(manager);
   pqActiveObjects& active = pqActiveObjects::instance();
   pqOutputPort* port = active.activePort();
-  vtkSMProxySelectionModel* selection = active.activeSourcesSelectionModel();
-  if (!menu || !port || !selection || selection->GetNumberOfSelectedProxies() != 1)
+  const Outputs selected = FindSelected();
+  if (!menu || !port || selected.isEmpty())
   {
-    return; // ParaView's own answer holds: nothing, or several selected
+    return; // ParaView's own answer holds
   }
   const Outputs all = FindOutputs(port->getServer());
   // The other kind of menu, that of the pipeline browser, hides what is disabled.
@@ -252,7 +323,8 @@ void pqShapeMenu::Enable(pqProxyGroupMenuManager* manager)
       continue;
     }
     vtkSMProxy* prototype = manager->getPrototype(action);
-    const bool enabled = CanWork(prototype, port, all);
+    const bool enabled =
+      selected.size() > 1 ? !Assign(prototype, selected).isEmpty() : CanWork(prototype, port, all);
     action->setEnabled(enabled);
     action->setStatusTip(enabled ? prototype->GetDocumentation()->GetShortHelp()
         : HasData(port->getSource())
@@ -265,6 +337,38 @@ void pqShapeMenu::Enable(pqProxyGroupMenuManager* manager)
       menu->menuAction()->setVisible(menu->menuAction()->isVisible() || enabled);
     }
   }
+}
+
+/// ParaView would connect all selected outputs to the first input. So only the first one is left
+/// selected before ParaView makes the filter, and the others are connected after that.
+void pqShapeMenu::TakeSelected(pqProxyGroupMenuManager* manager, QAction* action)
+{
+  vtkSMProxy* prototype = manager->getPrototype(action);
+  const Outputs selected = FindSelected();
+  const Outputs assigned = selected.size() > 1 ? Assign(prototype, selected) : Outputs();
+  if (assigned.isEmpty())
+  {
+    return;
+  }
+  const QStringList inputs = pqShapeNeeded::GetInputs(prototype);
+  pqActiveObjects::instance().setActivePort(assigned[0]);
+  auto* once = new QObject(manager);
+  connect(pqApplicationCore::instance()->getObjectBuilder(),
+    QOverload<pqPipelineSource*>::of(&pqObjectBuilder::filterCreated), once,
+    [once, assigned, inputs](pqPipelineSource* filter)
+    {
+      once->deleteLater();
+      SM_SCOPED_TRACE(PropertiesModified).arg("proxy", filter->getProxy());
+      for (int i = 1; i < inputs.size(); ++i)
+      {
+        vtkSMPropertyHelper(filter->getProxy(), inputs[i].toUtf8().data())
+          .Set(assigned[i]->getSource()->getProxy(),
+            static_cast<unsigned int>(assigned[i]->getPortNumber()));
+      }
+      filter->getProxy()->UpdateVTKObjects();
+    });
+  // If the filter is not made, nothing is connected to the next one.
+  QTimer::singleShot(0, once, &QObject::deleteLater);
 }
 
 void pqShapeMenu::AddSearchWords(pqProxyGroupMenuManager* manager)

@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QPointer>
 
+class QAction;
 class QMenu;
 class pqProxyGroupMenuManager;
 class vtkSMProxy;
@@ -27,6 +28,10 @@ class vtkSMProxy;
  * required inputs, and each other required input can be some output of the pipeline.
  * `<PointArray inputs="A B" name="N" components="3"/>` inside `<ShapeMap>` says, in addition, that
  * one of these inputs must have such a point array (any name if there is no `name`).
+ *
+ * If several outputs are selected in the pipeline browser, the filters are enabled that need as
+ * many inputs. The outputs become these inputs in the order of their selection, or in the first
+ * order that fits.
  */
 class pqShapeMenu : public QObject
 {
@@ -43,6 +48,7 @@ private:
   void FindMenus();
   static void Arrange(pqProxyGroupMenuManager* manager);
   static void Enable(pqProxyGroupMenuManager* manager);
+  static void TakeSelected(pqProxyGroupMenuManager* manager, QAction* action);
   static void AddSearchWords(pqProxyGroupMenuManager* manager);
 
   QList<QPointer<pqProxyGroupMenuManager>> Managers;

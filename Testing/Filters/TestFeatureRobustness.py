@@ -275,7 +275,7 @@ assert fact(lobe, 'CutFeature.LoopsLeftOut') == 1 and points(lobe)[:, 0].min() >
 notch, rest = result('CutFeature', bowl, LoopPoints=circle(0.3) + [0.8, 0.0, -0.4])
 assert fact(notch, 'CutFeature.Loops') == fact(rest, 'CutFeature.Holes') == 0
 assert abs(area(notch) + area(rest) - area(bowl)) < 1e-9
-refused('there is no loop', 'CutFeature', BALL)
+refused('press Draw Loop', 'CutFeature', BALL)
 refused('has no triangles', 'CutFeature', closed_curve(rim), LoopPoints=circle(0.6))
 refused('triangle', 'CutFeature', degenerate, LoopPoints=circle(0.6))
 refused('not finite', 'CutFeature', BALL, LoopPoints=circle(0.6) * [1.0, numpy.nan, 1.0])

@@ -214,7 +214,7 @@ top = points(shapetesting.output(halves))
 assert (0.1 * top[:, 1] + top[:, 2] > 0.31 - 1e-6).all(), (0.1 * top[:, 1] + top[:, 2]).min()
 
 # What is wrong is said.
-refused('there is no loop', surface)
+refused('press Draw Loop', surface)
 refused('both Loop and Selection', surface, curve, picked)
 line = vtkPolyData()
 line.DeepCopy(curve)

@@ -36,7 +36,8 @@ w.filter('Shape Parameterize')
 w.apply()
 w.python('''
     made = GetActiveSource()
-    assert made.Port == 1 and colored(made, 1) == 'SourcePosition', made.Port
+    assert made.Port == 1 and colored(made, 1) == 'MapColors', made.Port
+    assert GetDisplayProperties(OutputPort(made, 1)).MapScalars == 0
     assert shown() == [('ShapeParameterize1', 1)], shown()
     Delete(made)''')
 
@@ -78,7 +79,10 @@ w.python('''
     bounds = [numpy.reshape(OutputPort(maps, port).GetDataInformation().GetBounds(), (3, 2)) for port in (0, 1)]
     shift = GetDisplayProperties(OutputPort(maps, 1)).Position
     assert bounds[1][0, 0] + shift[0] > bounds[0][0, 1], (bounds, shift)
-    assert shown() == [('ShapeCorrespondence1', 0), ('ShapeCorrespondence1', 1)], shown()''')
+    assert shown() == [('ShapeCorrespondence1', 0), ('ShapeCorrespondence1', 1)], shown()
+    for port in (0, 1):
+        display = GetDisplayProperties(OutputPort(maps, port))
+        assert colored(maps, port) == 'MapColors' and display.MapScalars == 0, (port, colored(maps, port), display.MapScalars)''')
 
 # The giver stays, and the receiver has its colours.
 w.python('''

@@ -1,6 +1,7 @@
 """Shape Harmonic Volume Map in the window: inputs from the panel, every property under its
 label, the words of the enumerations, Apply, undo and redo."""
 import os
+import re
 from xml.etree import ElementTree
 
 import shapetesting
@@ -11,6 +12,11 @@ xml = ElementTree.parse(
 properties = [item for item in xml.getroot().iter()
               if item.tag.endswith('VectorProperty') and item.get('panel_visibility') != 'never']
 assert len(properties) >= 10
+
+
+def words(value):
+    """How the panel shows a value of an enumeration."""
+    return re.sub('([a-z])([A-Z])', r'\1 \2', value)
 
 
 def check_labels(w, shown):
@@ -39,7 +45,7 @@ check_labels(w, properties)
 
 for item in properties:
     for entry in sorted(item.iter('Entry'), key=lambda e: e.get('value') == item.get('default_values')):
-        w.choose(window.PROPERTIES + item.get('name') + '/ComboBox', entry.get('text'))
+        w.choose(window.PROPERTIES + item.get('name') + '/ComboBox', words(entry.get('text')))
 
 # Apply: the ball fills the dented sphere.
 w.choose(window.PROPERTIES + 'MapArray/ComboBox', 'SourcePosition')

@@ -46,7 +46,7 @@ w.open('BallSmall.vtu')
 w.filter('Shape Harmonic Volume Map')
 w.choose_inputs(Domain='/0/2|0', Boundary='/0/0/1/1|0')
 w.choose(window.PROPERTIES + 'MapArray/ComboBox', 'SourcePosition')
-w.choose(window.PROPERTIES + 'Method/ComboBox', 'SingleShot')
+w.choose(window.PROPERTIES + 'Method/ComboBox', 'Single Shot')
 w.apply()
 # What Tools > Stop Trace calls. The editor that it opens would ask at the end whether to save the script.
 w.python('''

@@ -270,6 +270,8 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
   RequireMethodInput(a, b, landmarks, options);
   const Compact one = Compacted(a, "SurfaceA"), two = Compacted(b, "SurfaceB");
   CorrespondenceResult result;
+  result.GenusOfA = ComputeGenus(a.Topology());
+  result.GenusOfB = ComputeGenus(b.Topology());
   Landmarks own;
   for (const auto& [pointA, pointB] : landmarks)
   {

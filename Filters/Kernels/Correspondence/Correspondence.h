@@ -27,6 +27,10 @@ struct CorrespondenceResult
   double CouplingDistortion = -1.0; ///< GromovWasserstein: see GromovWassersteinResult::Distortion
   double CouplingError = -1.0;      ///< GromovWasserstein: see GromovWassersteinResult::Error
   SurfaceMapFacts Facts;
+  ///@{
+  /// The genus of the surfaces (ComputeGenus). If they differ, no continuous one-to-one map exists.
+  int GenusOfA = 0, GenusOfB = 0;
+  ///@}
 };
 
 /**

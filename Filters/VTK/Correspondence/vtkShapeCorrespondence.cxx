@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkShapeCorrespondence);
@@ -136,6 +137,13 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
   }
   const shape::CorrespondenceResult result =
     shape::ComputeCorrespondence(a, b, landmarks, this->Options, progress);
+  const bool isPart = result.Part.Which != shape::SurfacePart::WhichType::None;
+  if (result.GenusOfA != result.GenusOfB && !isPart)
+  {
+    this->Warn("the surfaces have genus " + std::to_string(result.GenusOfA) + " and " +
+      std::to_string(result.GenusOfB) +
+      ": no continuous one-to-one map exists; expect folds, or map surfaces of equal genus");
+  }
   this->WriteMap(0, result.Maps.AToB, b, 1);
   this->WriteMap(1, result.Maps.BToA, a, 0);
   vtkShapeMapColors::Add(this->GetOutputDataObject(0), "TargetPosition", b.Points());

@@ -162,10 +162,10 @@ void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progres
   }
   if (!hasLoop && !marked && loopPoints < 3)
   {
-    throw shape::InvalidInput("there is no loop, and Loop Points has " +
-      std::to_string(loopPoints) +
-      " positions, but needs at least 3; draw a loop, connect a closed polyline to Loop, or "
-      "connect a selection to Selection");
+    throw shape::InvalidInput(
+      "press Draw Loop, or connect a polyline to Loop or a selection to Selection: there is no loop "
+      "(Loop Points has " +
+      std::to_string(loopPoints) + " positions, and needs at least 3)");
   }
   vtkPolyData* surface = this->GetGatheredInput(0).Data;
   Kept& kept = *this->Cache;

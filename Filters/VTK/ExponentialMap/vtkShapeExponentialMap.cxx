@@ -1,5 +1,6 @@
 #include "vtkShapeExponentialMap.h"
 
+#include "vtkShapeLargeSize.h"
 #include "vtkShapePatch.h"
 #include "vtkShapePreciseMap.h"
 #include "vtkShapeSeenInput.h"
@@ -58,6 +59,12 @@ void vtkShapeExponentialMap::Execute(const shape::Progress& progress)
   if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
   {
     return;
+  }
+  const std::string warning =
+    vtkShapeLargeSize::CheckRadius("Radius", this->Options.Radius, this->GetGatheredInput(0).Data);
+  if (!warning.empty())
+  {
+    this->Warn(warning);
   }
   Kept& kept = this->Update(progress.Part(0.0, 0.7, "preparing the surface"));
   const shape::PatchLayout layout = shape::FlattenPatch(*kept.Map,

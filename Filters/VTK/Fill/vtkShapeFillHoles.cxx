@@ -184,6 +184,12 @@ void vtkShapeFillHoles::Execute(const shape::Progress& progress)
   vtkShapeFilledData::Write(filled, kept.Surface, this->GetGatheredInput(0).Data, output);
   const int copies =
     this->SplitSheets ? vtkShapeFilledData::Split(filled, kept.Surface, output) : 0;
+  if (copies > 0)
+  {
+    this->Warn(std::to_string(copies) +
+      " copies of points were added where sheets of the surface touch: each sheet has its own now; "
+      "see Split Sheets");
+  }
   progress(0.95);
   const bool areCurves = kept.Surface.Surface.Triangles.rows() == 0;
   const std::pair<const char*, double> facts[] = {

@@ -2,6 +2,7 @@
 
 #include "vtkShapeConvert.h"
 #include "vtkShapeHexResult.h"
+#include "vtkShapeLargeSize.h"
 #include "vtkShapeMeasures.h"
 
 #include "vtkDoubleArray.h"
@@ -98,6 +99,12 @@ void vtkShapeHexRemesh::Execute(const shape::Progress& progress)
   }
   vtkPolyData* input = this->GetGatheredInput(0).Data;
   const shape::Surface surface = vtkShapeConvert::ToMesh(input, "the Surface");
+  const std::string warning =
+    vtkShapeLargeSize::CheckCellSize("Cell Size", this->Options.CellSize, input);
+  if (!warning.empty())
+  {
+    this->Warn(warning);
+  }
   const shape::HexRemeshGuides guides = this->ReadGuides();
   const shape::HexRemeshResult result =
     shape::RemeshHexahedra(surface, this->Options, progress.Part(0.0, 0.98), guides);

@@ -2,6 +2,7 @@
 
 #include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
+#include "vtkShapeLargeSize.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -50,6 +51,12 @@ void vtkShapePolycube::Execute(const shape::Progress& progress)
 {
   const GatheredInput& whole = this->GetGatheredInput(0);
   const shape::Surface mesh = vtkShapeConvert::ToMesh(whole.Data, "the surface");
+  const std::string warning = vtkShapeLargeSize::CheckCellSize(
+    "Target Edge Length", this->Options.TargetEdgeLength, whole.Data);
+  if (!warning.empty())
+  {
+    this->Warn(warning);
+  }
   // Every process computes the same result, and writes the rows of its own points.
   const shape::PolycubeResult map = shape::BuildPolycube(mesh, this->Options, progress);
 

@@ -2,6 +2,7 @@
 
 #include "vtkShapeCarry.h"
 #include "vtkShapeConvert.h"
+#include "vtkShapeLargeSize.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -78,6 +79,12 @@ void vtkShapeTetrahedralize::Execute(const shape::Progress& progress)
   const shape::TetrahedralizeResult solid =
     shape::Tetrahedralize(mesh, innerSurfaces, this->Options, progress.Part(0.0, 0.9));
 
+  const std::string warning =
+    vtkShapeLargeSize::CheckCellVolume("Maximum Volume", this->Options.MaximumVolume, solid.Volume);
+  if (!warning.empty())
+  {
+    this->Warn(warning);
+  }
   auto* output = vtkUnstructuredGrid::SafeDownCast(this->GetOutputDataObject(0));
   WriteTetrahedra(solid, output);
   const shape::Provenance provenance =

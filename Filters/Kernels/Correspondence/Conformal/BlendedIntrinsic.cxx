@@ -42,7 +42,7 @@ struct RoundSurface
 bool RequireGenusZero(const Surface& surface, const std::string& name)
 {
   const Topology topology = RequireConnected(surface, name);
-  const int genus = (2 - topology.EulerNumber - topology.BoundaryLoops) / 2;
+  const int genus = ComputeGenus(topology);
   if (genus != 0)
   {
     throw InvalidInput(name + " has genus " + std::to_string(genus) +

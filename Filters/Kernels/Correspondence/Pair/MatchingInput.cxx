@@ -52,6 +52,12 @@ Topology RequireConnected(const Surface& surface, const std::string& name)
   return topology;
 }
 
+int ComputeGenus(const Topology& topology)
+{
+  // From the Euler number V - E + F = 2 components - 2 genus - loops.
+  return (2 * topology.Components - topology.EulerNumber - topology.BoundaryLoops) / 2;
+}
+
 void RequireLandmarks(const Landmarks& landmarks, const Surface& a, const Surface& b)
 {
   for (std::size_t k = 0; k < landmarks.size(); ++k)

@@ -22,6 +22,10 @@ Topology RequireWhole(const Surface& surface, const std::string& name);
 /// Throws InvalidInput when RequireWhole does, or if the surface has several components.
 Topology RequireConnected(const Surface& surface, const std::string& name);
 
+/// Returns the genus, the number of handles. If there are several components, it is the sum of
+/// theirs. Boundary loops count as filled.
+int ComputeGenus(const Topology& topology);
+
 /// Throws InvalidInput unless the landmarks are points of surfaces A and B.
 void RequireLandmarks(const Landmarks& landmarks, const Surface& a, const Surface& b);
 

@@ -88,8 +88,7 @@ void RequireSphereLike(const Topology& topology, const std::string& name, Method
       "Clean, "
       "or take ReversibleHarmonic, FunctionalMap or BlendedIntrinsic");
   }
-  // From the Euler number V - E + F = 2 - 2 genus - loops of a connected surface.
-  const int genus = (2 - topology.EulerNumber - topology.BoundaryLoops) / 2;
+  const int genus = ComputeGenus(topology);
   if ((needsClosed || method == Method::BlendedIntrinsic) && genus > 0)
   {
     throw InvalidInput(name + " has genus " + std::to_string(genus) + ", but " + NameOf(method) +

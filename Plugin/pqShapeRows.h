@@ -1,0 +1,36 @@
+#pragma once
+
+#include "pqPropertyWidgetInterface.h"
+
+#include <QObject>
+
+/**
+ * The rows of the properties panel of ShapeMap's filters and sources. They are ParaView's own rows,
+ * with these additions:
+ *
+ * - An enumeration shows its values as words: "Reversible Harmonic" for ReversibleHarmonic. The
+ *   tooltip of a word is what the documentation of the property says after "ReversibleHarmonic: ".
+ *   Scripts and traces keep the values.
+ * - A number whose value 0 has a meaning of its own shows this meaning while it is 0. The XML
+ *   declares it: <Hints><Zero text="automatic"/></Hints>.
+ * - A selection input says when there is no selection to copy.
+ */
+class pqShapeRows
+  : public QObject
+  , public pqPropertyWidgetInterface
+{
+  Q_OBJECT
+  Q_INTERFACES(pqPropertyWidgetInterface)
+
+public:
+  explicit pqShapeRows(QObject* parent = nullptr)
+    : QObject(parent)
+  {
+  }
+
+  void startup();
+  void shutdown();
+
+  pqPropertyWidget* createWidgetForProperty(
+    vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parent) override;
+};
