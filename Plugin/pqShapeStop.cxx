@@ -95,7 +95,7 @@ void pqShapeStop::OnProgress(const QString& text, int percent)
   }
   if (!this->Watch)
   {
-    this->Watch();
+    this->StartWatch();
   }
   if (!this->Wanted)
   {
@@ -104,7 +104,7 @@ void pqShapeStop::OnProgress(const QString& text, int percent)
   }
 }
 
-void pqShapeStop::Watch()
+void pqShapeStop::StartWatch()
 {
   QWidget* main = pqCoreUtilities::mainWidget();
   auto* button = main ? main->findChild<QToolButton*>("AbortButton") : nullptr;

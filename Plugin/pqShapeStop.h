@@ -39,7 +39,7 @@ private Q_SLOTS:
   void OnModifiedStateChanged(pqServerManagerModelItem* item);
 
 private:
-  void Watch();
+  void StartWatch();
 
   std::unique_ptr<pqShapeStopWatch> Watch;
   std::atomic<bool> Wanted{ false };

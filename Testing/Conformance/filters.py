@@ -34,6 +34,15 @@ def cap():
         surface, numpy.flatnonzero(far[shapetesting.triangles(surface)].any(axis=1)).tolist())
 
 
+def holed():
+    """The closed surface without the triangles around its point with the greatest x: one hole."""
+    surface = shapetesting.read('DentedSphere600.vtp')
+    places = shapetesting.points(surface)
+    near = numpy.linalg.norm(places - places[places[:, 0].argmax()], axis=1) < 0.35
+    return shapetesting.without_cells(
+        surface, numpy.flatnonzero(near[shapetesting.triangles(surface)].all(axis=1)).tolist())
+
+
 # Inputs that no file has; also optional ones that others may take the place of, one of which is
 # required.
 NEEDED_INPUTS = {
@@ -41,8 +50,7 @@ NEEDED_INPUTS = {
     ('ShapePasteFeature', 'Feature'): cap,
     ('ShapeCutFeature', 'Loop'): lambda: shapetesting.closed_curve(
         [[0.6 * numpy.cos(t), 0.6 * numpy.sin(t), 0.8] for t in 0.26 * numpy.arange(24)]),
-    ('ShapeFillHoles', 'Input'): lambda: shapetesting.without_cells(
-        shapetesting.read('DentedSphere600.vtp'), range(100, 140)),
+    ('ShapeFillHoles', 'Input'): holed,
 }
 
 GetActiveSource()

@@ -23,7 +23,7 @@ def filled(surface, **properties):
 
 def facts(data, name):
     values = shapetesting.facts(data).GetAbstractArray('FillHoles.' + name)
-    return [values.GetValue(i) for i in range(values.GetNumberOfValues())]
+    return [values.GetValue(i) for i in range(values.GetNumberOfValues())] if values else []
 
 
 def cells(data, name):

@@ -172,7 +172,10 @@ int vtkShapeFilledData::Split(
     {
       for (const Eigen::Index point : { i, static_cast<Eigen::Index>(split.Copied[i]) })
       {
-        normals->SetTuple(point, Eigen::RowVector3d(own.row(point)).data());
+        if (!own.row(point).isZero()) // a sheet without area keeps the carried normal
+        {
+          normals->SetTuple(point, Eigen::RowVector3d(own.row(point)).data());
+        }
       }
     }
   }
