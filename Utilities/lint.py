@@ -18,6 +18,7 @@ OTHERS = re.compile(r'(vtk|pq)Shape\w*|HWY_\w+|__anon\w*|~\w+|operator\b.*|&|Q_\
 # What Qt and ParaView, Eigen, nanoflann, TetGen and the standard library call by these names, and functions that
 # Highway's macros declare.
 GIVEN = {'startup', 'shutdown', 'apply', 'reset', 'select', 'deselect', 'setView', 'eventFilter', 'event',
+         'createWidgetForProperty',
          'intersectVolume', 'intersectObject', 'minimumOnVolume', 'minimumOnObject', 'worstDist', 'full', 'addPoint',
          'terminatetetgen', 'what', 'Index', 'PotentialsFor', 'GradientsFor', 'FloatProducts', 'DoubleProducts'}
 # These macros declare members or only mark them.
