@@ -168,11 +168,11 @@ def without_cells(surface, cells):
 
 
 def with_cells(data, cells):
-    """Some of its cells and their points, as a surface or a grid, whichever it is."""
+    """Some of its cells, in increasing order, and their points, as a surface or a grid, whichever it is."""
     extract = vtkExtractCells()
     extract.SetInputData(data)
-    for cell in cells:
-        extract.AddCellRange(int(cell), int(cell))
+    for run in numpy.split(numpy.asarray(cells), numpy.flatnonzero(numpy.diff(cells) != 1) + 1):
+        extract.AddCellRange(int(run[0]), int(run[-1]))
     extract.Update()
     if data.IsA('vtkUnstructuredGrid'):
         return extract.GetOutput()
@@ -299,10 +299,15 @@ def read_picture(path):
 PICTURE_MARGIN = 10.0
 
 
-def compare_picture(picture, baseline):
-    """Raises unless the PNG file `picture` shows what Testing/Baselines/`baseline` shows."""
+def baseline_difference(picture, baseline):
+    """picture_difference of the PNG file `picture` and Testing/Baselines/`baseline`."""
     images = [read_picture(path) for path in (picture, os.path.join(ROOT, 'Testing', 'Baselines', baseline))]
     sizes = [image.GetDimensions() for image in images]
     assert sizes[0] == sizes[1], 'sizes differ: %s and %s' % tuple(sizes)
-    difference = picture_difference(*images)
+    return picture_difference(*images)
+
+
+def compare_picture(picture, baseline):
+    """Raises unless the PNG file `picture` shows what Testing/Baselines/`baseline` shows."""
+    difference = baseline_difference(picture, baseline)
     assert difference <= PICTURE_MARGIN, '%s differs from its baseline by %.1f pixels' % (picture, difference)

@@ -29,9 +29,13 @@ def drawing(function):
     return function
 
 
+def find(name):
+    """The path of a shape. The tests find smaller ones."""
+    return os.path.join(SHAPES, name)
+
+
 def shape(name):
-    """A shape of Data/, the large one if there is one."""
-    return OpenDataFile(os.path.join(SHAPES, name))
+    return OpenDataFile(find(name))
 
 
 def figures():
@@ -435,21 +439,35 @@ def FillHolesEdgeGrowth():
     return (0.1, -0.6, -1.0), (0, 0, 1)
 
 
-def draw(name):
-    view = CreateRenderView(ViewSize=[1120, 760], OrientationAxesVisibility=0, UseColorPaletteForBackground=0,
+def open_view(size):
+    view = CreateRenderView(ViewSize=size, OrientationAxesVisibility=0, UseColorPaletteForBackground=0,
                             Background=[1, 1, 1], CameraParallelProjection=1)
     SetActiveView(view)
-    # The camera's position and upward direction, or a picture that another program made.
-    made = drawings[name]()
+    return view
+
+
+def compose(function, view):
+    """Adds what a drawing shows to the empty active view. Returns the view, the chart that is drawn instead, or the path
+    of a picture that another program made."""
+    made = function()
+    if isinstance(made, str):
+        return made
+    if made:
+        # The camera's position and upward direction.
+        view.CameraFocalPoint, view.CameraPosition, view.CameraViewUp = [0, 0, 0], made[0], made[1]
+        ResetCamera(view)
+        view.GetActiveCamera().Zoom(1.25)
+    return GetActiveView()
+
+
+def draw(name):
+    size = [1120, 760]
     path = os.path.join(FOLDER, name + '.png')
+    made = compose(drawings[name], open_view(size))
     if isinstance(made, str):
         shutil.copy(made, path)
     else:
-        if made:
-            view.CameraFocalPoint, view.CameraPosition, view.CameraViewUp = [0, 0, 0], made[0], made[1]
-            ResetCamera(view)
-            view.GetActiveCamera().Zoom(1.25)
-        SaveScreenshot(path, GetActiveView(), ImageResolution=[1120, 760])
+        SaveScreenshot(path, made, ImageResolution=size)
     subprocess.check_call(['convert', path, '-trim', '+repage', '-bordercolor', 'white', '-border', '12',
                            '-resize', '560x380', '-colors', '96', '-strip', '-define',
                            'png:compression-level=9', path])
