@@ -22,7 +22,8 @@ ROLES = {'Float': vtkDataSetAttributes.SCALARS, 'Double': vtkDataSetAttributes.V
 TRANSFERRED = 'arrays on another mesh have no role there'
 SHOWN = 'the array of the result is the active one'
 LOST = {
-    ('ShapeFillHoles', 'role Float'): SHOWN,
+    **{(name, 'role Float'): SHOWN for name in (
+        'ShapeFillHoles', 'ShapeParameterize', 'ShapePolycube', 'ShapeTetrahedralize', 'ShapeUntangle')},
     ('ShapeExponentialMap', 'role Texture'): 'the map itself is the texture coordinates',
     ('ShapeTransferFields', 'role Float'): TRANSFERRED,
     ('ShapeTransferFields', 'role Double'): TRANSFERRED,
