@@ -11,8 +11,8 @@ result = os.path.join(folder.name, 'result.stl')
 w = journey.Journey('CutPaste')
 w.open('PhantomHeadSmall.vtp')
 w.open('DentedSphere600.vtp')
-w.click('CameraToolbar/actionResetCamera')
-w.step('target and source opened')
+w.eye('/0/0')
+w.step('source and hidden target')
 w.filter('Shape Cut Feature')
 w.event(window.PROPERTIES + 'ShapeLoop/DrawLoop', 'set_boolean', 'true')
 for place in [(0.5, 0.4), (0.45, 0.45), (0.46, 0.52), (0.53, 0.55)]:
@@ -26,6 +26,7 @@ w.python('''
     cut = GetActiveSource()
     assert [OutputPort(cut, port).GetDataInformation().GetNumberOfCells() > 0 for port in (0, 1)] == [True, True]''')
 
+w.eye('/0/1/0/1')
 w.filter('Shape Paste Feature')
 w.choose_inputs(Target='PhantomHeadSmall.vtp')
 w.wait(100)
@@ -36,6 +37,9 @@ w.python('''
     import numpy
     made = GetActiveSource()
     assert made.Target == FindSource('PhantomHeadSmall.vtp')
+    shown = [display.Input.SMProxy for display in GetActiveView().Representations
+             if hasattr(display, 'Input') and display.Visibility]
+    assert shown == [made.SMProxy], shown
 
     def seed():
         return numpy.array(made.Seed)

@@ -15,23 +15,26 @@ w.filter('Shape Harmonic Volume Map')
 w.choose_inputs(Boundary='PhantomHeadSmall.vtp')
 w.choose(window.INPUTS + 'Features/List0', 'PhantomSkullSmall.vtp')
 w.choose(window.INPUTS + 'Features/List1', 'PhantomBrainSmall.vtp')
-w.choose(window.PROPERTIES + 'Method/ComboBox', 'SingleShot')
 w.apply()
-w.step('mapped')
-w.check(window.PANEL + 'ShapeResult', 'visible', 'true')
+w.step('mapped fast')
+w.check(window.PANEL + 'ShapeResult/Warnings', 'visible', 'true')
+w.event(window.PROPERTIES + 'Exact/CheckBox', 'set_boolean', 'true')
+w.event(window.PROPERTIES + 'Tolerance/DoubleLineEdit0', 'set_string', '1e-3')
+w.apply()
+w.step('mapped exactly')
+w.check(window.PANEL + 'ShapeResult/Warnings', 'visible', 'false')
 w.python('''
     import shapemap
     made = GetActiveSource()
+    display = GetDisplayProperties(OutputPort(made, 0))
     assert made.MapArray == 'TargetPosition' and len(made.Features) == 2
-    assert GetDisplayProperties(OutputPort(made, 0)).Visibility == 1
-    shown = GetDisplayProperties(OutputPort(made, 0)).ColorArrayName[1]
-    facts = shapemap.facts(made)
-    print(facts)
-    assert shown, 'grey' ''')
+    assert display.Visibility == 1 and display.ColorArrayName[1] == 'RegionId', display.ColorArrayName
+    assert max(shapemap.facts(made)['BorderRMSEVertices']) < 0.03''')
 w.event('menubar', 'activate', 'menu_View')
 w.event('menubar/menu_View/ShapeMapViews', 'activate', 'map_quality')
 w.step('map quality')
 w.python('''
-    assert GetActiveSource().GetXMLName() == 'ShapeMapQuality', GetActiveSource().GetXMLName()
+    quality = GetActiveSource()
+    assert quality.GetXMLName() == 'ShapeMapQuality' and quality.MapArray == 'SourcePosition', quality.MapArray
     assert len(GetLayouts()) == 2''')
 w.run()

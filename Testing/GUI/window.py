@@ -121,6 +121,13 @@ class Window:
         child of the first row, in column 0."""
         self.event(BROWSER, 'currentChanged', item)
 
+    def eye(self, item):
+        """Clicks the eye of an item of the pipeline browser, '/0/1', which shows or hides it."""
+        path = item.replace('/', ':0/')[2:] + ':1'
+        self.event(BROWSER, 'mousePress', '1,1,0,9,8,' + path)
+        self.event(BROWSER, 'mouseRelease', '1,0,0,9,8,' + path)
+        self.wait(100)
+
     def choose_inputs(self, **names):
         """Chooses inputs of the filter in its panel, by the names of their outputs in the pipeline."""
         for property, name in names.items():
