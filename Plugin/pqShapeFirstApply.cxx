@@ -220,18 +220,44 @@ vtkBoundingBox GetBounds(pqOutputPort* port)
   return vtkBoundingBox(port->getDataInformation()->GetBounds());
 }
 
+bool IsMoved(vtkSMProxy* representation)
+{
+  const std::vector<double> shift =
+    vtkSMPropertyHelper(representation, "Position").GetDoubleArray();
+  return std::any_of(shift.begin(), shift.end(), [](double value) { return value != 0.0; });
+}
+
+/// Returns the output that an attribute names: a port of the filter, or what one of its inputs is.
+pqOutputPort* FindShown(pqPipelineSource* filter, vtkPVXMLElement* element, const char* attribute)
+{
+  const std::string name = Get(element, attribute);
+  return filter->getProxy()->GetProperty(name.c_str())
+    ? FindInput(filter->getProxy(), name)
+    : filter->getOutputPort(GetPort(element, attribute));
+}
+
 bool DrawBeside(pqPipelineSource* filter, vtkPVXMLElement* element, pqView* view)
 {
-  const int port = GetPort(element, "port");
-  const vtkBoundingBox other = GetBounds(filter->getOutputPort(GetPort(element, "other")));
-  const vtkBoundingBox bounds = GetBounds(filter->getOutputPort(port));
-  vtkSMProxy* representation = FindRepresentation(filter, port, view);
-  if (!representation || !other.Intersects(bounds))
+  pqOutputPort* ports[] = { FindShown(filter, element, "port"),
+    FindShown(filter, element, "other") };
+  vtkSMProxy* representations[2] = {};
+  for (int i = 0; i < 2; ++i)
+  {
+    representations[i] = ports[i]
+      ? FindRepresentation(ports[i]->getSource(), ports[i]->getPortNumber(), view)
+      : nullptr;
+    if (!representations[i] || IsMoved(representations[i]))
+    {
+      return false;
+    }
+  }
+  const vtkBoundingBox bounds = GetBounds(ports[0]), other = GetBounds(ports[1]);
+  if (ports[0] == ports[1] || !other.Intersects(bounds))
   {
     return false;
   }
   const double shift = other.GetBound(1) - bounds.GetBound(0) + Gap * other.GetLength(0);
-  Set(representation, "Position", { shift, 0.0, 0.0 });
+  Set(representations[0], "Position", { shift, 0.0, 0.0 });
   return true;
 }
 
@@ -298,10 +324,16 @@ bool NeedsCamera(pqPipelineSource* filter, pqView* view)
   return !IsWellInView(shown, render);
 }
 
+/// Returns whether a filter has run: where it fails, all its outputs are empty.
 bool HasResult(pqPipelineSource* filter)
 {
-  vtkPVDataInformation* data = filter->getOutputPort(0)->getDataInformation();
-  return data->GetNumberOfPoints() > 0 || data->GetNumberOfRows() > 0;
+  const QList<pqOutputPort*> ports = filter->getOutputPorts();
+  return std::any_of(ports.begin(), ports.end(),
+    [](pqOutputPort* port)
+    {
+      vtkPVDataInformation* data = port->getDataInformation();
+      return data->GetNumberOfPoints() > 0 || data->GetNumberOfRows() > 0;
+    });
 }
 
 /// The toolbars for colours are those of the active port: it must be one that is in the view.

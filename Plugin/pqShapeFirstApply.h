@@ -17,7 +17,8 @@ class pqServerManagerModelItem;
  * array, it is the one that ParaView has chosen: the active scalars.
  *
  * <Beside port="1" other="0"/>: an output that overlaps another one is drawn beside it. Only its
- * representation is translated.
+ * representation is translated, and only if neither of the two was translated before. The name of
+ * an input, port="SurfaceB", means what is connected to it.
  *
  * <Hide input="Input"/>: an input that disappears. ParaView hides all inputs or none; this is for
  * <Visibility replace_input="0"/>.

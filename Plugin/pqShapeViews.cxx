@@ -13,6 +13,7 @@
 #include "vtkPVDataInformation.h"
 #include "vtkPVDataSetAttributesInformation.h"
 #include "vtkSMProxy.h"
+#include "vtkSMTrace.h"
 
 #include <QAction>
 #include <QMainWindow>
@@ -20,6 +21,7 @@
 #include <QMenuBar>
 
 #include <functional>
+#include <string>
 
 namespace
 {
@@ -48,8 +50,9 @@ bool HasCellArray(pqOutputPort* port, const char* name)
 const std::vector<Layout> Layouts = {
   { "map_quality", "Map Quality", ":/ShapeMap/ViewMapQuality.svg",
     "Show a shape and its image side by side, coloured by the distortion of the map",
-    "the point array TargetPosition, which Shape Correspondence or Shape Parameterize makes",
-    [](pqOutputPort* port) { return HasPointArray(port, "TargetPosition"); } },
+    "the point array TargetPosition or SourcePosition, which filters that map shapes make",
+    [](pqOutputPort* port)
+    { return HasPointArray(port, "TargetPosition") || HasPointArray(port, "SourcePosition"); } },
   { "correspondence", "Correspondence", ":/ShapeMap/ViewCorrespondence.svg",
     "Show two surfaces with the same colours at corresponding points, landmarks and the error "
     "curve",
@@ -71,6 +74,13 @@ void Show(const Layout& layout)
   // ParaView cannot take back the creation of a layout, and crashes if it tries: as after a command
   // in its Python shell, there is nothing to undo.
   BEGIN_UNDO_EXCLUDE();
+  {
+    SM_SCOPED_TRACE(TraceText)
+      .arg(("from shapemap import views\nviews." + std::string(layout.Function) + "()").c_str())
+      .arg("comment", "show the active source");
+  }
+  // The trace has the one call: ParaView does not trace all that a layout of views needs.
+  SM_SCOPED_TRACE(BlockTraceItems);
   pqPVApplicationCore::instance()->pythonManager()->executeCode(
     QString("import shapemap.views\nshapemap.views.show('%1')\n").arg(layout.Function).toUtf8());
   END_UNDO_EXCLUDE();

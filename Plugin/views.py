@@ -9,19 +9,23 @@ ValueError and says so. The window has these layouts in View > ShapeMap Views.""
 from paraview import print_error, servermanager, simple
 
 
-def map_quality(source=None, map_array='TargetPosition', measure='ConformalDistortion', limits=(1.0, 3.0)):
+def map_quality(source=None, map_array=None, measure='ConformalDistortion', limits=(1.0, 3.0)):
     """The shape and its image, both coloured by a measure of Shape Map Quality, with linked cameras if the
-    two have similar bounds."""
+    two have similar bounds. The map is SourcePosition of a shape that was moved, else TargetPosition."""
     port = _port(source)
-    if map_array not in port.PointData.keys():
+    arrays = port.PointData.keys()
+    if map_array is None:
+        map_array = 'SourcePosition' if 'SourcePosition' in arrays else 'TargetPosition'
+    if map_array not in arrays:
         raise ValueError('Map Quality needs the point array %s, which Shape Correspondence or Shape Parameterize makes'
                          % map_array)
+    titles = ('Image', 'Shape') if map_array == 'SourcePosition' else ('Shape', 'Image')
     if not hasattr(simple, 'ShapeMapQuality'):
         simple._add_functions(vars(simple)) # the plugin was loaded after paraview.simple
     measured = simple.ShapeMapQuality(Input=port, MapArray=map_array)
     image = simple.Calculator(Input=measured, Function=map_array, CoordinateResults=1)
     layout, views = _new_layout('Map Quality', ['RenderView', 'RenderView'])
-    for shown, view, title in zip((measured, image), views, ('Shape', 'Image')):
+    for shown, view, title in zip((measured, image), views, titles):
         _show(shown, view, ('CELLS', measure), limits, title)
     _link(views, 'ShapeMap Map Quality')
     return _finish(layout, views, measured)

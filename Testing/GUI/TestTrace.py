@@ -4,7 +4,6 @@ import json
 import os
 import subprocess
 import tempfile
-from xml.etree import ElementTree
 
 import window
 
@@ -19,9 +18,8 @@ folder = tempfile.TemporaryDirectory()
 script, seen, repeated = (os.path.join(folder.name, name) for name in ('trace.py', 'seen.json', 'repeated.json'))
 
 w = window.Window()
-w.event('menubar', 'activate', 'menuTools')
-w.event('menubar/menuTools', 'activate', 'actionToolsStartStopTrace')
-ElementTree.SubElement(w.events, 'pqevent', object='TraceOptionsDialog/widget/OKButton', command='activate', arguments='')
+w.menu('menuTools', 'actionToolsStartStopTrace')
+w.accept('TraceOptionsDialog')
 w.open('DentedSphere600.vtp')
 w.filter('Shape Cut Feature')
 w.wait(100)

@@ -26,6 +26,9 @@ VIEW = ('centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/Mul
         'CentralWidgetFrame/Viewport')
 SHIFT, CONTROL = 0x02000000, 0x04000000  # Qt's numbers, as those of the keys
 ESCAPE, ENTER, BACKSPACE, DELETE = 0x01000000, 0x01000004, 0x01000003, 0x01000007
+# What a user clicks or presses for a command: a file is clicked and accepted, a list unfolded and its entry clicked.
+CLICKS = {'activate': 1, 'set_boolean': 1, 'set_string': 2, 'editAccepted': 2, 'currentChanged': 1,
+          'filesSelected': 2, 'mousePress': 1, 'mouseDblClick': 1}
 
 
 class Window:
@@ -52,12 +55,21 @@ class Window:
         self.home = home
         self.events = ElementTree.Element('pqevents')
         self.steps = 0
+        self.clicks = 0  # and keys, of the user so far
 
     def file(self, name):
         """A path in the window's own folder, which run() empties at its end."""
         return os.path.join(self.folder, name)
 
+    def accept(self, dialog):
+        """Clicks OK of a dialog of the application, which is not a child of the main window."""
+        self.clicks += 1
+        ElementTree.SubElement(self.events, 'pqevent', object=dialog + '/widget/OKButton', command='activate',
+                               arguments='')
+
     def event(self, widget, command, argument=''):
+        submenus = widget.count('/') - 1 if widget.startswith('menubar/') else 0
+        self.clicks += CLICKS.get(command, 0) + submenus
         ElementTree.SubElement(self.events, 'pqevent', object=MAIN + widget, command=command,
                                arguments=argument)
 
@@ -76,9 +88,17 @@ class Window:
 
     def open(self, name):
         """Opens a file of Data/ through the dialog of File > Open, and applies."""
+        self.open_path(shapetesting.data_file(name))
+
+    def open_path(self, path):
         self.click('MainControlsToolbar/actionOpenData')
-        self.event('FileOpenDialog', 'filesSelected', shapetesting.data_file(name))
+        self.event('FileOpenDialog', 'filesSelected', path)
         self.apply()
+
+    def menu(self, name, action):
+        """An entry of a menu of the menu bar, by their object names."""
+        self.event('menubar', 'activate', name)
+        self.event('menubar/' + name, 'activate', action)
 
     def filter(self, label):
         """Filters > ShapeMap > label."""
@@ -100,6 +120,13 @@ class Window:
         """Makes an item of the pipeline browser the active one: '/0/1|0' is the second
         child of the first row, in column 0."""
         self.event(BROWSER, 'currentChanged', item)
+
+    def eye(self, item):
+        """Clicks the eye of an item of the pipeline browser, '/0/1', which shows or hides it."""
+        path = item.replace('/', ':0/')[2:] + ':1'
+        self.event(BROWSER, 'mousePress', '1,1,0,9,8,' + path)
+        self.event(BROWSER, 'mouseRelease', '1,0,0,9,8,' + path)
+        self.wait(100)
 
     def choose_inputs(self, **names):
         """Chooses inputs of the filter in its panel, by the names of their outputs in the pipeline."""
@@ -137,6 +164,7 @@ class Window:
 
     def key(self, code, text=''):
         """A key is pressed and released while the mouse is in the view."""
+        self.clicks += 1
         for command in (6, 7):
             self.event(VIEW + '/1QVTKOpenGLNativeWidget0', 'keyEvent', '%d:%d:0:%s:0:1' % (command, code, text))
 
