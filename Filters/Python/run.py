@@ -132,9 +132,11 @@ def facts(source: Any) -> Facts:
     dict
         Numbers, words, and arrays of numbers. Empty if the filter has none or failed.
     """
-    if hasattr(source, 'GetOutputDataObject'):
-        last = source.GetNumberOfOutputPorts() - 1
-        return _facts_in(source.GetOutputDataObject(last), source.GetClassName()[len('vtkShape'):])
+    # The VTK filter itself, if the server is the built-in one.
+    algorithm = source.SMProxy.GetClientSideObject() if hasattr(source, 'SMProxy') else source
+    if hasattr(algorithm, 'GetOutputDataObject'):
+        last = algorithm.GetNumberOfOutputPorts() - 1
+        return _facts_in(algorithm.GetOutputDataObject(last), algorithm.GetClassName()[len('vtkShape'):])
     from paraview.servermanager import Fetch
     last = source.SMProxy.GetNumberOfOutputPorts() - 1
     return _facts_in(Fetch(source, 0, idx=last), source.SMProxy.GetXMLName()[len('Shape'):])

@@ -97,6 +97,8 @@ def play(port):
 
     # The knob, which is where the output says that angle 0 points, turns and scales.
     w.python('''
+        import shapemap
+
         def fact(name):
             return shapemap.facts(made)[name]
 

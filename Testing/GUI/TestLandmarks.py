@@ -177,6 +177,7 @@ state = w.file('landmarks.pvsm')
 w.python('''
     assert (points(0) == saved[0]).all() and (points(1) == saved[1]).all(), points(0)
     assert list(made.Names) == ['', 'belly', ''], made.Names
+    import shapemap
     both = ShapeCorrespondence(SurfaceA=a, SurfaceB=b, Landmarks=made, Method='FunctionalMap', CoarsePoints=300)
     both.UpdatePipeline()
     assert shapemap.facts(both)['Landmarks'] == 3.0
