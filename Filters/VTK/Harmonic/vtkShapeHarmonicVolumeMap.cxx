@@ -138,7 +138,7 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   const bool first = !controller || controller->GetLocalProcessId() == 0;
   vtkDataObject* domain = this->GetInputDataObject(0, 0);
   vtkDataObject* moved = this->GetOutputDataObject(0);
-  vtkNew<vtkPolyData> holder; // of the facts, as field data
+  vtkNew<vtkPolyData> holder;                        // of the facts, as field data
   const double solved = this->FoldFree ? 0.9 : 0.97; // share of the time
   shape::VolumeMapResult result;
   vtkShapeGather::RunOnAllOrFail(controller,
