@@ -232,7 +232,7 @@ pqOutputPort* FindShown(pqPipelineSource* filter, vtkPVXMLElement* element, cons
 {
   const std::string name = Get(element, attribute);
   return filter->getProxy()->GetProperty(name.c_str())
-    ? FindInput(filter->getProxy(), name)
+    ? pqShapePorts::FindInput(filter->getProxy(), name)
     : filter->getOutputPort(GetPort(element, attribute));
 }
 

@@ -162,9 +162,9 @@ void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progres
   }
   if (!hasLoop && !marked && loopPoints < 3)
   {
-    throw shape::InvalidInput(
-      "press Draw Loop, or connect a polyline to Loop or a selection to Selection: there is no loop "
-      "(Loop Points has " +
+    throw shape::InvalidInput("press Draw Loop, or connect a polyline to Loop or a selection to "
+                              "Selection: there is no loop "
+                              "(Loop Points has " +
       std::to_string(loopPoints) + " positions, and needs at least 3)");
   }
   vtkPolyData* surface = this->GetGatheredInput(0).Data;
