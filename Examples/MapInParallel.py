@@ -15,7 +15,7 @@ sphere = ShapeParameterize(Input=pieces, AreaWeight=3.0)
 owners = ProcessIdScalars(Input=sphere)
 owners.UpdatePipeline()
 
-flipped = shapemap.facts(owners)['FlippedTriangles']
+flipped = shapemap.facts(sphere)['FlippedTriangles']
 processes = 1 + owners.PointData['ProcessId'].GetRange()[1]
 triangles = owners.GetDataInformation().GetNumberOfCells()
 print('%d triangles on %d process(es), %d flipped' % (triangles, processes, flipped))
