@@ -139,7 +139,7 @@ assert numpy.allclose(cells(ghostly, 'JacobianDeterminant'), 8.0)
 
 # Without a map array, or with one that is no map, it says so; and where there is nothing to measure.
 for data, array, words in (
-        (read('BallSmall.vtu'), None, "the Input has no point array 'TargetPosition', and no other"),
+        (read('BallSmall.vtu'), None, "the Input has no point array 'TargetPosition'; make it with Shape Correspondence"),
         (result, 'Elsewhere', "no point array 'Elsewhere'; choose another array"),
         (with_map(lattice, places[:, :2]), None, 'has 2 components, not 3'),
         (with_map(lattice, places * numpy.where(numpy.arange(60) == 7, numpy.nan, 1.0)[:, None]),
