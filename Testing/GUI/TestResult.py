@@ -6,6 +6,7 @@ import sys
 
 from paraview import simple
 
+import shapemap
 import shapetesting
 import window
 
@@ -18,16 +19,12 @@ def facts(**properties):
     """All facts of Shape Parameterize, read without the window."""
     made = simple.ShapeParameterize(Input=surface, **properties)
     made.UpdatePipeline()
-    fields = shapetesting.output(made).GetFieldData()
-    names = [fields.GetArrayName(i) for i in range(fields.GetNumberOfArrays())]
-    return {name.split('.')[1]: fields.GetAbstractArray(name).GetVariantValue(0) for name in names
-            if name.startswith('Parameterize.')}
+    return shapemap.facts(made)
 
 
 def text(found):
     return ('Method %s, %d iterations\nMean conformal distortion %.3g (1: angles are preserved)\nFlipped triangles: %d' %
-            (found['Method'].ToString(), found['Iterations'].ToInt(), found['ConformalDistortion'].ToDouble(),
-             found['FlippedTriangles'].ToInt()))
+            tuple(found[name] for name in ('Method', 'Iterations', 'ConformalDistortion', 'FlippedTriangles')))
 
 
 def play(port):
