@@ -67,6 +67,11 @@ class Parameter:
         self.solid = solid
 
     def read_string(self):
+        if self.element.get('repeatable') == '1':
+            self.annotation, self.default, self.kind = 'Sequence[str]', '()', 'sequence of str, optional'
+            self.body = ['run.set_rows(%r, %r, %s, 1)' % (
+                self.element.get('set_number_command'), self.element.get('command'), self.name)]
+            return
         default = self.element.get('default_values', '')
         none = next((each.get('none_string') for each in self.element.iter('ArrayListDomain')), None)
         self.annotation, self.default = 'str', repr(default)
