@@ -113,7 +113,7 @@ warned = run.Run(shapemap.vtkShapeMorph())
 warned.connect('SetInputConnection', 0, ball, 'input', True)
 with warnings.catch_warnings(record=True) as caught:
     warnings.simplefilter('always')
-    warned.outputs([0], None, lambda done: warned.algorithm.InvokeEvent(
+    warned.outputs([0], lambda done: warned.algorithm.InvokeEvent(
         'WarningEvent', 'Warning: In x.cxx, line 1\nvtkShapeMorph (0x1234): Shape Morph: beware\n'))
 assert caught and caught[0].category is shapemap.ShapeWarning
 assert str(caught[0].message) == 'Shape Morph: beware', caught[0].message
