@@ -161,7 +161,7 @@ if len(sys.argv) > 2:
 
         config = os.path.join(folder, 'mypy.ini')
         with open(config, 'w') as file:
-            file.write('[mypy]\n[mypy-vtkmodules.*]\nignore_missing_imports = True\n')
+            file.write('[mypy]\nexclude = views.py\n[mypy-vtkmodules.*,paraview.*]\nignore_missing_imports = True\n')
         script = os.path.join(folder, 'script.py')
         with open(script, 'w') as file:
             file.write('import shapemap\n'
