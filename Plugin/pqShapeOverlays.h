@@ -26,8 +26,8 @@ public:
   bool IsAttached() const;
   /// Detaches the overlays of all other views. Returns whether there were any.
   bool DetachExcept(const std::vector<pqView*>& views);
-  /// Attaches overlays to these views, as far as the client can draw into them, and to no others.
-  /// Returns whether that changed anything.
+  /// Attaches overlays to those of `views` that the client can draw into, and detaches all others.
+  /// Returns whether anything changed.
   bool Attach(const std::vector<pqView*>& views);
   std::vector<pqView*> GetViews() const;
 
