@@ -534,7 +534,11 @@ int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
     return 1;
   }
   vtkErrorMacro(<< this->GetLabel() << ": " << message);
-  SilenceExecutive(this->GetExecutive());
+  // Otherwise the executive says nothing, and the observer would stay.
+  if (vtkObject::GetGlobalWarningDisplay())
+  {
+    SilenceExecutive(this->GetExecutive());
+  }
   return 0;
 }
 
