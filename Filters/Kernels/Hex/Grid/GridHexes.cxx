@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Distance/HausdorffDistance.h"
+#include "Hex/Grid/Private/GridGoals.h"
 #include "Hex/Grid/Private/SeparateSolids.h"
 #include "Hex/Voxels/GridDensity.h"
 #include "Hex/Voxels/MultiMaterialVoxels.h"
@@ -27,84 +28,12 @@ constexpr double Shrinkage = 0.85;
 /// The factor by which the number of hexahedra grows in the next grids of an automatic size; the
 /// second applies if most of the solid needs smaller cells.
 constexpr double Growth = 1.4, LargeGrowth = 3.0;
-/// If the result is at least this good, cells are not made smaller everywhere.
-constexpr double AcceptedScaledJacobian = 0.55, AcceptedDistance = 0.01;
 /// From this minimum scaled Jacobian on, further sweeps are likely to reach the accepted one.
 constexpr double RaisedFrom = 0.4;
-/// What is farther than this multiple of the distance is not snapped to, but needs another grid.
-constexpr double SnappedFrom = 2.0;
 /// The gain of the score that smaller cells must bring, or still smaller ones are not tried.
 constexpr double LeastGain = 0.02;
 /// The search ends after this many rounds without such a gain.
 constexpr int MaximumIdleSteps = 2;
-
-/// The quality that hexahedra should reach; distances in the surface's units.
-struct GridGoals
-{
-  GridGoals(const GridHexesOptions& options, double diagonal)
-    : ScaledJacobian(options.WantedScaledJacobian)
-    , Distance(options.WantedDistance * diagonal)
-    , CreaseDistance(options.WantedCreaseDistance * diagonal)
-    , AcceptedDistance(shape::AcceptedDistance * diagonal)
-    , SnapFrom(options.Snap ? this->Distance : std::numeric_limits<double>::infinity())
-  {
-  }
-
-  double ScaledJacobian, Distance, CreaseDistance;
-  double AcceptedDistance;
-  double SnapFrom; ///< the boundary is snapped if it is farther than this
-};
-
-/// Returns the distance that the search reduces.
-double DistanceThatCounts(const GridHexesResult& result)
-{
-  return result.InnerCreasesKept ? std::max(result.Fit.Distance, result.Fit.InnerDistance)
-                                 : result.Fit.Distance;
-}
-
-bool Reaches(const GridHexesResult& result, double scaledJacobian, double distance)
-{
-  return result.Fit.MinimumScaledJacobian >= scaledJacobian &&
-    DistanceThatCounts(result) <= distance;
-}
-
-bool IsAsWanted(const GridHexesResult& result, const GridGoals& goals)
-{
-  return Reaches(result, goals.ScaledJacobian, goals.Distance) &&
-    result.Fit.Creases.Distance <= goals.CreaseDistance;
-}
-
-/// Whether the result is good enough not to make cells smaller everywhere: all of it, or everything
-/// except hexahedra at preserved corners, which other grids have as well.
-bool IsAccepted(const GridHexesResult& result, const GridGoals& goals)
-{
-  return Reaches(result, AcceptedScaledJacobian, goals.AcceptedDistance) ||
-    (Reaches(result, 0.0, goals.AcceptedDistance) &&
-      result.Fit.Creases.Distance <= goals.CreaseDistance &&
-      FindMinimumScaledJacobianAwayFrom(result.Fit.Creases.CornerPoints, result.Fit.Solid) >=
-        AcceptedScaledJacobian);
-}
-
-/// Whether snapping is likely to reach the accepted distance.
-bool IsNear(const GridHexesResult& result, const GridGoals& goals)
-{
-  return Reaches(result, 0.0, SnappedFrom * goals.AcceptedDistance);
-}
-
-/// Greater is better. Without inverted hexahedra, preserved creases and acceptance add 1 each.
-double Score(const GridHexesResult& result, const GridGoals& goals)
-{
-  const HexFit& fit = result.Fit;
-  if (fit.Inverted > 0)
-  {
-    return -fit.Inverted;
-  }
-  const bool accepted = Reaches(result, AcceptedScaledJacobian, goals.AcceptedDistance);
-  return std::min(fit.MinimumScaledJacobian / goals.ScaledJacobian, 1.0) +
-    std::min(goals.Distance / DistanceThatCounts(result), 1.0) +
-    std::min(goals.CreaseDistance / fit.Creases.Distance, 1.0) + (accepted ? 1.0 : 0.0) +
-    (fit.CreasesKept ? 1.0 : 0.0);
-}
 
 /// The surfaces that bound the solid and its regions.
 struct GridBoundary
@@ -401,7 +330,7 @@ private:
   {
     return Reaches(result,
       this->HasAccepted() ? this->Goals.ScaledJacobian : AcceptedScaledJacobian,
-      SnappedFrom * this->Goals.AcceptedDistance);
+      this->Goals.NearDistance);
   }
 
   const GridHexesOptions& Options;
