@@ -6,20 +6,14 @@
 #include "vtkShapeGather.h"
 #include "vtkShapeMeasures.h"
 #include "vtkShapeProgress.h"
+#include "vtkShapeRequests.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkCellData.h"
 #include "vtkDataObjectTypes.h"
-#include "vtkDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
-#include "vtkExecutive.h"
-#include "vtkExtentTranslator.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
-#include "vtkOutputWindow.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
@@ -176,13 +170,13 @@ vtkTypeBool vtkShapeAlgorithm::ProcessRequest(
   }
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
   {
-    this->OfferTimes(inputs, outputs);
+    vtkShapeRequests::OfferTimes(this->GetNumberOfInputPorts(), inputs, outputs);
     this->DescribeOutputs(inputs, outputs);
   }
   if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_TIME()) ||
     request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
   {
-    this->RequestOwnExtents(inputs);
+    vtkShapeRequests::RequestOwnExtents(this->GetNumberOfInputPorts(), inputs);
     this->RequestInputs(inputs, outputs);
   }
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
@@ -190,61 +184,6 @@ vtkTypeBool vtkShapeAlgorithm::ProcessRequest(
     return this->Run(outputs);
   }
   return this->Superclass::ProcessRequest(request, inputs, outputs);
-}
-
-void vtkShapeAlgorithm::RequestOwnExtents(vtkInformationVector** inputs)
-{
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  for (int port = 1; port < this->GetNumberOfInputPorts(); ++port)
-  {
-    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
-    {
-      vtkInformation* info = inputs[port]->GetInformationObject(i);
-      if (!info->Has(Pipeline::WHOLE_EXTENT()))
-      {
-        continue;
-      }
-      const bool pieces = info->Has(Pipeline::UPDATE_NUMBER_OF_PIECES());
-      int whole[6], own[6];
-      info->Get(Pipeline::WHOLE_EXTENT(), whole);
-      vtkNew<vtkExtentTranslator> translator;
-      translator->PieceToExtentThreadSafe(pieces ? info->Get(Pipeline::UPDATE_PIECE_NUMBER()) : 0,
-        pieces ? info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) : 1, 0, whole, own,
-        vtkExtentTranslator::BLOCK_MODE, 0);
-      info->Set(Pipeline::UPDATE_EXTENT(), own, 6);
-    }
-  }
-}
-
-void vtkShapeAlgorithm::OfferTimes(vtkInformationVector** inputs, vtkInformationVector* outputs)
-{
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  std::set<double> steps, ends;
-  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
-  {
-    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
-    {
-      vtkInformation* info = inputs[port]->GetInformationObject(i);
-      const double* own = info->Get(Pipeline::TIME_STEPS());
-      steps.insert(own, own + info->Length(Pipeline::TIME_STEPS()));
-      const double* range = info->Get(Pipeline::TIME_RANGE());
-      ends.insert(range, range + info->Length(Pipeline::TIME_RANGE()));
-    }
-  }
-  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-  {
-    vtkInformation* info = outputs->GetInformationObject(port);
-    if (!steps.empty())
-    {
-      const std::vector<double> all(steps.begin(), steps.end());
-      info->Set(Pipeline::TIME_STEPS(), all.data(), static_cast<int>(all.size()));
-    }
-    if (!ends.empty())
-    {
-      const double range[] = { *ends.begin(), *ends.rbegin() };
-      info->Set(Pipeline::TIME_RANGE(), range, 2);
-    }
-  }
 }
 
 void vtkShapeAlgorithm::DescribeOutputs(vtkInformationVector**, vtkInformationVector*)
@@ -412,22 +351,7 @@ void vtkShapeAlgorithm::ActivateShown(vtkInformationVector* outputs)
 {
   for (const auto& [port, names] : this->Shown)
   {
-    for (vtkDataSet* leaf : vtkShapeComposite::Of(vtkDataObject::GetData(outputs, port)))
-    {
-      vtkDataSetAttributes* const kinds[] = { leaf->GetCellData(), leaf->GetPointData() };
-      for (const std::string& name : names)
-      {
-        if (!kinds[0]->HasArray(name.c_str()) && !kinds[1]->HasArray(name.c_str()))
-        {
-          continue;
-        }
-        for (vtkDataSetAttributes* kind : kinds)
-        {
-          kind->SetActiveScalars(kind->HasArray(name.c_str()) ? name.c_str() : nullptr);
-        }
-        break;
-      }
-    }
+    vtkShapeComposite::ActivateScalars(vtkDataObject::GetData(outputs, port), names);
   }
 }
 
@@ -450,38 +374,6 @@ void vtkShapeAlgorithm::RenewMeasures(vtkInformationVector* outputs)
     vtkShapeMeasures::Renew(filter, vtkDataObject::GetData(outputs, port));
   }
 }
-
-namespace
-{
-
-/// Lets the error through, unless it only repeats that the request failed.
-void OnExecutiveError(vtkObject* executive, unsigned long, void* command, void* text)
-{
-  auto* self = static_cast<vtkCallbackCommand*>(command);
-  const auto* message = static_cast<const char*>(text);
-  if (message && std::strstr(message, "returned failure for request"))
-  {
-    self->AbortFlagOn();
-  }
-  const bool isHeard = self->GetAbortFlag();
-  executive->RemoveObserver(self);
-  if (!isHeard && message && !executive->HasObserver(vtkCommand::ErrorEvent))
-  {
-    vtkOutputWindowDisplayErrorText(message);
-  }
-}
-
-/// If a request fails, the executive adds an error without a reason to the one that has been shown.
-void SilenceExecutive(vtkExecutive* executive)
-{
-  vtkNew<vtkCallbackCommand> command;
-  command->SetCallback(OnExecutiveError);
-  command->SetClientData(command);
-  constexpr float first = 1e6F; // before other observers
-  executive->AddObserver(vtkCommand::ErrorEvent, command, first);
-}
-
-} // namespace
 
 /// The only place that catches the exceptions of kernels and wrappers. After it, all processes
 /// agree on failure, before the next collective.
@@ -534,11 +426,7 @@ int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
     return 1;
   }
   vtkErrorMacro(<< this->GetLabel() << ": " << message);
-  // Otherwise the executive says nothing, and the observer would stay.
-  if (vtkObject::GetGlobalWarningDisplay())
-  {
-    SilenceExecutive(this->GetExecutive());
-  }
+  vtkShapeRequests::SilenceFailure(this->GetExecutive());
   return 0;
 }
 

@@ -222,14 +222,7 @@ private:
 
   struct InputPort;
   struct Count;
-  /// Gives the outputs the times of all inputs. The pipeline passes on only the times of the first
-  /// port, so a filter would not run again for the times of another port.
-  void OfferTimes(vtkInformationVector** inputs, vtkInformationVector* outputs);
   int CreateOutputs(vtkInformationVector** inputs, vtkInformationVector* outputs);
-  /// For each grid on another port than the first, requests this process's part of its extent. By
-  /// default, the pipeline would request the extent of the output, which is the extent of the first
-  /// input.
-  void RequestOwnExtents(vtkInformationVector** inputs);
   int Run(vtkInformationVector* outputs);
   void WriteCounts(vtkInformationVector* outputs);
   void RenewMeasures(vtkInformationVector* outputs);

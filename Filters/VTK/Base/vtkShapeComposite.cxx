@@ -125,6 +125,24 @@ void vtkShapeComposite::ForEach(vtkDataObject* input, vtkDataObject* output, Poi
   output->GetFieldData()->PassData(input->GetFieldData());
 }
 
+void vtkShapeComposite::ActivateScalars(vtkDataObject* data, const std::vector<std::string>& names)
+{
+  for (vtkDataSet* leaf : Of(data))
+  {
+    vtkDataSetAttributes* const kinds[] = { leaf->GetCellData(), leaf->GetPointData() };
+    const auto isHere = [&](const std::string& name)
+    { return kinds[0]->HasArray(name.c_str()) || kinds[1]->HasArray(name.c_str()); };
+    const auto name = std::find_if(names.begin(), names.end(), isHere);
+    for (vtkDataSetAttributes* kind : kinds)
+    {
+      if (name != names.end())
+      {
+        kind->SetActiveScalars(kind->HasArray(name->c_str()) ? name->c_str() : nullptr);
+      }
+    }
+  }
+}
+
 void vtkShapeComposite::AddPointFields(
   vtkDataObject* input, vtkDataObject* output, const std::vector<PointField>& fields)
 {

@@ -43,6 +43,10 @@ void Move(vtkDataSet* input, const Eigen::MatrixXd& points, vtkDataSet* output);
 void ForEach(vtkDataObject* input, vtkDataObject* output, Points points,
   const std::function<void(vtkDataSet* input, vtkDataSet* output)>& fill);
 
+/// Makes the first of the arrays `names` that a data set has its active scalars, which the window
+/// shows at first. A data set with none of them stays as it is.
+void ActivateScalars(vtkDataObject* data, const std::vector<std::string>& names);
+
 /// Values at points and the name of their array.
 struct PointField
 {

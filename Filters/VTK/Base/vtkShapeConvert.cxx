@@ -247,27 +247,23 @@ namespace
 {
 
 /// The remedy if a point array is missing.
-std::string WhoMakes(const std::string& array, const std::string& name)
+std::string WhoMakes(const std::string& array)
 {
-  if (name == "the Landmarks")
-  {
-    return "; make them with Shape Landmarks";
-  }
   if (array == "TargetPosition")
   {
-    return "; make it with Shape Correspondence, Shape Parameterize or Shape Polycube";
+    return "make it with Shape Correspondence, Shape Parameterize or Shape Polycube";
   }
   if (array == "SourcePosition")
   {
-    return "; take the second output of Shape Parameterize or Shape Polycube";
+    return "take the second output of Shape Parameterize or Shape Polycube";
   }
-  return "; choose another array, or add it with Calculator";
+  return "choose another array, or add it with Calculator";
 }
 
 } // namespace
 
-Eigen::MatrixXd vtkShapeConvert::ToPointArray(
-  vtkDataSet* data, const std::string& array, int components, const std::string& name)
+Eigen::MatrixXd vtkShapeConvert::ToPointArray(vtkDataSet* data, const std::string& array,
+  int components, const std::string& name, const std::string& remedy)
 {
   // A process or block without points may have no arrays.
   if (data->GetNumberOfPoints() == 0)
@@ -288,8 +284,8 @@ Eigen::MatrixXd vtkShapeConvert::ToPointArray(
       const char* other = data->GetPointData()->GetArrayName(i);
       present += (present.empty() ? "" : ", ") + std::string(other ? other : "(unnamed)");
     }
-    throw shape::InvalidInput(name + (name == "the Landmarks" ? " have" : " has") +
-      " no point array '" + array + "'" + WhoMakes(array, name) +
+    throw shape::InvalidInput(name + " has no point array '" + array + "'; " +
+      (remedy.empty() ? WhoMakes(array) : remedy) +
       (present.empty() ? "" : " (present: " + present + ")"));
   }
   if (values->GetNumberOfComponents() != components)

@@ -51,9 +51,10 @@ shape::CellSimplices ToSimplices(
 
 /// Returns a point array (n x components). The array may be missing in data without points, such as
 /// an empty piece of distributed data. Throws shape::InvalidInput if the array is missing or has
-/// another number of components or tuples; the message lists the existing arrays.
-Eigen::MatrixXd ToPointArray(
-  vtkDataSet* data, const std::string& array, int components, const std::string& name);
+/// another number of components or tuples; the message lists the existing arrays. remedy: said if
+/// the array is missing, by default which filter makes such an array.
+Eigen::MatrixXd ToPointArray(vtkDataSet* data, const std::string& array, int components,
+  const std::string& name, const std::string& remedy = "");
 
 /// Returns an array whose tuples are the rows of `values`.
 vtkSmartPointer<vtkDoubleArray> ToArray(const Eigen::MatrixXd& values, const std::string& array);

@@ -131,7 +131,8 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
     vtkUnstructuredGrid* given = this->GetGatheredInput(2).Grid;
     const Partners partners = ReadPartners(given,
       hasTargets ? vtkShapeConvert::ToPoints(this->GetGatheredInput(3).Grid)
-                 : vtkShapeConvert::ToPointArray(given, "TargetPosition", 3, "the Landmarks"),
+                 : vtkShapeConvert::ToPointArray(given, "TargetPosition", 3, "the input Landmarks",
+                     "make it with Shape Landmarks"),
       ComputeMeanEdgeLength(a));
     landmarks = shape::PairLandmarks(a, AsRows(partners.OnA), b, AsRows(partners.OnB));
   }
