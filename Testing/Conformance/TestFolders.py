@@ -9,7 +9,7 @@ import re
 import sys
 
 ORDER = [
-    'Base', 'Linear', 'Mesh', 'Search', 'Geometry', 'Solids', 'Distance', 'Planar', 'Quality',
+    'Base', 'Linear', 'Mesh', 'Search', 'Geometry', 'Labels', 'Solids', 'Distance', 'Planar', 'Quality',
     'Laplacian', 'Geodesics', 'Spectrum', 'Remesh', 'Parameterize', 'ExponentialMap', 'Transfer',
     'Correspondence/Pair', 'Correspondence/Landmarks', 'Correspondence/Functional',
     'Correspondence/Transport', 'Correspondence/Conformal', 'Correspondence/Reversible',

@@ -1,0 +1,281 @@
+#include "Labels/LabelSurfaces.h"
+
+#include "Base/Errors.h"
+#include "Geometry/SelfIntersections.h"
+#include "Mesh/Mesh.h"
+#include "Mesh/Topology.h"
+
+#include <Eigen/Dense>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+
+namespace
+{
+
+using Rule = std::function<int(const Eigen::RowVector3d& index)>;
+
+shape::LabelImage MakeImage(const std::array<int, 3>& size, const Rule& rule)
+{
+  shape::LabelImage image;
+  image.Size = size;
+  for (int k = 0; k < size[2]; ++k)
+  {
+    for (int j = 0; j < size[1]; ++j)
+    {
+      for (int i = 0; i < size[0]; ++i)
+      {
+        image.Labels.push_back(rule(Eigen::RowVector3d(i, j, k)));
+      }
+    }
+  }
+  return image;
+}
+
+/// A ball that planes half-way between seeds divide.
+struct Voronoi
+{
+  Voronoi(int size, int count, unsigned int seed)
+    : Size(size)
+    , Seeds(count, 3)
+  {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> range(0.1 * size, 0.9 * size);
+    std::generate_n(this->Seeds.data(), this->Seeds.size(), [&]() { return range(random); });
+  }
+
+  int LabelAt(const Eigen::RowVector3d& index) const
+  {
+    Eigen::Index nearest = 0;
+    (this->Seeds.rowwise() - index).rowwise().squaredNorm().minCoeff(&nearest);
+    const bool isInside = (index.array() - 0.5 * this->Size).matrix().norm() < 0.45 * this->Size;
+    return isInside ? static_cast<int>(nearest) + 1 : 0;
+  }
+
+  shape::LabelImage Image() const
+  {
+    return MakeImage({ this->Size, this->Size, this->Size },
+      [&](const Eigen::RowVector3d& index) { return this->LabelAt(index); });
+  }
+
+  int Size;
+  Eigen::MatrixXd Seeds;
+};
+
+/// The surface of a region, facing outwards.
+shape::Mesh SurfaceOf(int label, const shape::LabelSurfacesResult& all)
+{
+  shape::Mesh mesh;
+  mesh.Points = all.Points;
+  for (Eigen::Index t = 0; t < all.Triangles.rows(); ++t)
+  {
+    const Eigen::RowVector3i corners = all.Triangles.row(t);
+    if (all.Regions(t, 0) == label || all.Regions(t, 1) == label)
+    {
+      mesh.Triangles.conservativeResize(mesh.Triangles.rows() + 1, 3);
+      mesh.Triangles.row(mesh.Triangles.rows() - 1) =
+        all.Regions(t, 0) == label ? corners : Eigen::RowVector3i(corners.reverse());
+    }
+  }
+  return mesh;
+}
+
+void ExpectClosedManifold(const shape::Mesh& surface)
+{
+  const shape::Topology topology = shape::ComputeTopology(surface);
+  EXPECT_EQ(topology.BoundaryLoops, 0);
+  EXPECT_EQ(topology.NonManifoldEdges, 0);
+  EXPECT_EQ(topology.NonManifoldPoints, 0);
+  EXPECT_EQ(topology.MisorientedEdges, 0);
+}
+
+} // namespace
+
+TEST(LabelSurfaces, OfFlatInterfacesAreFlat)
+{
+  const Voronoi cells(64, 8, 3);
+  const shape::LabelSurfacesResult result = shape::ExtractLabelSurfaces(cells.Image());
+  double squares = 0.0;
+  int count = 0;
+  std::vector<double> degrees;
+  for (Eigen::Index t = 0; t < result.Triangles.rows(); ++t)
+  {
+    const int a = result.Regions(t, 0), b = result.Regions(t, 1);
+    if (b == 0)
+    {
+      continue;
+    }
+    const Eigen::RowVector3d normal =
+      (cells.Seeds.row(b - 1) - cells.Seeds.row(a - 1)).normalized();
+    const Eigen::RowVector3d middle = 0.5 * (cells.Seeds.row(b - 1) + cells.Seeds.row(a - 1));
+    const Eigen::Matrix3d corners =
+      shape::GetCorners({ result.Points, result.Triangles }, t).rowwise() - middle;
+    squares += (corners * normal.transpose()).squaredNorm();
+    count += 3;
+    const Eigen::RowVector3d first = corners.row(1) - corners.row(0);
+    const Eigen::RowVector3d second = corners.row(2) - corners.row(0);
+    degrees.push_back(
+      std::acos(std::min(1.0, first.cross(second).normalized().dot(normal))) * 180.0 / M_PI);
+  }
+  EXPECT_LE(std::sqrt(squares / count), 0.15);
+  std::nth_element(degrees.begin(), degrees.begin() + degrees.size() / 2, degrees.end());
+  EXPECT_LE(degrees[degrees.size() / 2], 3.0);
+}
+
+TEST(LabelSurfaces, KeepVolumesAndTopology)
+{
+  // A ring with a core of another label, in a box.
+  const auto rule = [](const Eigen::RowVector3d& index)
+  {
+    const Eigen::RowVector3d p = index.array() - 20.0;
+    const double ring = std::hypot(std::hypot(p(0), p(1)) - 10.0, p(2));
+    const bool isInBox = p.cwiseAbs().maxCoeff() < 18.0;
+    return ring < 3.0 ? 7 : ring < 6.0 ? 3 : isInBox ? 2 : 0;
+  };
+  shape::LabelImage image = MakeImage({ 41, 41, 41 }, rule);
+  const Eigen::Matrix3d rotation =
+    Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, 2.0, 3.0).normalized()).toRotationMatrix();
+  image.Axes = rotation * Eigen::Vector3d(0.5, 0.6, 1.2).asDiagonal();
+  image.Origin << 100.0, -20.0, 3.0;
+  const shape::LabelSurfacesResult result = shape::ExtractLabelSurfaces(image);
+  ASSERT_EQ(result.RegionsByLabel.size(), 3U);
+  const int labels[] = { 2, 3, 7 }, components[] = { 2, 2, 1 }, euler[] = { 2, 0, 0 };
+  for (int i = 0; i < 3; ++i)
+  {
+    const shape::LabelRegion& region = result.RegionsByLabel[i];
+    EXPECT_EQ(region.Label, labels[i]);
+    EXPECT_EQ(region.Components, components[i]);
+    EXPECT_EQ(region.EulerNumber, euler[i]);
+    EXPECT_NEAR(region.SurfaceVolume / region.ImageVolume, 1.0, 1e-3);
+    ExpectClosedManifold(SurfaceOf(labels[i], result));
+  }
+  EXPECT_TRUE(result.Curves.empty());
+}
+
+TEST(LabelSurfaces, AreMirroredByALeftHandedImage)
+{
+  const Voronoi cells(24, 3, 5);
+  shape::LabelImage image = cells.Image();
+  const shape::LabelSurfacesResult result = shape::ExtractLabelSurfaces(image);
+  image.Axes(0, 0) = -1.0;
+  const shape::LabelSurfacesResult mirrored = shape::ExtractLabelSurfaces(image);
+  EXPECT_NEAR(mirrored.RegionsByLabel[0].SurfaceVolume, result.RegionsByLabel[0].SurfaceVolume,
+    1e-9 * result.RegionsByLabel[0].SurfaceVolume);
+}
+
+TEST(LabelSurfaces, OfNoiseAreManifold)
+{
+  std::mt19937 random(11);
+  const auto rule = [&](const Eigen::RowVector3d&) { return static_cast<int>(random() % 2); };
+  const shape::LabelSurfacesResult result =
+    shape::ExtractLabelSurfaces(MakeImage({ 20, 20, 20 }, rule));
+  ExpectClosedManifold(SurfaceOf(1, result));
+  EXPECT_EQ(result.Intersections, 0);
+  EXPECT_TRUE(shape::FindSelfIntersections(shape::Mesh{ result.Points, result.Triangles }).empty());
+}
+
+TEST(LabelSurfaces, SplitPointsWhereARegionTouchesItself)
+{
+  // Label 1 at two opposite corners of a cube between labels 2 and 3.
+  const auto rule = [](const Eigen::RowVector3d& index)
+  {
+    const Eigen::RowVector3i p = index.cast<int>();
+    const int ones = p.sum();
+    return ones == 0 || ones == 3 ? 1 : p(0) == 1 ? 2 : 3;
+  };
+  const shape::LabelSurfacesResult result =
+    shape::ExtractLabelSurfaces(MakeImage({ 2, 2, 2 }, rule));
+  EXPECT_GE(result.SplitPoints, 1);
+  ExpectClosedManifold(SurfaceOf(1, result));
+}
+
+TEST(LabelSurfaces, CurvesRunWhereThreeRegionsMeet)
+{
+  // Three sectors of a cylinder that ends at the border of the image.
+  const auto rule = [](const Eigen::RowVector3d& index)
+  {
+    const double x = index(0) - 15.3, y = index(1) - 14.8;
+    const double turn = (std::atan2(y, x) + M_PI) / (2.0 * M_PI);
+    return std::hypot(x, y) < 12.0 ? 1 + std::min(static_cast<int>(3.0 * turn), 2) : 0;
+  };
+  const shape::LabelSurfacesResult result =
+    shape::ExtractLabelSurfaces(MakeImage({ 31, 31, 21 }, rule));
+  // The axis, and between each two sectors and the outside a curve along a radius, the side and
+  // another radius. All end where the axis leaves the cylinder.
+  EXPECT_EQ(result.Corners.size(), 2U);
+  EXPECT_EQ(result.Curves.size(), 4U);
+  for (const std::vector<int>& curve : result.Curves)
+  {
+    const Eigen::RowVector3d middle = result.Points.row(curve[curve.size() / 2]);
+    if (std::hypot(middle(0) - 15.3, middle(1) - 14.8) < 1.0 && std::abs(middle(2) - 10.0) < 5.0)
+    {
+      for (const int point : curve)
+      {
+        EXPECT_LE(std::hypot(result.Points(point, 0) - 15.3, result.Points(point, 1) - 14.8), 0.5);
+      }
+    }
+  }
+}
+
+TEST(LabelSurfaces, OfGreyValuesLieWhereTheThresholdIsReached)
+{
+  shape::LabelImage image = MakeImage({ 40, 40, 40 }, [](const auto&) { return 0; });
+  for (int n = 0; n < 40 * 40 * 40; ++n)
+  {
+    const Eigen::RowVector3d p(n % 40, n / 40 % 40, n / 1600);
+    image.Values.push_back(static_cast<float>(-(p.array() - 19.6).matrix().norm()));
+  }
+  shape::MakeLabels(image, { -15.3, -8.2 });
+  shape::LabelSurfacesOptions options;
+  options.Smoothing = 0.0;
+  const shape::LabelSurfacesResult result = shape::ExtractLabelSurfaces(image, options);
+  double worst = 0.0;
+  for (Eigen::Index i = 0; i < result.Points.rows(); ++i)
+  {
+    const double radius = (result.Points.row(i).array() - 19.6).matrix().norm();
+    worst = std::max(worst, std::min(std::abs(radius - 15.3), std::abs(radius - 8.2)));
+  }
+  // The mean of points of a sphere of radius r, less than a cube's diagonal apart, is at most
+  // 3 / (8 r) away.
+  EXPECT_LE(worst, 3.0 / (8.0 * 8.2));
+}
+
+TEST(LabelSurfaces, DissolveIslands)
+{
+  const auto rule = [](const Eigen::RowVector3d& index)
+  {
+    const Eigen::RowVector3d p = index.array() - 10.0;
+    return index.sum() == 6.0 && index.maxCoeff() == 2.0 ? 4
+      : p.norm() < 1.5                                   ? 0
+      : p.norm() < 7.0                                   ? 5
+                                                         : 0;
+  };
+  shape::LabelSurfacesOptions options;
+  options.SmallestIsland = 30;
+  const shape::LabelSurfacesResult result =
+    shape::ExtractLabelSurfaces(MakeImage({ 21, 21, 21 }, rule), options);
+  ASSERT_EQ(result.RegionsByLabel.size(), 1U);
+  EXPECT_EQ(result.RegionsByLabel[0].Label, 5);
+  EXPECT_EQ(result.RegionsByLabel[0].Components, 1);
+  EXPECT_EQ(result.Islands, 2);
+  EXPECT_EQ(result.IslandVoxels, 1.0 + 19.0);
+}
+
+TEST(LabelSurfaces, NameWhatIsWrong)
+{
+  shape::LabelImage image;
+  EXPECT_THROW(shape::ExtractLabelSurfaces(image), shape::InvalidInput);
+  image = MakeImage({ 3, 3, 3 }, [](const auto&) { return 0; });
+  EXPECT_THROW(shape::ExtractLabelSurfaces(image), shape::InvalidInput);
+  image.Labels[13] = 1;
+  shape::LabelSurfacesOptions options;
+  options.Smoothing = -1.0;
+  EXPECT_THROW(shape::ExtractLabelSurfaces(image, options), shape::InvalidInput);
+  image.Axes.col(1) = image.Axes.col(0);
+  EXPECT_THROW(shape::ExtractLabelSurfaces(image), shape::InvalidInput);
+  EXPECT_THROW(shape::MakeLabels(image, { 2.0, 1.0 }), shape::InvalidInput);
+}
