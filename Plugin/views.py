@@ -48,7 +48,7 @@ def hexahedra(source=None, limits=(0.0, 1.0)):
     views[1].LeftAxisTitle, views[1].BottomAxisTitle = 'Cells', 'Scaled Jacobian'
     views[1].ShowLegend = 0
     simple.Show(histogram, views[1])
-    return _finish(layout, views, cut)
+    return _finish(layout, views, port) # Save Data writes what is active: the whole mesh
 
 
 def correspondence(source=None):

@@ -41,6 +41,17 @@ w.python('''
     assert shown() == [('ShapeParameterize1', 1)], shown()
     Delete(made)''')
 
+# In a new view, a polycube is seen obliquely. Numbers that stand for names have a colour each.
+w.select('/0/0|0')
+w.filter('Shape Polycube')
+w.apply()
+w.python('''
+    view, table = GetActiveView(), GetColorTransferFunction('Label')
+    towards = [position - focus for position, focus in zip(view.CameraPosition, view.CameraFocalPoint)]
+    assert min(towards) > 0.2 * max(towards), towards
+    assert table.InterpretValuesAsCategories == 1 and list(table.Annotations[:4]) == ['0', '+x', '1', '-x'], table.Annotations
+    Delete(FindSource('ShapePolycube1'))''')
+
 # Where the filter refuses, its input stays; the next Apply is the first one with a result.
 w.select('/0/0|0')
 w.filter('Shape Cut Feature')

@@ -49,12 +49,12 @@ w.event('menubar/menu_View/ShapeMapViews', 'activate', 'hexahedra')
 look = w.clicks
 w.step('inside')
 w.python('''
-    cut = GetActiveSource()
+    assert GetActiveSource() == made, 'Save Data would write a part only'
+    cut = FindSource('Clip1')
     assert 0 < cut.GetDataInformation().GetNumberOfCells() < cells
     assert GetDisplayProperties(cut).ColorArrayName[1] == 'ScaledJacobian' ''')
 assert remesh + look <= 8, '%d clicks from the opened file to a coloured cut' % (remesh + look)
 
-w.select('/0/0/0|0')
 w.menu('menu_File', 'actionFileSaveData')
 w.event('FileSaveDialog', 'filesSelected', path('mesh.inp'))
 w.click('WriterSettingsDialog/widget/OKButton')
