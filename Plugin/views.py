@@ -187,7 +187,11 @@ def _count(port, array):
 
 def _finish(layout, views, source):
     simple.SetActiveView(views[0])
-    simple.SetActiveSource(source)
+    if source.SMProxy.GetNumberOfOutputPorts() > 1: # the toolbars are those of one output
+        selection = servermanager.ProxyManager().GetSelectionModel('ActiveSources')
+        selection.SetCurrentProxy(source.SMProxy.GetOutputPort(source.Port), selection.CLEAR_AND_SELECT)
+    else:
+        simple.SetActiveSource(source)
     for view in views:
         simple.Render(view)
     return layout
