@@ -21,7 +21,10 @@ vtkSMProxy* FindVisible(pqOutputPort* port, pqView* view)
 
 std::vector<double> GetPosition(vtkSMProxy* representation)
 {
-  return vtkSMPropertyHelper(representation, "Position", true).GetDoubleArray();
+  std::vector<double> position =
+    vtkSMPropertyHelper(representation, "Position", true).GetDoubleArray();
+  position.resize(3, 0.0); // some kinds of representations have none
+  return position;
 }
 
 bool IsMoved(vtkSMProxy* representation)
