@@ -173,6 +173,20 @@ void ShowColorBar(vtkSMProxy* representation, pqView* view)
   }
 }
 
+/// The values of the array are colours.
+void TakeAsColors(vtkSMProxy* representation, pqView* view)
+{
+  Set(representation, "MapScalars", 0);
+  vtkSMPVRepresentationProxy::SetScalarBarVisibility(representation, view->getProxy(), false);
+}
+
+std::string GetArray(vtkSMProxy* representation)
+{
+  const char* name =
+    vtkSMPropertyHelper(representation, "ColorArrayName", true).GetInputArrayNameToProcess();
+  return name ? name : "";
+}
+
 void ColorByArray(pqOutputPort* port, vtkPVXMLElement* element, pqView* view)
 {
   vtkSMProxy* representation = FindVisible(port, view);
@@ -210,8 +224,7 @@ void ColorByArray(pqOutputPort* port, vtkPVXMLElement* element, pqView* view)
   }
   if (element->GetAttribute("direct"))
   {
-    Set(representation, "MapScalars", 0);
-    vtkSMPVRepresentationProxy::SetScalarBarVisibility(representation, view->getProxy(), false);
+    TakeAsColors(representation, view);
     return;
   }
   int component = 0;
@@ -246,6 +259,18 @@ void Apply(pqOutputPort* port, vtkPVXMLElement* element, pqView* view)
     return;
   }
   ColorByArray(port, element, view);
+}
+
+void Follow(pqOutputPort* port, pqOutputPort* other, pqView* view)
+{
+  vtkSMProxy* representation = FindVisible(port, view);
+  pqDataRepresentation* model = other->getRepresentation(view);
+  if (representation && model && GetArray(representation) == GetArray(model->getProxy()) &&
+    vtkSMPropertyHelper(model->getProxy(), "MapScalars", true).GetAsInt() == 0 &&
+    vtkSMPVRepresentationProxy::GetUsingScalarColoring(representation))
+  {
+    TakeAsColors(representation, view);
+  }
 }
 
 } // namespace pqShapeColors

@@ -101,8 +101,8 @@ void ShowPoints(pqOutputPort* port, pqView* view)
   }
 }
 
-/// What a filter makes of one shape that is drawn beside another one is drawn there, too.
-void StayBeside(pqPipelineFilter* filter, pqView* view)
+/// What a filter makes of one shape is drawn where that shape is drawn, and with its colours.
+void FollowInput(pqPipelineFilter* filter, pqView* view)
 {
   const QList<pqOutputPort*> inputs = filter->getAllInputs();
   if (inputs.size() != 1)
@@ -112,6 +112,7 @@ void StayBeside(pqPipelineFilter* filter, pqView* view)
   for (pqOutputPort* port : filter->getOutputPorts())
   {
     pqShapeArrangement::DrawLike(port, inputs[0], view);
+    pqShapeColors::Follow(port, inputs[0], view);
   }
 }
 
@@ -205,7 +206,7 @@ void pqShapeFirstApply::OnStateChanged(pqServerManagerModelItem* item)
     return;
   }
   this->New.remove(filter);
-  StayBeside(filter, view);
+  FollowInput(filter, view);
   vtkPVXMLElement* hints = filter->getProxy()->GetHints();
   vtkPVXMLElement* first = hints ? hints->FindNestedElementByName("FirstApply") : nullptr;
   if (first)

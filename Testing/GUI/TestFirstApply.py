@@ -95,6 +95,20 @@ w.python('''
         display = GetDisplayProperties(OutputPort(maps, port))
         assert colored(maps, port) == 'MapColors' and display.MapScalars == 0, (port, colored(maps, port), display.MapScalars)''')
 
+# What ParaView's filters make of one of them is drawn there, with its colours.
+w.python('''
+    selection = servermanager.ProxyManager().GetSelectionModel('ActiveSources')
+    selection.SetCurrentProxy(maps.SMProxy.GetOutputPort(1), selection.CLEAR_AND_SELECT)''')
+w.event('menubar', 'activate', 'menuFilters')
+w.event('menubar/menuFilters/Alphabetical', 'activate', 'Clip')
+w.apply()
+w.python('''
+    clip = FindSource('Clip1')
+    display = GetDisplayProperties(clip)
+    assert list(display.Position) == list(shift) and colored(clip) == 'MapColors' and display.MapScalars == 0, display.Position
+    Delete(clip)
+    Show(OutputPort(maps, 1))''')
+
 # The giver stays, and the receiver has its colours.
 w.python('''
     for other in GetSources().values():
