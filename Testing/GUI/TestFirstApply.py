@@ -41,6 +41,17 @@ w.python('''
     assert shown() == [('ShapeParameterize1', 1)], shown()
     Delete(made)''')
 
+# In a new view, a polycube is seen obliquely. Numbers that stand for names have a colour each.
+w.select('/0/0|0')
+w.filter('Shape Polycube')
+w.apply()
+w.python('''
+    view, table = GetActiveView(), GetColorTransferFunction('Label')
+    towards = [position - focus for position, focus in zip(view.CameraPosition, view.CameraFocalPoint)]
+    assert min(towards) > 0.2 * max(towards), towards
+    assert table.InterpretValuesAsCategories == 1 and list(table.Annotations[:4]) == ['0', '+x', '1', '-x'], table.Annotations
+    Delete(FindSource('ShapePolycube1'))''')
+
 # Where the filter refuses, its input stays; the next Apply is the first one with a result.
 w.select('/0/0|0')
 w.filter('Shape Cut Feature')
@@ -83,6 +94,20 @@ w.python('''
     for port in (0, 1):
         display = GetDisplayProperties(OutputPort(maps, port))
         assert colored(maps, port) == 'MapColors' and display.MapScalars == 0, (port, colored(maps, port), display.MapScalars)''')
+
+# What ParaView's filters make of one of them is drawn there, with its colours.
+w.python('''
+    selection = servermanager.ProxyManager().GetSelectionModel('ActiveSources')
+    selection.SetCurrentProxy(maps.SMProxy.GetOutputPort(1), selection.CLEAR_AND_SELECT)''')
+w.event('menubar', 'activate', 'menuFilters')
+w.event('menubar/menuFilters/Alphabetical', 'activate', 'Clip')
+w.apply()
+w.python('''
+    clip = FindSource('Clip1')
+    display = GetDisplayProperties(clip)
+    assert list(display.Position) == list(shift) and colored(clip) == 'MapColors' and display.MapScalars == 0, display.Position
+    Delete(clip)
+    Show(OutputPort(maps, 1))''')
 
 # The giver stays, and the receiver has its colours.
 w.python('''

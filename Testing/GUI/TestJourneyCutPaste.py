@@ -24,9 +24,9 @@ w.wait(100)
 w.step('cut')
 w.python('''
     cut = GetActiveSource()
-    assert [OutputPort(cut, port).GetDataInformation().GetNumberOfCells() > 0 for port in (0, 1)] == [True, True]''')
+    assert [OutputPort(cut, port).GetDataInformation().GetNumberOfCells() > 0 for port in (0, 1)] == [True, True]
+    assert any(GetDisplayProperties(OutputPort(cut, 0)).Position), 'the feature lies in the rest' ''')
 
-w.eye('/0/1/0/1')
 w.filter('Shape Paste Feature')
 w.choose_inputs(Target='PhantomHeadSmall.vtp')
 w.wait(100)
@@ -40,6 +40,7 @@ w.python('''
     shown = [display.Input.SMProxy for display in GetActiveView().Representations
              if hasattr(display, 'Input') and display.Visibility]
     assert shown == [made.SMProxy], shown
+    assert GetDisplayProperties(made).ColorArrayName[1] == 'Part'
 
     def seed():
         return numpy.array(made.Seed)
