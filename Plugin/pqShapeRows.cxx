@@ -1,7 +1,6 @@
 #include "pqShapeRows.h"
 
 #include "vtkPVXMLElement.h"
-#include "vtkSMDocumentation.h"
 #include "vtkSMDoubleVectorProperty.h"
 #include "vtkSMEnumerationDomain.h"
 #include "vtkSMIntVectorProperty.h"
@@ -18,7 +17,6 @@
 #include <QLabel>
 #include <QLayout>
 #include <QLineEdit>
-#include <QMap>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalBlocker>
@@ -41,35 +39,6 @@ QString ToWords(QString value)
   return value.replace(border, "\\1 \\2");
 }
 
-/// Returns what a documentation says about values: "Value: ...", "Value (source): ..." or "Value
-/// and Value: ...", up to the next one.
-QMap<QString, QString> FindExplanations(const QString& documentation, const QStringList& values)
-{
-  QStringList escaped;
-  for (const QString& value : values)
-  {
-    escaped << QRegularExpression::escape(value);
-  }
-  const QString any = "(?:" + escaped.join('|') + ")";
-  const QRegularExpression start(QString("\\b(%1(?: and %1)*)(?: \\(([^)]*)\\))?: ").arg(any));
-  QMap<QString, QString> explanations;
-  QRegularExpressionMatch match = start.match(documentation);
-  while (match.hasMatch())
-  {
-    const QRegularExpressionMatch next = start.match(documentation, match.capturedEnd());
-    const int end = next.hasMatch() ? next.capturedStart() : documentation.size();
-    QString text = documentation.mid(match.capturedEnd(), end - match.capturedEnd()).trimmed();
-    text[0] = text[0].toUpper();
-    const QString source = match.captured(2);
-    for (const QString& value : match.captured(1).split(" and "))
-    {
-      explanations[value] = source.isEmpty() ? text : QString("%1 (%2)").arg(text, source);
-    }
-    match = next;
-  }
-  return explanations;
-}
-
 pqPropertyWidget* MakeChoice(vtkSMIntVectorProperty* property, vtkSMProxy* proxy, QWidget* parent)
 {
   pqPropertyWidget* row = pqIntVectorPropertyWidget::createWidget(property, proxy, parent);
@@ -78,22 +47,18 @@ pqPropertyWidget* MakeChoice(vtkSMIntVectorProperty* property, vtkSMProxy* proxy
   {
     return row;
   }
-  QStringList values; // as scripts and the property have them; they stay the data of the entries
-  for (int i = 0; i < list->count(); ++i)
-  {
-    values << list->itemData(i).toString();
-  }
-  vtkSMDocumentation* documentation = property->GetDocumentation();
-  const QMap<QString, QString> explanations = FindExplanations(
-    QString(documentation ? documentation->GetDescription() : "").simplified(), values);
+  auto* words = property->FindDomain<vtkSMEnumerationDomain>();
   const QSignalBlocker blocker(list);
-  for (int i = 0; i < values.size(); ++i)
+  for (unsigned int i = 0; i < words->GetNumberOfEntries(); ++i)
   {
-    list->setItemText(i, ToWords(values[i]));
-    if (explanations.contains(values[i]))
+    // ParaView appends the explanation to the text. The data of the item stays the word itself.
+    const int item = list->findData(QString(words->GetEntryText(i)));
+    list->setItemText(item, ToWords(words->GetEntryText(i)));
+    const QString explanation = QString(words->GetInfoText(i)).simplified();
+    if (!explanation.isEmpty())
     {
       list->setItemData(
-        i, QString("<qt>%1</qt>").arg(explanations[values[i]].toHtmlEscaped()), Qt::ToolTipRole);
+        item, QString("<qt>%1</qt>").arg(explanation.toHtmlEscaped()), Qt::ToolTipRole);
     }
   }
   return row;
