@@ -4,6 +4,7 @@
 #include "vtkSMDoubleVectorProperty.h"
 #include "vtkSMEnumerationDomain.h"
 #include "vtkSMIntVectorProperty.h"
+#include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyProperty.h"
 
 #include "pqApplicationCore.h"
@@ -17,11 +18,15 @@
 #include <QLabel>
 #include <QLayout>
 #include <QLineEdit>
+#include <QLocale>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalBlocker>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <vector>
 
 namespace
 {
@@ -64,22 +69,54 @@ pqPropertyWidget* MakeChoice(vtkSMIntVectorProperty* property, vtkSMProxy* proxy
   return row;
 }
 
-pqPropertyWidget* ExplainZero(pqPropertyWidget* row, const QString& meaning)
+/// Returns about how many hexahedra fill a solid: those inside, and the layers along its boundary.
+/// The factors fit generated shapes; where thin parts need smaller cells, there will be more.
+double EstimateCellCount(vtkSMProxy* proxy, vtkPVXMLElement* hint, double number)
+{
+  const char* name = hint->GetAttributeOrEmpty("size");
+  proxy->UpdatePropertyInformation(proxy->GetProperty(name));
+  const std::vector<double> measures = vtkSMPropertyHelper(proxy, name).GetDoubleArray();
+  if (measures.size() != 3 || number <= 0.0)
+  {
+    return 0.0;
+  }
+  vtkSMPropertyHelper layers(proxy, hint->GetAttributeOrEmpty("layers"));
+  layers.SetUseUnchecked(true);
+  const double size = hint->GetAttribute("on_longest_edge") ? measures[2] / number : number;
+  constexpr double first = 1.2, further = 1.5; // cells of a layer, per square on the boundary
+  return measures[0] / std::pow(size, 3) +
+    (first + further * (layers.GetAsInt() - 1)) * measures[1] / std::pow(size, 2);
+}
+
+/// Adds what the number in a row means: the text of the hint Zero, or the number of hexahedra.
+pqPropertyWidget* ExplainNumber(pqPropertyWidget* row, vtkSMProperty* property, vtkSMProxy* proxy)
 {
   auto* edit = row->findChild<QLineEdit*>();
   if (!edit)
   {
     return row;
   }
-  auto* label = new QLabel(meaning, row);
-  label->setObjectName("Zero");
-  row->layout()->addWidget(label);
-  const auto update = [label](const QString& text)
+  vtkPVXMLElement* count = FindPropertyHint(property, "CellCount");
+  auto* zero = new QLabel(FindPropertyHint(property, "Zero")->GetAttributeOrEmpty("text"), row);
+  zero->setObjectName("Zero");
+  auto* cells = new QLabel(row);
+  cells->setObjectName("CellCount");
+  row->layout()->addWidget(zero);
+  row->layout()->addWidget(cells);
+  const auto update = [=](const QString& text)
   {
     bool isNumber = false;
-    label->setVisible(text.toDouble(&isNumber) == 0.0 && isNumber);
+    const double number = text.toDouble(&isNumber);
+    zero->setVisible(isNumber && number == 0.0);
+    const double estimate = count && isNumber ? EstimateCellCount(proxy, count, number) : 0.0;
+    // Two digits: it is an estimate.
+    const double unit = std::pow(10.0, std::floor(std::log10(std::max(estimate, 10.0))) - 1.0);
+    cells->setText(QObject::tr("about %1 cells or more")
+                     .arg(QLocale(QLocale::English)
+                            .toString(static_cast<qlonglong>(std::round(estimate / unit) * unit))));
+    cells->setVisible(estimate >= 1.0);
   };
-  QObject::connect(edit, &QLineEdit::textChanged, label, update);
+  QObject::connect(edit, &QLineEdit::textChanged, zero, update);
   update(edit->text());
   return row;
 }
@@ -132,12 +169,12 @@ pqPropertyWidget* pqShapeRows::createWidgetForProperty(
   {
     return MakeChoice(integers, proxy, parent);
   }
-  if (vtkPVXMLElement* zero = FindPropertyHint(property, "Zero"))
+  if (FindPropertyHint(property, "Zero"))
   {
     auto* numbers = vtkSMDoubleVectorProperty::SafeDownCast(property);
-    return ExplainZero(numbers ? new pqDoubleVectorPropertyWidget(numbers, proxy, parent)
-                               : pqIntVectorPropertyWidget::createWidget(integers, proxy, parent),
-      zero->GetAttributeOrEmpty("text"));
+    return ExplainNumber(numbers ? new pqDoubleVectorPropertyWidget(numbers, proxy, parent)
+                                 : pqIntVectorPropertyWidget::createWidget(integers, proxy, parent),
+      property, proxy);
   }
   auto* proxies = vtkSMProxyProperty::SafeDownCast(property);
   if (proxies && FindPropertyHint(property, "SelectionInput"))
