@@ -70,7 +70,7 @@ pqPropertyWidget* MakeChoice(vtkSMIntVectorProperty* property, vtkSMProxy* proxy
 }
 
 /// Returns about how many hexahedra fill a solid: those inside, and the layers along its boundary.
-/// The factors fit generated shapes; where thin parts need smaller cells, there will be more.
+/// The factors fit generated shapes; where thin parts or creases need smaller cells, there are more.
 double EstimateCellCount(vtkSMProxy* proxy, vtkPVXMLElement* hint, double number)
 {
   const char* name = hint->GetAttributeOrEmpty("size");
@@ -83,7 +83,7 @@ double EstimateCellCount(vtkSMProxy* proxy, vtkPVXMLElement* hint, double number
   vtkSMPropertyHelper layers(proxy, hint->GetAttributeOrEmpty("layers"));
   layers.SetUseUnchecked(true);
   const double size = hint->GetAttribute("on_longest_edge") ? measures[2] / number : number;
-  constexpr double first = 1.2, further = 1.5; // cells of a layer, per square on the boundary
+  constexpr double first = 1.1, further = 0.7; // cells of a layer, per square on the boundary
   return measures[0] / std::pow(size, 3) +
     (first + further * (layers.GetAsInt() - 1)) * measures[1] / std::pow(size, 2);
 }
