@@ -70,7 +70,8 @@ pqPropertyWidget* MakeChoice(vtkSMIntVectorProperty* property, vtkSMProxy* proxy
 }
 
 /// Returns about how many hexahedra fill a solid: those inside, and the layers along its boundary.
-/// The factors fit generated shapes; where thin parts or creases need smaller cells, there are more.
+/// The factors fit generated shapes; where thin parts or creases need smaller cells, there are
+/// more.
 double EstimateCellCount(vtkSMProxy* proxy, vtkPVXMLElement* hint, double number)
 {
   const char* name = hint->GetAttributeOrEmpty("size");
