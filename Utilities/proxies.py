@@ -75,7 +75,9 @@ class Input:
     def __init__(self, element):
         self.name, self.label = element.get('name'), element.get('label') or element.get('name')
         self.help = words(element.find('Documentation'))
-        self.optional = element.find('Hints/Optional') is not None
+        # One that is needed is optional for the window alone, which lets one choose it on the panel.
+        hint = element.find('Hints/Optional')
+        self.optional = hint is not None and hint.get('needed') != '1'
         self.repeatable = element.get('multiple_input') == '1'
         # Those with commands of their own follow.
         self.port = int(element.get('port_index', 0 if 'InputConnection' in element.get('command', '') else 99))
