@@ -102,6 +102,9 @@ pqPropertyWidget* ExplainNumber(pqPropertyWidget* row, vtkSMProperty* property, 
   zero->setObjectName("Zero");
   auto* cells = new QLabel(row);
   cells->setObjectName("CellCount");
+  cells->setToolTip(
+    QObject::tr("An estimate from the volume and the area of the surface. There are "
+                "more cells if thin parts or creases need smaller ones."));
   row->layout()->addWidget(zero);
   row->layout()->addWidget(cells);
   const auto update = [=](const QString& text)
@@ -112,7 +115,7 @@ pqPropertyWidget* ExplainNumber(pqPropertyWidget* row, vtkSMProperty* property, 
     const double estimate = count && isNumber ? EstimateCellCount(proxy, count, number) : 0.0;
     // Two digits: it is an estimate.
     const double unit = std::pow(10.0, std::floor(std::log10(std::max(estimate, 10.0))) - 1.0);
-    cells->setText(QObject::tr("about %1 cells or more")
+    cells->setText(QObject::tr("\u2248 %1 cells")
                      .arg(QLocale(QLocale::English)
                             .toString(static_cast<qlonglong>(std::round(estimate / unit) * unit))));
     cells->setVisible(estimate >= 1.0);
