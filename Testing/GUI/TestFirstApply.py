@@ -68,6 +68,46 @@ w.python('''
     assert parts[0] != parts[1], parts
     Delete(cut)''')
 
+# The patch around a seed shows its distance from the seed. A deformed shape keeps the colours of its input,
+# and a pasted feature is told from its target.
+w.select('/0/0|0')
+w.filter('Shape Exponential Map')
+w.apply()
+w.python('''
+    patch = GetActiveSource()
+    assert colored(patch) == 'GeodesicDistance' and shown() == [('ShapeExponentialMap1', 0)], (colored(patch), shown())
+    Delete(patch)
+    import math
+    hemisphere = [value for k in range(12) for value in (0.3 * math.cos(k * math.pi / 6), 0.3 * math.sin(k * math.pi / 6), 0.4)]
+    ball = Sphere(registrationName='Ball', ThetaResolution=30, PhiResolution=30)
+    cap = ShapeCutFeature(registrationName='Cap', Input=ball, LoopPoints=hemisphere)
+    planet = Sphere(registrationName='Planet', ThetaResolution=30, PhiResolution=30, Radius=1.5)
+    for source in GetSources().values():
+        Hide(source)
+    Show(planet)
+    SetActiveSource(cap)''')
+w.filter('Shape Paste Feature')
+w.choose_inputs(Target='Planet')
+w.apply()
+w.python('''
+    pasted = GetActiveSource()
+    assert colored(pasted) == 'Part' and ('ShapePasteFeature1', 0) in shown(), (colored(pasted), shown())
+    ring = Slice(registrationName='Ring', Input=planet)
+    ring.SliceType.Normal = [0, 0, 1]
+    old = Calculator(registrationName='Old', Input=ring, ResultArrayName='SourcePosition', Function='coords')
+    handle = Calculator(registrationName='Handle', Input=old, CoordinateResults=1, Function='coords+iHat*0.3*coordsX')
+    height = Elevation(registrationName='Height', Input=planet)
+    ColorBy(Show(height), ('POINTS', 'Elevation'))
+    SetActiveSource(height)''')
+w.filter('Shape Deform')
+w.choose_inputs(Boundary='Handle')
+w.apply()
+w.python('''
+    deformed = GetActiveSource()
+    assert colored(deformed) == 'Elevation' and ('ShapeDeform1', 0) in shown(), (colored(deformed), shown())
+    for source in (deformed, height, handle, old, ring, pasted, cap, planet, ball):
+        Delete(source)''')
+
 # A script in the window's shell decides by itself.
 w.python('''
     hexahedra = ShapeHexRemesh(Surface=FindSource('DentedSphere600.vtp'), CellSize=0.35)
