@@ -85,7 +85,7 @@ public:
   {
   }
 
-  void Step(double timeStep)
+  void Step(double timeStep, const Progress& progress)
   {
     // Kazhdan et al. 2012, equation 9: (M_t + dt L_0) x = M_t x_t. Unlike in mean curvature flow,
     // the stiffness L_0 is that of the given surface. The flow shrinks the surface, so it is scaled
@@ -94,7 +94,7 @@ public:
     const Eigen::VectorXd masses = ComputePointAreas(this->Moving);
     Eigen::SparseMatrix<double> system = timeStep * this->Stiffness;
     system.diagonal() += masses;
-    this->Solver.Factorize(system);
+    this->Solver.Factorize(system, progress);
     this->Moving.Points = this->Solver.Solve(masses.asDiagonal() * this->Moving.Points);
     this->Recentre();
   }
@@ -170,8 +170,9 @@ Eigen::MatrixXd FlowToSphere(const Mesh& mesh, const TriangleAngles& angles,
   int idle = 0;
   for (; idle < 3 && iterations < options.MaximumIterations; ++iterations)
   {
-    progress(static_cast<double>(iterations) / options.MaximumIterations);
-    flow.Step(options.TimeStep);
+    flow.Step(options.TimeStep,
+      progress.Part(static_cast<double>(iterations) / options.MaximumIterations,
+        (iterations + 1.0) / options.MaximumIterations));
     const Eigen::MatrixXd sphere = flow.OnSphere();
     const double distortion = MeanDistortion(mesh, angles, sphere);
     const bool held = iterations + 1 >= options.FreeIterations;

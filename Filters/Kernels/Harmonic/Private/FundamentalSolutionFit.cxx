@@ -70,12 +70,13 @@ ChargeSet MergeCharges(const ChargeSet& set)
   return merged;
 }
 
-/// Returns the memory of SingularValues for an m x n matrix in GiB: the matrix, its triangular
-/// factor with U and V^T, and the workspace of LAPACK's gesdd.
+/// Returns the memory of SingularValues for an m x n matrix in GiB: the matrix, in this process and
+/// in the one that decomposes it, its triangular factor with U and V^T, and the workspace of
+/// LAPACK's gesdd.
 double DecompositionMemory(double rows, double columns)
 {
   const double shorter = std::min(rows, columns);
-  return 8.0 * (rows * columns + 7.0 * shorter * shorter) / (1024.0 * 1024.0 * 1024.0);
+  return 8.0 * (2.0 * rows * columns + 7.0 * shorter * shorter) / (1024.0 * 1024.0 * 1024.0);
 }
 
 } // namespace
@@ -201,8 +202,7 @@ FundamentalSolutionFit::Fit FundamentalSolutionFit::Solve(
   roots << this->GetCollocationAreas(boundaryRows).cwiseSqrt(), this->RootWeights;
   matrix = roots.asDiagonal() * matrix;
   // Steps 3 and 4.
-  const SingularValues decomposition(std::move(matrix));
-  progress(0.95);
+  const SingularValues decomposition(std::move(matrix), progress.Part(0.1, 0.95));
 
   Fit fit;
   fit.Rows = static_cast<int>(rows);

@@ -1,0 +1,50 @@
+#include "Base/LibraryCall.h"
+
+#include "Base/ChildProcess.h"
+#include "Base/Errors.h"
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+
+namespace shape
+{
+
+void RunInterruptibly(const std::function<void()>& call, double operations,
+  const std::vector<CallResult>& results, const Progress& progress)
+{
+  constexpr double rate = 1e10;      // typical number of operations in a second
+  constexpr double shortCall = 0.05; // seconds, below which a process is not worth its cost
+  const double expected = operations / rate;
+  if (expected < shortCall)
+  {
+    call();
+    return;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  ChildProcess child(
+    [&](int pipe)
+    {
+      call();
+      for (const CallResult& result : results)
+      {
+        ChildProcess::Send(pipe, result.Data, result.Bytes);
+      }
+    });
+  const auto report = [&]
+  {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    progress(std::min(0.95, passed.count() / expected));
+  };
+  for (const CallResult& result : results)
+  {
+    if (!child.Receive(result.Data, result.Bytes, report))
+    {
+      throw SolveFailure("a process that decomposed a matrix ended early" +
+        (child.Signal() > 0 ? " with signal " + std::to_string(child.Signal()) : std::string()) +
+        "; free some memory");
+    }
+  }
+}
+
+} // namespace shape
