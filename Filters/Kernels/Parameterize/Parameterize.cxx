@@ -170,7 +170,9 @@ ParameterizeResult OntoOrbifold(const Surface& surface, const Eigen::MatrixXd& l
       std::to_string(landmarks.rows()) + " Landmarks; give 3 or 4 points near the surface");
   }
   const OrbifoldType type = landmarks.rows() == 4 ? OrbifoldType::Rectangle : options.Tile;
-  OrbifoldImage image = MapToOrbifold(surface, NearestPoints(surface, landmarks), type, progress);
+  // The distortion of the map and the output take the rest of the time.
+  OrbifoldImage image =
+    MapToOrbifold(surface, NearestPoints(surface, landmarks), type, progress.Part(0.0, 0.7));
   if (type == OrbifoldType::Rectangle)
   {
     image.Points = FitToBestParallelogram(image);
