@@ -322,9 +322,8 @@ SphereMapResult MapToSphere(
   const Mesh mesh = Normalised(surface);
   SphereMapResult result;
   std::string failure;
-  // The checks compute the surface's topology. The first method succeeds for most surfaces, and
-  // leaves time for writing the result.
-  double begin = 0.15, end = 0.77;
+  // The checks compute the surface's topology. The first method succeeds for most surfaces.
+  double begin = 0.18, end = 0.92;
   progress(begin);
   for (const SphereMapMethod method : { SphereMapMethod::ConformalFlow,
          SphereMapMethod::PositiveFlow, SphereMapMethod::GlobalReinsertion })
