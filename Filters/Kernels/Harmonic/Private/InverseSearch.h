@@ -10,11 +10,11 @@
 namespace shape
 {
 
-/// Progress through an unknown number of steps. Each step takes a share of the rest.
+/// Progress through an unknown number of steps. Each step takes a share of the
+/// remaining progress.
 class Steps
 {
 public:
-  /// share: of the rest that each step takes.
   explicit Steps(Progress progress, double share = 0.1)
     : Whole(std::move(progress))
     , Share(share)
