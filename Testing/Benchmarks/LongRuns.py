@@ -44,7 +44,7 @@ CASES = {
     'volume map': ('ShapeHarmonicVolumeMap', [hexahedra('cow'), map_of('cow')], {}),
     'volume map, large': ('ShapeHarmonicVolumeMap', [hexahedra('hand'), map_of('hand')], {}),
     'volume map, single shot': (
-        'ShapeHarmonicVolumeMap', [hexahedra('cow'), map_of('cow')], {'Method': 0}),
+        'ShapeHarmonicVolumeMap', [hexahedra('cow'), map_of('cow')], {'Method': 2}),
     'volume map, multi-level': (
         'ShapeHarmonicVolumeMap', [hexahedra('cow'), map_of('cow')], {'Method': 1}),
     'applied': ('ShapeApplyVolumeMap',
@@ -57,8 +57,8 @@ CASES = {
     'disk': ('ShapeParameterize', [CAP], {'Domain': 0, 'Refine': 1}),
     'free boundary': ('ShapeParameterize', [CAP], {'Domain': 2}),
     'spectrum': ('ShapeLaplaceSpectrum', [CLOSED], {}),
-    'geodesics, exact': ('ShapeGeodesicDistance', [CLOSED, seeds(CLOSED, 2)], {'Method': 0}),
-    'geodesics, heat': ('ShapeGeodesicDistance', [CLOSED, seeds(CLOSED, 2)], {'Method': 1}),
+    'geodesics, exact': ('ShapeGeodesicDistance', [CLOSED, seeds(CLOSED, 2)], {'Method': 1}),
+    'geodesics, heat': ('ShapeGeodesicDistance', [CLOSED, seeds(CLOSED, 2)], {'Method': 0}),
     'exponential map': ('ShapeExponentialMap', [CLOSED], {'Seed': extreme(CLOSED, 4)}),
     'distance': ('ShapeBoundaryDistance', [lattice(CLOSED, 40), CLOSED], {}),
     'cut': ('ShapeCutFeature', [CLOSED, section(CLOSED, 0.8)], {}),
@@ -86,8 +86,8 @@ CASES.update({
     'large spectrum': ('ShapeLaplaceSpectrum', [LARGE], {}),
     'large dense spectrum': (
         'ShapeLaplaceSpectrum', [shape('cow')], {'NumberOfEigenpairs': 1000}),
-    'large geodesics': ('ShapeGeodesicDistance', [LARGE, seeds(LARGE, 2)], {'Method': 1}),
-    'large exact geodesics': ('ShapeGeodesicDistance', [LARGE, seeds(LARGE, 2)], {'Method': 0}),
+    'large geodesics': ('ShapeGeodesicDistance', [LARGE, seeds(LARGE, 2)], {'Method': 0}),
+    'large exact geodesics': ('ShapeGeodesicDistance', [LARGE, seeds(LARGE, 2)], {'Method': 1}),
     'large exponential map': ('ShapeExponentialMap', [LARGE], {'Seed': extreme(LARGE, 4)}),
     'large distance': ('ShapeBoundaryDistance', [lattice(LARGE, 100), LARGE], {}),
     'large cut': ('ShapeCutFeature', [LARGE, section(LARGE, 0.8)], {}),
@@ -106,7 +106,9 @@ CASES.update({
         tangled(chain('ShapeHexRemesh', 0, [shape('hand')], Method=2, CellsOnLongestSide=40)),
         chain('ShapeHexRemesh', 0, [shape('hand')], Method=2, CellsOnLongestSide=40)], {}),
     'large volume map': ('ShapeHarmonicVolumeMap', [
-        hexahedra('man'), map_of('man')], {'Method': 0}),
+        hexahedra('man'), map_of('man')], {}),
+    'large decomposition': ('ShapeHarmonicVolumeMap', [
+        hexahedra('man'), map_of('man')], {'Method': 2}),
     'large application': ('ShapeApplyVolumeMap', [
         lattice(shape('hand'), 80), carried(hexahedra('cow'), map_of('cow'), 1)], {}),
 })

@@ -5,10 +5,29 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <string>
+#include <sys/mman.h>
+#include <unistd.h>
 
 namespace shape
 {
+namespace
+{
+
+/// Gives the complete pages of a result back to the system. They are zero until they are written.
+void ReleasePages(const CallResult& result)
+{
+  const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+  const auto begin = (reinterpret_cast<std::uintptr_t>(result.Data) + page - 1) / page * page;
+  const auto end = (reinterpret_cast<std::uintptr_t>(result.Data) + result.Bytes) / page * page;
+  if (begin < end)
+  {
+    madvise(reinterpret_cast<void*>(begin), end - begin, MADV_DONTNEED);
+  }
+}
+
+} // namespace
 
 void RunInterruptibly(const std::function<void()>& call, double operations,
   const std::vector<CallResult>& results, const Progress& progress)
@@ -31,6 +50,11 @@ void RunInterruptibly(const std::function<void()>& call, double operations,
         ChildProcess::Send(pipe, result.Data, result.Bytes);
       }
     });
+  // The child has its own copy of what the call reads, so only one copy remains.
+  for (const CallResult& result : results)
+  {
+    ReleasePages(result);
+  }
   const auto report = [&]
   {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;

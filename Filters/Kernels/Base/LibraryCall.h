@@ -19,7 +19,8 @@ struct CallResult
 /**
  * Runs a library call that cannot be interrupted in a child process (ChildProcess), so that an
  * abort ends it immediately. What the call writes into `results` is copied into this process.
- * Nothing else that it changes is seen here. A short call runs in this process.
+ * Nothing else that it changes is seen here. A short call runs in this process. If the call does
+ * not complete, the results are undefined: meanwhile only the child holds their memory.
  *
  * call: must not use threads of this process, and must not throw. operations: the number of its
  * floating-point operations, from which its time is estimated for progress. results: allocated

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <numeric>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -31,6 +32,25 @@ TEST(LibraryCall, OnlyTheResultsOfALongCallAreSeen)
   EXPECT_NE(caller, parent);
   EXPECT_EQ(result, 7);
   EXPECT_EQ(other, 0);
+}
+
+TEST(LibraryCall, ALargeResultReplacesWhatTheCallRead)
+{
+  std::vector<double> values(1 << 20);
+  std::iota(values.begin(), values.end(), 1.0);
+  shape::RunInterruptibly(
+    [&]
+    {
+      for (double& value : values)
+      {
+        value *= 2.0;
+      }
+    },
+    longCall, { { values.data(), values.size() * sizeof(double) } }, {});
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    ASSERT_EQ(values[i], 2.0 * (i + 1.0));
+  }
 }
 
 TEST(LibraryCall, AShortCallRunsInThisProcess)
