@@ -194,6 +194,12 @@ class Run:
         return max((after - before, self.reports[i - 1][2] if i else '')
                    for i, (before, after) in enumerate(zip(self.clocks, self.clocks[1:])))
 
+    def worst(self):
+        """The progress before the longest work."""
+        spans = [after - before for before, after in zip(self.clocks, self.clocks[1:])]
+        at = spans.index(max(spans))
+        return self.reports[at - 1][1] if at else 0.0
+
     def stages(self):
         """Each with its share of the time and of the progress."""
         shares = {}
@@ -229,6 +235,7 @@ def main():
             name, len(whole.reports), whole.seconds, deviation, gap, work, stop, stop_work, rest, stage.partition(': ')[2]), flush=True)
         if options.stages:
             print('    deviation at', where)
+            print('    longest work after %.3f of the progress' % whole.worst())
             print('    progress at each tenth of the time', ' '.join('%.2f' % share for share in whole.tenths()))
             for stage, (seconds, progress) in whole.stages().items():
                 print('    %6.3f of the time, %6.3f of the progress  %s' % (seconds, progress, stage))

@@ -90,7 +90,7 @@ private:
     {
       // Only the order takes long. It is found by a child process; the rest follows from it.
       std::vector<int> order(a.rows(), -1);
-      constexpr double operationsOfARow = 3e4;
+      constexpr double operationsOfARow = 3e5;
       RunInterruptibly(
         [&]
         {

@@ -138,7 +138,7 @@ Eigen::MatrixXd SolveRows(const FreeEquations& equations, const Progress& progre
   const Eigen::MatrixXd right = scale.asDiagonal() * equations.B;
   Eigen::MatrixXd solution = right;
   bool unique = false;
-  constexpr double operationsOfARow = 1e5;
+  constexpr double operationsOfARow = 1e6;
   RunInterruptibly(
     [&]
     {
