@@ -1,6 +1,7 @@
 #include "Linear/DenseSolve.h"
 
 #include "Base/Errors.h"
+#include "Base/LibraryCall.h"
 #include "Base/Parallel.h"
 
 #include <lapacke.h>
@@ -11,7 +12,7 @@
 namespace shape
 {
 
-SingularValues::SingularValues(Eigen::MatrixXd a)
+SingularValues::SingularValues(Eigen::MatrixXd a, const Progress& progress)
   : Wide(a.rows() < a.cols())
 {
   if (a.size() == 0 || !a.allFinite())
@@ -28,17 +29,30 @@ SingularValues::SingularValues(Eigen::MatrixXd a)
   const auto columns = static_cast<lapack_int>(this->Reflectors.cols());
   this->Factors.resize(columns);
   const BlasThreads threads(BlasThreads::WorthSharing(columns));
-  // A = Q R, then R = U S V^T. If A is wide, its transpose is factorised.
-  const lapack_int factorised = LAPACKE_dgeqrf(
-    LAPACK_COL_MAJOR, rows, columns, this->Reflectors.data(), rows, this->Factors.data());
-  Eigen::MatrixXd triangle = this->Reflectors.topRows(columns).triangularView<Eigen::Upper>();
   this->U.resize(columns, columns);
   this->S.resize(columns);
   this->Vt.resize(columns, columns);
-  const lapack_int status = factorised != 0
-    ? factorised
-    : LAPACKE_dgesdd(LAPACK_COL_MAJOR, 'S', columns, columns, triangle.data(), columns,
+  lapack_int status = LAPACK_WORK_MEMORY_ERROR;
+  const auto decompose = [&]
+  {
+    // A = Q R, then R = U S V^T. If A is wide, its transpose is factorised.
+    status = LAPACKE_dgeqrf(
+      LAPACK_COL_MAJOR, rows, columns, this->Reflectors.data(), rows, this->Factors.data());
+    if (status == 0)
+    {
+      Eigen::MatrixXd triangle = this->Reflectors.topRows(columns).triangularView<Eigen::Upper>();
+      status = LAPACKE_dgesdd(LAPACK_COL_MAJOR, 'S', columns, columns, triangle.data(), columns,
         this->S.data(), this->U.data(), columns, this->Vt.data(), columns);
+    }
+  };
+  const auto written = [](Eigen::Ref<Eigen::MatrixXd> values) {
+    return CallResult{ values.data(), values.size() * sizeof(double) };
+  };
+  const double n = columns;
+  RunInterruptibly(decompose, n * n * (2.0 * rows + 20.0 * n),
+    { { &status, sizeof(status) }, written(this->Reflectors), written(this->Factors),
+      written(this->U), written(this->S), written(this->Vt) },
+    progress);
   if (status < 0)
   {
     throw std::bad_alloc(); // the arguments are valid, so LAPACKE could not allocate its workspace

@@ -180,7 +180,8 @@ MapDifferenceResult MapDifference(const Surface& first, const Surface& second,
   // Where the map covers little of B, the system is nearly singular: small singular values are cut
   // off.
   const SingularValues pulled(
-    roots.asDiagonal() * PullBack(samples.Images, second.Triangles(), beyond.Eigenfunctions));
+    roots.asDiagonal() * PullBack(samples.Images, second.Triangles(), beyond.Eigenfunctions),
+    progress.Part(0.9, 1.0));
   const double minimum = MinimumSingularValueRatio * pulled.Values()(0);
   const Eigen::MatrixXd f =
     pulled.Solve(roots.asDiagonal() * samples.Midpoints(here.Eigenfunctions), minimum);

@@ -126,8 +126,8 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     // The number of levels is unknown: usually three to five, each of more points than the last.
     const auto end = [](int level)
     {
-      constexpr double first[] = { 0.02, 0.08, 0.3 };
-      return level < 3 ? first[level] : 1.0 - 0.3 * std::exp2(3 - level);
+      constexpr double first[] = { 0.02, 0.08, 0.2 };
+      return level < 3 ? first[level] : 1.0 - 0.42 * std::exp2(3 - level);
     };
     const Progress part = progress.Part(end(number - 1), end(number));
     // Step 1: the system.

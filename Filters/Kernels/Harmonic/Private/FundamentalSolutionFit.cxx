@@ -70,12 +70,15 @@ ChargeSet MergeCharges(const ChargeSet& set)
   return merged;
 }
 
-/// Returns the memory of SingularValues for an m x n matrix in GiB: the matrix, its triangular
-/// factor with U and V^T, and the workspace of LAPACK's gesdd.
+/// Returns the memory of SingularValues for an m x n matrix in GiB: either the matrix, its
+/// triangular factor with U and V^T, and the workspace of LAPACK's gesdd; or, while the results are
+/// received from the process that computed them, two copies of the reflectors, U and V^T.
 double DecompositionMemory(double rows, double columns)
 {
-  const double shorter = std::min(rows, columns);
-  return 8.0 * (rows * columns + 7.0 * shorter * shorter) / (1024.0 * 1024.0 * 1024.0);
+  const double shorter = std::min(rows, columns), square = shorter * shorter;
+  const double values =
+    std::max(rows * columns + 7.0 * square, 2.0 * rows * columns + 4.0 * square);
+  return 8.0 * values / (1024.0 * 1024.0 * 1024.0);
 }
 
 } // namespace
@@ -201,8 +204,7 @@ FundamentalSolutionFit::Fit FundamentalSolutionFit::Solve(
   roots << this->GetCollocationAreas(boundaryRows).cwiseSqrt(), this->RootWeights;
   matrix = roots.asDiagonal() * matrix;
   // Steps 3 and 4.
-  const SingularValues decomposition(std::move(matrix));
-  progress(0.95);
+  const SingularValues decomposition(std::move(matrix), progress.Part(0.1, 0.95));
 
   Fit fit;
   fit.Rows = static_cast<int>(rows);
