@@ -342,10 +342,10 @@ PolycubeMap FindPolycubeMap(const Surface& surface, double compactness,
       {
         continue;
       }
-      Attempt attempt = TryCompactness(solid, aligned, trial.Factor * compactness, options.Facing,
-        work,
-        progress.Part(0.25, 0.9, "dividing the surface into patches")
-          .Part(1.0 - left, 1.0 - 0.5 * left));
+      Attempt attempt =
+        TryCompactness(solid, aligned, trial.Factor * compactness, options.Facing, work,
+          progress.Part(0.25, 0.9, "dividing the surface into patches")
+            .Part(1.0 - left, 1.0 - 0.5 * left));
       left *= 0.5;
       attempt.Rotation = rotation;
       if (attempt.Result.Negative < best.Result.Negative)
