@@ -24,7 +24,8 @@ public:
   explicit SingularValues(Eigen::MatrixXd a, const Progress& progress = {});
 
   /// Returns V diag(1/S) U^T b (n x k), restricted to the singular values >= threshold. b: m x k.
-  Eigen::MatrixXd Solve(const Eigen::MatrixXd& b, double threshold) const;
+  Eigen::MatrixXd Solve(
+    const Eigen::MatrixXd& b, double threshold, const Progress& progress = {}) const;
 
   /// Returns the number of singular values >= threshold.
   int Rank(double threshold) const;
@@ -34,11 +35,11 @@ public:
 
   /// Returns the right singular vectors without the first `first`, one per column: n x (min(m, n) -
   /// first).
-  Eigen::MatrixXd RightVectors(int first) const;
+  Eigen::MatrixXd RightVectors(int first, const Progress& progress = {}) const;
 
 private:
   /// Computes Q b, or Q^T b, in place; b has as many rows as the longer side.
-  void ApplyQ(Eigen::MatrixXd& b, bool transposed) const;
+  void ApplyQ(Eigen::MatrixXd& b, bool transposed, const Progress& progress) const;
 
   bool Wide = false;          ///< whether A^T was factorised
   Eigen::MatrixXd Reflectors; ///< Householder reflectors of Q: longer side x shorter side

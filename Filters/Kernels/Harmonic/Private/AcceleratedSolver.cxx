@@ -68,10 +68,11 @@ void Refine(RefinedBoundary& boundary, const Eigen::MatrixXd& left)
   std::stable_sort(
     order.begin(), order.end(), [&](int a, int b) { return squares(a) > squares(b); });
   std::vector<char> marked(order.size(), 0);
+  const double enough = share * squares.sum();
   double sum = 0.0;
   for (const int triangle : order)
   {
-    if (sum >= share * squares.sum())
+    if (sum >= enough)
     {
       break;
     }
