@@ -241,6 +241,7 @@ LaplaceEigenpairs SolveLaplaceEigenproblem(
   const std::vector<Position> positions = InOrder(parts);
   for (int k = 0; k < pairs; ++k)
   {
+    progress(0.95 + 0.05 * k / pairs);
     const Position& position = positions[k];
     const auto function = functions[position.Component].col(position.Column);
     // Step 3: the sign.

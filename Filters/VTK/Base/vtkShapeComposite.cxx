@@ -155,7 +155,7 @@ void vtkShapeComposite::AddPointFields(
       to->ShallowCopy(from);
       for (const PointField& field : fields)
       {
-        const Eigen::MatrixXd own = field.Values.middleRows(first, count);
+        const auto own = field.Values.middleRows(first, count);
         if (!field.AreIds)
         {
           to->GetPointData()->AddArray(vtkShapeConvert::ToArray(own, field.Name));
