@@ -3,8 +3,9 @@
 #include <QObject>
 #include <QSet>
 
-class pqPipelineSource;
+class pqPipelineFilter;
 class pqServerManagerModelItem;
+class pqView;
 
 /**
  * Shows what the first Apply of a filter made, as the element FirstApply among the hints of the
@@ -16,15 +17,23 @@ class pqServerManagerModelItem;
  * without an array. like="Source" takes the array that colours this input in the view. Without an
  * array, it is the one that ParaView has chosen: the active scalars.
  *
+ * <Points port="0"/>: the points of an output are drawn as balls.
+ *
  * <Beside port="1" other="0"/>: an output that overlaps another one is drawn beside it. Only its
  * representation is translated, and only if neither of the two was translated before. The name of
- * an input, port="SurfaceB", means what is connected to it.
+ * an input, port="SurfaceB", means what is connected to it. <Off port="0" other="1"/> draws a part
+ * off the surface from which it was cut. <Like port="1" other="SurfaceB"/> draws an output where
+ * another one is drawn; this is also done for every filter with one input, ParaView's as well.
  *
- * <Hide input="Input"/>: an input that disappears. ParaView hides all inputs or none; this is for
- * <Visibility replace_input="0"/>.
+ * <Hide input="Input"/>: an input that disappears, and, with all="1", all outputs of the filter
+ * that makes it. ParaView hides all inputs or none; this is for <Visibility replace_input="0"/>.
  *
- * The camera is reset if an output lies elsewhere than the inputs, and is not well in the view. If
- * the filter failed, the first input is shown again, and the next Apply counts as the first.
+ * <Camera from="1 0.6 1"/>: the outputs are seen from this direction if the view still has the
+ * direction of a new view.
+ *
+ * The camera is reset if an output is not well in the view, and lies elsewhere than the inputs or
+ * is seen from the direction of a new view. If the filter failed, the first input is shown again,
+ * and the next Apply counts as the first.
  */
 class pqShapeFirstApply : public QObject
 {
@@ -45,6 +54,8 @@ private Q_SLOTS:
 
 private:
   Q_DISABLE_COPY(pqShapeFirstApply)
+
+  bool HasRun(pqPipelineFilter* filter, pqView* view);
 
   QSet<QObject*> New;    ///< filters that have no result yet
   QSet<QObject*> Failed; ///< those of them that were applied

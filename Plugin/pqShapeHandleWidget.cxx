@@ -5,6 +5,7 @@
 
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
+#include "vtkCamera.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -121,14 +122,22 @@ pqShapeHandleWidget::Frame pqShapeHandleWidget::MakeFrame()
 
 void pqShapeHandleWidget::Place()
 {
+  if (!this->Placed.empty() && this->GetValues("Seed") != this->Placed)
+  {
+    return; // the user has moved it
+  }
   vtkRenderer* renderer = this->GetRenderer();
   const Eigen::Vector2d middle(0.5 * renderer->GetSize()[0], 0.5 * renderer->GetSize()[1]);
+  const Eigen::Vector2d centre = pqShapeDisplay::ToPixel(renderer, this->GetSurface().GetCentre());
   pqShapePlace position;
-  if (!this->GetSurface().FindUnder(renderer, middle, position))
+  if (!this->GetSurface().FindUnder(renderer, middle, position) &&
+    !this->GetSurface().FindUnder(renderer, centre, position))
   {
-    position = this->GetSurface().FindClosest(pqShapeDisplay::ToRay(renderer, middle).Near);
+    position =
+      this->GetSurface().FindClosest(Eigen::Vector3d(renderer->GetActiveCamera()->GetPosition()));
   }
-  this->SetValues("Seed", { position.Position.x(), position.Position.y(), position.Position.z() });
+  this->Placed = { position.Position.x(), position.Position.y(), position.Position.z() };
+  this->SetValues("Seed", this->Placed);
 }
 
 int pqShapeHandleWidget::FindPart(const Eigen::Vector2d& pixel)

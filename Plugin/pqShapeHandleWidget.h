@@ -75,6 +75,7 @@ private:
   Motion Moving = Motion::Move;
   Eigen::Vector3d Zero = Eigen::Vector3d::UnitX(); ///< direction of angle 0, before projection
   double Unit = 1.0;                               ///< radius of the ring for size 1
+  std::vector<double> Placed;                      ///< the last Seed that Place has set
   /// The position of the mouse, the handle and the values when the drag began.
   Eigen::Vector2d FirstPixel, Offset;
   Frame FirstFrame;

@@ -131,7 +131,7 @@ void pqShapeInputsWidget::AddRow(
 
 void pqShapeInputsWidget::apply()
 {
-  // The pipeline browser moves the filter to its new inputs, and then nothing is active.
+  // The pipeline browser moves the filter to its new inputs, and then nothing is selected.
   pqOutputPort* active = pqActiveObjects::instance().activePort();
   {
     const QScopedValueRollback<bool> applying(this->Applying, true);
@@ -151,7 +151,10 @@ void pqShapeInputsWidget::apply()
       }
     }
   }
-  pqActiveObjects::instance().setActivePort(active);
+  if (active)
+  {
+    pqActiveObjects::instance().setSelection({ active }, active);
+  }
   this->Superclass::apply();
 }
 

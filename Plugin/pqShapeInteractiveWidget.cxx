@@ -224,11 +224,12 @@ void pqShapeInteractiveWidget::UpdateVisibility()
     this->EndDrag();
   }
   const bool wasAttached = this->Overlays.IsAttached();
-  if (!this->Overlays.Attach(views) && version == this->Surface.GetVersion())
+  const bool otherSurface = version != this->Surface.GetVersion();
+  if (!this->Overlays.Attach(views) && !otherSurface)
   {
     return;
   }
-  if (!wasAttached && this->Overlays.IsAttached())
+  if (this->Overlays.IsAttached() && (!wasAttached || otherSurface))
   {
     this->Initialize();
   }
@@ -240,13 +241,12 @@ void pqShapeInteractiveWidget::Initialize()
   this->OnUpdated();
   const auto* filter =
     pqApplicationCore::instance()->getServerManagerModel()->findItem<pqProxy*>(this->proxy());
-  if (!this->Initialized && filter && filter->modifiedState() == pqProxy::UNINITIALIZED)
+  if (filter && filter->modifiedState() == pqProxy::UNINITIALIZED)
   {
     const pqScopedUndoExclude exclude;
     this->Place();
     this->proxy()->UpdateVTKObjects();
   }
-  this->Initialized = true;
 }
 
 void pqShapeInteractiveWidget::OnRender()

@@ -77,7 +77,8 @@ protected:
   /// Called if the mouse was pressed and released without a drag, away from all parts.
   virtual bool Click(const Eigen::Vector2d& /*pixel*/) { return false; }
   virtual bool DoubleClick() { return false; }
-  /// Called when the handle appears before the filter has first been applied.
+  /// Called before the filter has first been applied: when the handle appears, and when there is
+  /// another surface. What the user has placed must stay.
   virtual void Place() {}
   /// Called when the handle appears and when the filter was updated. Data are fetched from the
   /// server here, because this is not possible while a view is rendered.
@@ -165,5 +166,4 @@ private:
   bool Released = false;
   bool Clicking = false;
   bool Stepping = false;
-  bool Initialized = false;
 };

@@ -18,6 +18,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
+#include <QPalette>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QTableWidget>
@@ -117,7 +118,9 @@ bool pqShapeResult::MakeFrame()
   this->Lines->setObjectName("Lines");
   this->Warnings = new QLabel(this->Frame);
   this->Warnings->setObjectName("Warnings");
-  this->Warnings->setStyleSheet("color: #b34700; font-weight: bold");
+  const bool isDark = panel->palette().color(QPalette::Window).lightness() < 128;
+  this->Warnings->setStyleSheet(
+    QString("color: %1; font-weight: bold").arg(isDark ? "#ff9f4d" : "#b34700"));
   for (QLabel* label : { this->Lines, this->Warnings })
   {
     label->setWordWrap(true);

@@ -1,10 +1,10 @@
 #include "pqShapeRows.h"
 
 #include "vtkPVXMLElement.h"
-#include "vtkSMDocumentation.h"
 #include "vtkSMDoubleVectorProperty.h"
 #include "vtkSMEnumerationDomain.h"
 #include "vtkSMIntVectorProperty.h"
+#include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyProperty.h"
 
 #include "pqApplicationCore.h"
@@ -18,12 +18,15 @@
 #include <QLabel>
 #include <QLayout>
 #include <QLineEdit>
-#include <QMap>
+#include <QLocale>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalBlocker>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <vector>
 
 namespace
 {
@@ -41,35 +44,6 @@ QString ToWords(QString value)
   return value.replace(border, "\\1 \\2");
 }
 
-/// Returns what a documentation says about values: "Value: ...", "Value (source): ..." or "Value
-/// and Value: ...", up to the next one.
-QMap<QString, QString> FindExplanations(const QString& documentation, const QStringList& values)
-{
-  QStringList escaped;
-  for (const QString& value : values)
-  {
-    escaped << QRegularExpression::escape(value);
-  }
-  const QString any = "(?:" + escaped.join('|') + ")";
-  const QRegularExpression start(QString("\\b(%1(?: and %1)*)(?: \\(([^)]*)\\))?: ").arg(any));
-  QMap<QString, QString> explanations;
-  QRegularExpressionMatch match = start.match(documentation);
-  while (match.hasMatch())
-  {
-    const QRegularExpressionMatch next = start.match(documentation, match.capturedEnd());
-    const int end = next.hasMatch() ? next.capturedStart() : documentation.size();
-    QString text = documentation.mid(match.capturedEnd(), end - match.capturedEnd()).trimmed();
-    text[0] = text[0].toUpper();
-    const QString source = match.captured(2);
-    for (const QString& value : match.captured(1).split(" and "))
-    {
-      explanations[value] = source.isEmpty() ? text : QString("%1 (%2)").arg(text, source);
-    }
-    match = next;
-  }
-  return explanations;
-}
-
 pqPropertyWidget* MakeChoice(vtkSMIntVectorProperty* property, vtkSMProxy* proxy, QWidget* parent)
 {
   pqPropertyWidget* row = pqIntVectorPropertyWidget::createWidget(property, proxy, parent);
@@ -78,43 +52,75 @@ pqPropertyWidget* MakeChoice(vtkSMIntVectorProperty* property, vtkSMProxy* proxy
   {
     return row;
   }
-  QStringList values; // as scripts and the property have them; they stay the data of the entries
-  for (int i = 0; i < list->count(); ++i)
-  {
-    values << list->itemData(i).toString();
-  }
-  vtkSMDocumentation* documentation = property->GetDocumentation();
-  const QMap<QString, QString> explanations = FindExplanations(
-    QString(documentation ? documentation->GetDescription() : "").simplified(), values);
+  auto* words = property->FindDomain<vtkSMEnumerationDomain>();
   const QSignalBlocker blocker(list);
-  for (int i = 0; i < values.size(); ++i)
+  for (unsigned int i = 0; i < words->GetNumberOfEntries(); ++i)
   {
-    list->setItemText(i, ToWords(values[i]));
-    if (explanations.contains(values[i]))
+    // ParaView appends the explanation to the text. The data of the item stays the word itself.
+    const int item = list->findData(QString(words->GetEntryText(i)));
+    list->setItemText(item, ToWords(words->GetEntryText(i)));
+    const QString explanation = QString(words->GetInfoText(i)).simplified();
+    if (!explanation.isEmpty())
     {
       list->setItemData(
-        i, QString("<qt>%1</qt>").arg(explanations[values[i]].toHtmlEscaped()), Qt::ToolTipRole);
+        item, QString("<qt>%1</qt>").arg(explanation.toHtmlEscaped()), Qt::ToolTipRole);
     }
   }
   return row;
 }
 
-pqPropertyWidget* ExplainZero(pqPropertyWidget* row, const QString& meaning)
+/// Returns about how many hexahedra fill a solid: those inside, and the layers along its boundary.
+/// The factors fit generated shapes; where thin parts or creases need smaller cells, there are
+/// more.
+double EstimateCellCount(vtkSMProxy* proxy, vtkPVXMLElement* hint, double number)
+{
+  const char* name = hint->GetAttributeOrEmpty("size");
+  proxy->UpdatePropertyInformation(proxy->GetProperty(name));
+  const std::vector<double> measures = vtkSMPropertyHelper(proxy, name).GetDoubleArray();
+  if (measures.size() != 3 || number <= 0.0)
+  {
+    return 0.0;
+  }
+  vtkSMPropertyHelper layers(proxy, hint->GetAttributeOrEmpty("layers"));
+  layers.SetUseUnchecked(true);
+  const double size = hint->GetAttribute("on_longest_edge") ? measures[2] / number : number;
+  constexpr double first = 1.1, further = 0.7; // cells of a layer, per square on the boundary
+  return measures[0] / std::pow(size, 3) +
+    (first + further * (layers.GetAsInt() - 1)) * measures[1] / std::pow(size, 2);
+}
+
+/// Adds what the number in a row means: the text of the hint Zero, or the number of hexahedra.
+pqPropertyWidget* ExplainNumber(pqPropertyWidget* row, vtkSMProperty* property, vtkSMProxy* proxy)
 {
   auto* edit = row->findChild<QLineEdit*>();
   if (!edit)
   {
     return row;
   }
-  auto* label = new QLabel(meaning, row);
-  label->setObjectName("Zero");
-  row->layout()->addWidget(label);
-  const auto update = [label](const QString& text)
+  vtkPVXMLElement* count = FindPropertyHint(property, "CellCount");
+  auto* zero = new QLabel(FindPropertyHint(property, "Zero")->GetAttributeOrEmpty("text"), row);
+  zero->setObjectName("Zero");
+  auto* cells = new QLabel(row);
+  cells->setObjectName("CellCount");
+  cells->setToolTip(
+    QObject::tr("An estimate from the volume and the area of the surface. There are "
+                "more cells if thin parts or creases need smaller ones."));
+  row->layout()->addWidget(zero);
+  row->layout()->addWidget(cells);
+  const auto update = [=](const QString& text)
   {
     bool isNumber = false;
-    label->setVisible(text.toDouble(&isNumber) == 0.0 && isNumber);
+    const double number = text.toDouble(&isNumber);
+    zero->setVisible(isNumber && number == 0.0);
+    const double estimate = count && isNumber ? EstimateCellCount(proxy, count, number) : 0.0;
+    // Two digits: it is an estimate.
+    const double unit = std::pow(10.0, std::floor(std::log10(std::max(estimate, 10.0))) - 1.0);
+    cells->setText(QObject::tr("\u2248 %1 cells")
+                     .arg(QLocale(QLocale::English)
+                            .toString(static_cast<qlonglong>(std::round(estimate / unit) * unit))));
+    cells->setVisible(estimate >= 1.0);
   };
-  QObject::connect(edit, &QLineEdit::textChanged, label, update);
+  QObject::connect(edit, &QLineEdit::textChanged, zero, update);
   update(edit->text());
   return row;
 }
@@ -167,12 +173,12 @@ pqPropertyWidget* pqShapeRows::createWidgetForProperty(
   {
     return MakeChoice(integers, proxy, parent);
   }
-  if (vtkPVXMLElement* zero = FindPropertyHint(property, "Zero"))
+  if (FindPropertyHint(property, "Zero"))
   {
     auto* numbers = vtkSMDoubleVectorProperty::SafeDownCast(property);
-    return ExplainZero(numbers ? new pqDoubleVectorPropertyWidget(numbers, proxy, parent)
-                               : pqIntVectorPropertyWidget::createWidget(integers, proxy, parent),
-      zero->GetAttributeOrEmpty("text"));
+    return ExplainNumber(numbers ? new pqDoubleVectorPropertyWidget(numbers, proxy, parent)
+                                 : pqIntVectorPropertyWidget::createWidget(integers, proxy, parent),
+      property, proxy);
   }
   auto* proxies = vtkSMProxyProperty::SafeDownCast(property);
   if (proxies && FindPropertyHint(property, "SelectionInput"))

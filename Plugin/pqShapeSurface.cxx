@@ -170,7 +170,7 @@ bool pqShapeSurface::FindUnder(
 
 bool pqShapeSurface::FindAlong(const pqShapeDisplay::Ray& ray, pqShapePlace& place) const
 {
-  const double middle = ray.Direction.dot(Eigen::Vector3d(this->Data->GetCenter()) - ray.Near);
+  const double middle = ray.Direction.dot(this->GetCentre() - ray.Near);
   const double first = std::max(ray.First, middle - this->GetSize());
   const double last = middle + this->GetSize();
   if (first >= last)
@@ -185,8 +185,10 @@ bool pqShapeSurface::FindAlong(const pqShapeDisplay::Ray& ray, pqShapePlace& pla
   double along = 0.0;
   int part = 0;
   vtkIdType id = -1;
+  // Without a tolerance, a line through an edge can pass between its triangles.
+  const double tolerance = 1e-9 * this->GetSize();
   if (!this->Locator->IntersectWithLine(
-        from.data(), to.data(), 0.0, along, position.data(), parameters, part, id, cell))
+        from.data(), to.data(), tolerance, along, position.data(), parameters, part, id, cell))
   {
     return false;
   }
@@ -209,6 +211,11 @@ pqShapePlace pqShapeSurface::FindClosest(const Eigen::Vector3d& point) const
     cell->GetPoints()->GetPoint(0, closest.data());
   }
   return this->MakeSurfacePoint(id, closest);
+}
+
+Eigen::Vector3d pqShapeSurface::GetCentre() const
+{
+  return Eigen::Vector3d(this->Data->GetCenter());
 }
 
 double pqShapeSurface::GetSize() const

@@ -55,7 +55,8 @@ public:
   /// Returns the position closest to a point.
   pqShapePlace FindClosest(const Eigen::Vector3d& point) const;
 
-  /// Returns half the diagonal of the bounding box of the surface.
+  /// Returns the centre, or half the diagonal, of the bounding box of the surface.
+  Eigen::Vector3d GetCentre() const;
   double GetSize() const;
 
 private:

@@ -60,7 +60,8 @@ const std::vector<Layout> Layouts = {
     [](pqOutputPort* port)
     { return QString("ShapeCorrespondence") == port->getSource()->getProxy()->GetXMLName(); } },
   { "hexahedra", "Hexahedra", ":/ShapeMap/ViewHexahedra.svg",
-    "Show a cut through hexahedra and the histogram of their quality",
+    "Show a cut through hexahedra and the histogram of their quality. Select the Clip to move the "
+    "cut",
     "the cell array ScaledJacobian, which Shape Hex Remesh makes",
     [](pqOutputPort* port) { return HasCellArray(port, "ScaledJacobian"); } },
   { "deck_check", "Deck Check", ":/ShapeMap/ViewDeck.svg",

@@ -48,7 +48,7 @@ def hexahedra(source=None, limits=(0.0, 1.0)):
     views[1].LeftAxisTitle, views[1].BottomAxisTitle = 'Cells', 'Scaled Jacobian'
     views[1].ShowLegend = 0
     simple.Show(histogram, views[1])
-    return _finish(layout, views, cut)
+    return _finish(layout, views, port) # Save Data writes what is active: the whole mesh
 
 
 def correspondence(source=None):
@@ -187,7 +187,11 @@ def _count(port, array):
 
 def _finish(layout, views, source):
     simple.SetActiveView(views[0])
-    simple.SetActiveSource(source)
+    if source.SMProxy.GetNumberOfOutputPorts() > 1: # the toolbars are those of one output
+        selection = servermanager.ProxyManager().GetSelectionModel('ActiveSources')
+        selection.SetCurrentProxy(source.SMProxy.GetOutputPort(source.Port), selection.CLEAR_AND_SELECT)
+    else:
+        simple.SetActiveSource(source)
     for view in views:
         simple.Render(view)
     return layout

@@ -74,6 +74,9 @@ class Source:
                 self.pages[path] = proxy.page()
         self.pictures = {}
         self.effects = self.all_effects()
+        # The pages that use a filter step by step, by the links that they have to its page.
+        self.walks = {stem: [path for path in [FIRST[1], *tutorials()] if 'Filters/%s.md)' % stem in read(path)]
+                      for stem in self.proxies}
 
     def all_effects(self):
         """{(proxy that declares a property, its name): (small, large)} from the pages' tables."""
@@ -120,7 +123,9 @@ class Source:
             else:
                 page.append('## ' + heading)
             page.append(body)
-        page.append('\nClass `vtk%s`, proxy `%s.%s`%s.\n' % (
+        page.append('\n## Step by step\n\n' + '\n'.join(
+            '- [%s](../../%s)' % (title_of(read(path)), path) for path in self.walks[proxy.stem()]))
+        page.append('\n\nClass `vtk%s`, proxy `%s.%s`%s.\n' % (
             proxy.name, proxy.group, proxy.name, '' if proxy.group == 'writers' else
             ', in scripts `%s(...)`' % proxy.label.replace(' ', '')))
         return '\n'.join(page)
@@ -131,8 +136,9 @@ class Source:
             lines.append('### %s\n' % row.label)
             lines.append('*%s%s*\n' % (row.value(), '; advanced' if row.advanced else ''))
             lines.append(as_code(row.help) + '\n')
-            if row.entries and row.kind == 'choice':
-                lines.append('Values: %s.\n' % ', '.join('`%s`' % entry for entry in row.entries))
+            if row.entries:
+                lines.append('| value | |\n|---|---|')
+                lines += ['| `%s` | %s |' % (word, as_code(about)) for word, about in row.entries.items()] + ['']
             small, large = self.effects.get((row.owner, row.name), ('', ''))
             if small:
                 lines.append('| small | large |\n|---|---|\n| %s | %s |\n' % (small, large))

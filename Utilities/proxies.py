@@ -32,7 +32,8 @@ class Property:
         self.default = element.get('default_values') or ''
         self.advanced = element.get('panel_visibility') == 'advanced'
         self.hidden = element.get('panel_visibility') == 'never' or element.get('information_only') == '1'
-        self.entries = [entry.get('text') for entry in element.iter('Entry')]
+        # What each word of an enumeration means.
+        self.entries = {entry.get('text'): words(entry, 'info') for entry in element.iter('Entry')}
         limits = next((child for child in element if child.tag.endswith('RangeDomain')), None)
         self.minimum = limits.get('min') if limits is not None else None
         self.maximum = limits.get('max') if limits is not None else None
@@ -41,7 +42,7 @@ class Property:
         elif self.entries:
             self.kind = 'choice'
             values = [entry.get('value') for entry in element.iter('Entry')]
-            self.default = self.entries[values.index(self.default)]
+            self.default = list(self.entries)[values.index(self.default)]
         elif element.find('ArrayListDomain') is not None:
             self.kind = 'array'
         elif element.tag == 'StringVectorProperty':
@@ -74,7 +75,9 @@ class Input:
     def __init__(self, element):
         self.name, self.label = element.get('name'), element.get('label') or element.get('name')
         self.help = words(element.find('Documentation'))
-        self.optional = element.find('Hints/Optional') is not None
+        # One that is needed is optional for the window alone, which lets one choose it on the panel.
+        hint = element.find('Hints/Optional')
+        self.optional = hint is not None and hint.get('needed') != '1'
         self.repeatable = element.get('multiple_input') == '1'
         # Those with commands of their own follow.
         self.port = int(element.get('port_index', 0 if 'InputConnection' in element.get('command', '') else 99))
@@ -98,6 +101,8 @@ class Proxy:
         hint = hints.find('ShapeMap') if hints is not None else None
         self.task = hint.get('task', '') if hint is not None else ''
         self.keywords = hint.get('keywords', '') if hint is not None else ''
+        entry = hints.find('ShowInMenu') if hints is not None else None
+        self.icon = entry.get('icon', '') if entry is not None else None
         core = element.find('SubProxy/Proxy')
         shown = [exposed.get('name') for exposed in element.findall('SubProxy/ExposedProperties/Property')]
         chain = lineage(element, elements)
@@ -113,6 +118,8 @@ class Proxy:
                     self.outputs.append(child.get('name'))
                 elif child.tag.endswith('VectorProperty'):
                     rows.setdefault(child.get('name'), Property(child, base.get('name')))
+        # The names of the rows that are below a heading.
+        self.grouped = {row.get('name') for base in chain for row in base.findall('PropertyGroup/Property')}
         # The first port has no index.
         self.inputs = sorted(inputs.values(), key=lambda row: row.port)
         self.properties = [row for row in rows.values() if not row.hidden and row.help and (

@@ -40,7 +40,9 @@ class Parameter:
         self.name = snake(element.get('name'))
         if keyword.iskeyword(self.name):
             self.name += '_'
-        self.help = words(element.findtext('Documentation'))
+        explained = ['%s: %s' % (each.get('text'), words(each.get('info')))
+                     for each in element.iter('Entry') if each.get('info')]
+        self.help = ' '.join([words(element.findtext('Documentation')), *explained])
         {'InputProperty': self.read_input, 'StringVectorProperty': self.read_string}.get(
             element.tag, self.read_numbers)()
 

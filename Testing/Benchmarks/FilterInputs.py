@@ -16,6 +16,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkCellArray, vtkImageData, vtkMultiBlockDataSet, vtkPolyData)
 from vtkmodules.vtkFiltersCore import (
     vtkAppendPolyData, vtkContourFilter, vtkReverseSense, vtkStripper)
+from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
 
 MODELS = os.path.join(os.environ.get('SHAPEMAP_PREFIX', sweep.BUILD), 'models')
 
@@ -184,6 +185,16 @@ def border(data):
     add_array(edges, source, CAME)
     set_points(edges, source + 0.4 * size * numpy.outer(middle[:, 0]**2 - middle[:, 1]**2, [0, 0, 1]))
     return edges
+
+
+@of
+def finer(data, times):
+    """Each triangle divided into 4, several times."""
+    divide = vtkLinearSubdivisionFilter()
+    divide.SetInputData(data)
+    divide.SetNumberOfSubdivisions(times)
+    divide.Update()
+    return divide.GetOutput()
 
 
 @of

@@ -93,6 +93,8 @@ for stem, proxy in source.proxies.items():
     for row in proxy.properties:
         if row.is_number() and (row.owner, row.name) not in source.effects:
             faults.append('no page has the effect of small and large values of %s.%s' % (row.owner, row.name))
+    if not source.walks[stem]:
+        faults.append('neither the first steps nor a tutorial links to the page of ' + proxy.label)
     if proxy.task and menu.get(stem) != proxy.task:
         faults.append('Documentation/Filters.md has %s under %s, and its XML under %s' % (
             proxy.label, menu.get(stem), proxy.task))

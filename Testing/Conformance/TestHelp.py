@@ -8,6 +8,7 @@ import sys
 import xml.etree.ElementTree as ElementTree
 
 LONGEST = 30  # words in a sentence
+TOOLTIP = 400  # characters; what is longer stands on the page of the filter
 # Forbidden words inside these phrases are the field's.
 ALLOWED = re.compile(r'\b(at least|least[- ]squares|least distortion)\b', re.IGNORECASE)
 # An abbreviation or the name of a fact ends no sentence.
@@ -53,8 +54,18 @@ def check_prose(where, text):
 
 def check_property(where, element):
     help = element.find('Documentation')
-    if help is None or not (help.text or '').strip():
+    text = ' '.join((help.text or '').split()) if help is not None else ''
+    if not text:
         faults.append('%s has no help' % where)
+    words = [(each.get('text'), ' '.join(each.get('info', '').split())) for each in element.iter('Entry')]
+    for name, tooltip in [('', text), *words]:
+        if len(tooltip) > TOOLTIP:
+            faults.append('%s %s has a tooltip of %d characters' % (where, name, len(tooltip)))
+    # What a word means stands on the word. On and Off need no words.
+    for name, tooltip in words:
+        check_prose('%s %s' % (where, name), tooltip)
+        if not tooltip and name not in ('On', 'Off'):
+            faults.append('%s does not say what %s means' % (where, name))
 
 
 def check_brief(path, short):
@@ -90,7 +101,13 @@ for path in paths('Filters', 'VTK', '*', 'vtkShape*.xml'):
         if not proxy.tag.endswith('Proxy') or not proxy.get('name'):
             continue
         where = '%s, %s' % (name, proxy.get('name'))
+        choices = {each.get('text') for each in proxy.iter('Entry')}
         for child in proxy:
+            # A row for one choice alone, "Disk: ...", is hidden with the others.
+            start = re.match(r'\s*(\w+)(?: and \w+)*:', child.findtext('Documentation') or '')
+            if child.tag.endswith('VectorProperty') and start and start.group(1) in choices and (
+                    child.find('Hints/PropertyWidgetDecorator') is None):
+                faults.append('%s.%s is for %s alone, and is always shown' % (where, child.get('name'), start.group(1)))
             # Those that a writer shows are documented where they are declared.
             if child.tag.endswith('Property'):
                 check_property('%s.%s' % (where, child.get('name')), child)

@@ -1,15 +1,22 @@
-"""Each filter of the menu says in its XML where it is in Filters > ShapeMap and what it needs, has an icon, and
-has search words of its own: TestMenu.py SOURCE_FOLDER. Runs without ParaView."""
+"""Each filter of the menu says in its XML where it is in Filters > ShapeMap and what it needs, has an icon,
+search words of its own and a first view, and a long panel has headings: TestMenu.py SOURCE_FOLDER. Runs
+without ParaView."""
 import glob
 import os
 import sys
 from xml.etree import ElementTree
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.join(os.path.abspath(sys.argv[1]), 'Utilities'))
+import proxies
 
 root = sys.argv[1]
 TASKS = {'Prepare', 'Map surfaces', 'Map solids', 'Hexahedra', 'Deform and compose', 'Measure'}
 menu = open(os.path.join(root, 'Plugin', 'pqShapeMenu.cxx')).read()
 assert all('"%s"' % task in menu for task in TASKS), 'the plugin arranges other tasks than %s' % sorted(TASKS)
 resources = {file.get('alias') for file in ElementTree.parse(os.path.join(root, 'Plugin', 'Icons.qrc')).iter('file')}
+
+ROWS = 6  # A panel with more rows has headings.
 
 places, words = {}, {}
 for path in sorted(glob.glob(os.path.join(root, 'Filters', 'VTK', '*', '*.xml'))):
@@ -23,6 +30,9 @@ for path in sorted(glob.glob(os.path.join(root, 'Filters', 'VTK', '*', '*.xml'))
         icon = entry.get('icon', '')
         assert icon == ':/ShapeMap/%s.svg' % name[len('Shape'):] and os.path.basename(icon) in resources, \
             '%s has no icon: %s' % (name, icon)
+        # A chart has no colours of a surface.
+        assert proxy.find('Hints/FirstApply') is not None or any(
+            view.get('type') == 'XYChartView' for view in proxy.findall('Hints/View')), '%s has no first view' % name
         assert hint.get('task') in TASKS, '%s has the task %s' % (name, hint.get('task'))
         assert hint.get('needs'), '%s does not say what it needs' % name
         place = hint.get('task'), int(hint.get('order'))
@@ -36,4 +46,10 @@ for path in sorted(glob.glob(os.path.join(root, 'Filters', 'VTK', '*', '*.xml'))
             assert word not in words, '%s and %s have the same search word %s' % (name, words[word], word)
             words[word] = name
 assert len(places) >= 20, places
+
+for name, proxy in proxies.proxies().items():
+    # Readers and writers are in no menu.
+    assert proxy.icon is None or os.path.basename(proxy.icon) in resources, '%s has no icon' % name
+    loose = [row.name for row in proxy.properties if row.name not in proxy.grouped]
+    assert len(proxy.properties) <= ROWS or not loose, '%s shows %s without a heading' % (name, ', '.join(loose))
 print('%d filters, %d search words' % (len(places), len(words)))

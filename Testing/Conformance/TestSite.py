@@ -50,6 +50,8 @@ def check(folder, product):
                 faults.append('%s %s links to no %s' % (product, name, target))
         if re.search(r'\]\([^)]*\)|@[A-Z]+@', texts[name]):
             faults.append('%s %s has Markdown left' % (product, name))
+    if sum(part.needed() == 'required' for part in source.proxies['Correspondence'].inputs) != 2:
+        faults.append('Shape Correspondence requires both surfaces')
     for proxy in source.proxies.values():
         for part in proxy.inputs + proxy.properties:
             if part.label not in texts.get(proxy.page(), '') or not part.help:

@@ -28,6 +28,24 @@ quality = shapemap.cell_array(made.hexahedra, 'ScaledJacobian')
 assert len(quality) > 50 and quality.min() > 0.1, quality
 print('%s, %s: %d hexahedra' % (described['Version'], described['License'], len(quality)))
 PY
+
+# Without the VTK for which it was made, it says what is missing and what to do.
+"$folder/venv/bin/python" - "$folder/venv" <<'PY'
+import glob
+import re
+import subprocess
+import sys
+
+extension, = glob.glob(sys.argv[1] + '/lib/python*/site-packages/shapemap/vtkShapeFilters*.so')
+content = open(extension, 'rb').read()
+suffix = re.search(rb'libvtkCommonCore(-[pv\d.]+)\.so', content).group(1)
+other = re.sub(rb'\d', b'8', suffix)
+open(extension, 'wb').write(content.replace(suffix + b'.so', other + b'.so'))
+printed = subprocess.run([sys.executable, '-c', 'import shapemap'], stderr=subprocess.PIPE, text=True).stderr
+needs = '%s %s' % ('ParaView' if b'pv' in other else 'version', other.decode().lstrip('-pv'))
+assert printed.endswith('wheel for your VTK by Utilities/wheel.sh\n') and needs in printed.splitlines()[-1], printed
+open(extension, 'wb').write(content)
+PY
 if unzip -p "$folder"/shapemap-*.whl | grep -a "$1"; then
   echo "the wheel names the build folder"
   exit 1

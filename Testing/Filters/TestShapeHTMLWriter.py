@@ -86,6 +86,21 @@ path = os.path.join(folder, 'surface.html')
 simple.SaveData(path, surface)
 assert shown(path, '#color=TargetPosition (X)') == (1296, 1296), shown(path)
 
+# Edges are lines around the cells, and where the cells are too small to be told apart, they do not cover them.
+def dark(path, view=''):
+    """The share of the drawing that is as dark as edges are."""
+    picture = pixels(path, view)
+    drawn = (picture < 250).any(axis=2)
+    return ((picture.max(axis=2) < 50) & drawn).sum() / drawn.sum()
+
+
+dense = simple.Sphere(ThetaResolution=200, PhiResolution=200)
+path = os.path.join(folder, 'dense.html')
+simple.SaveData(path, simple.Elevation(Input=dense, LowPoint=[0, 0, -0.5], HighPoint=[0, 0, 0.5]))
+edges, crowded = dark(page) - dark(page, '#edges=0'), dark(path)
+print('edges darken %.3f of the bar and %.3f of a dense sphere' % (edges, crowded))
+assert 0.02 < edges < 0.06 and crowded < 0.01
+
 # File > Save Data lists it for both, and what it cannot write is said.
 factory = vtkSMProxyManager.GetProxyManager().GetWriterFactory()
 for source in (surface, hexahedra):

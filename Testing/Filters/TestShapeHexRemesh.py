@@ -129,6 +129,11 @@ sized = simple.IntegrateVariables(Input=simple.CellSize(Input=remesh))
 sized.UpdatePipeline()
 total = shapetesting.output(sized).GetCellData().GetArray('Volume').GetValue(0)
 assert abs(total / volume - 1.0) < 0.01, total
+# From these measures of the surface, the panel estimates the number of hexahedra.
+remesh.UpdatePropertyInformation()
+size = list(remesh.GetProperty('SurfaceSize'))
+side = 60.0 * numpy.sin(numpy.pi / 60.0) * 2.0
+assert numpy.allclose(size, [volume, side + volume, 2.0], rtol=1e-5), size
 # Its rims lie on the planes of its ends.
 ends = numpy.abs(numpy.abs(points(boundary)[:, 1]) - 1.0) < 1e-9
 radii = numpy.linalg.norm(points(boundary)[ends][:, [0, 2]], axis=1)

@@ -41,6 +41,17 @@ w.python('''
     assert shown() == [('ShapeParameterize1', 1)], shown()
     Delete(made)''')
 
+# In a new view, a polycube is seen obliquely. Numbers that stand for names have a colour each.
+w.select('/0/0|0')
+w.filter('Shape Polycube')
+w.apply()
+w.python('''
+    view, table = GetActiveView(), GetColorTransferFunction('Label')
+    towards = [position - focus for position, focus in zip(view.CameraPosition, view.CameraFocalPoint)]
+    assert min(towards) > 0.2 * max(towards), towards
+    assert table.InterpretValuesAsCategories == 1 and list(table.Annotations[:4]) == ['0', '+x', '1', '-x'], table.Annotations
+    Delete(FindSource('ShapePolycube1'))''')
+
 # Where the filter refuses, its input stays; the next Apply is the first one with a result.
 w.select('/0/0|0')
 w.filter('Shape Cut Feature')
@@ -56,6 +67,46 @@ w.python('''
     parts = [list(GetDisplayProperties(OutputPort(cut, port)).DiffuseColor) for port in (0, 1)]
     assert parts[0] != parts[1], parts
     Delete(cut)''')
+
+# The patch around a seed shows its distance from the seed. A deformed shape keeps the colours of its input,
+# and a pasted feature is told from its target.
+w.select('/0/0|0')
+w.filter('Shape Exponential Map')
+w.apply()
+w.python('''
+    patch = GetActiveSource()
+    assert colored(patch) == 'GeodesicDistance' and shown() == [('ShapeExponentialMap1', 0)], (colored(patch), shown())
+    Delete(patch)
+    import math
+    hemisphere = [value for k in range(12) for value in (0.3 * math.cos(k * math.pi / 6), 0.3 * math.sin(k * math.pi / 6), 0.4)]
+    ball = Sphere(registrationName='Ball', ThetaResolution=30, PhiResolution=30)
+    cap = ShapeCutFeature(registrationName='Cap', Input=ball, LoopPoints=hemisphere)
+    planet = Sphere(registrationName='Planet', ThetaResolution=30, PhiResolution=30, Radius=1.5)
+    for source in GetSources().values():
+        Hide(source)
+    Show(planet)
+    SetActiveSource(cap)''')
+w.filter('Shape Paste Feature')
+w.choose_inputs(Target='Planet')
+w.apply()
+w.python('''
+    pasted = GetActiveSource()
+    assert colored(pasted) == 'Part' and ('ShapePasteFeature1', 0) in shown(), (colored(pasted), shown())
+    ring = Slice(registrationName='Ring', Input=planet)
+    ring.SliceType.Normal = [0, 0, 1]
+    old = Calculator(registrationName='Old', Input=ring, ResultArrayName='SourcePosition', Function='coords')
+    handle = Calculator(registrationName='Handle', Input=old, CoordinateResults=1, Function='coords+iHat*0.3*coordsX')
+    height = Elevation(registrationName='Height', Input=planet)
+    ColorBy(Show(height), ('POINTS', 'Elevation'))
+    SetActiveSource(height)''')
+w.filter('Shape Deform')
+w.choose_inputs(Boundary='Handle')
+w.apply()
+w.python('''
+    deformed = GetActiveSource()
+    assert colored(deformed) == 'Elevation' and ('ShapeDeform1', 0) in shown(), (colored(deformed), shown())
+    for source in (deformed, height, handle, old, ring, pasted, cap, planet, ball):
+        Delete(source)''')
 
 # A script in the window's shell decides by itself.
 w.python('''
@@ -83,6 +134,20 @@ w.python('''
     for port in (0, 1):
         display = GetDisplayProperties(OutputPort(maps, port))
         assert colored(maps, port) == 'MapColors' and display.MapScalars == 0, (port, colored(maps, port), display.MapScalars)''')
+
+# What ParaView's filters make of one of them is drawn there, with its colours.
+w.python('''
+    selection = servermanager.ProxyManager().GetSelectionModel('ActiveSources')
+    selection.SetCurrentProxy(maps.SMProxy.GetOutputPort(1), selection.CLEAR_AND_SELECT)''')
+w.event('menubar', 'activate', 'menuFilters')
+w.event('menubar/menuFilters/Alphabetical', 'activate', 'Clip')
+w.apply()
+w.python('''
+    clip = FindSource('Clip1')
+    display = GetDisplayProperties(clip)
+    assert list(display.Position) == list(shift) and colored(clip) == 'MapColors' and display.MapScalars == 0, display.Position
+    Delete(clip)
+    Show(OutputPort(maps, 1))''')
 
 # The giver stays, and the receiver has its colours.
 w.python('''

@@ -23,9 +23,14 @@ w.check(inputs('SurfaceA'), 'currentText', 'A')
 w.check(inputs('SurfaceB'), 'currentText', 'B')
 w.check(inputs('Landmarks'), 'currentText', 'none')
 w.python('assert GetActiveSource().SurfaceB is None, "it waits for Apply"')
+# Its first output is the active one, and stays selected when the pipeline browser moves the filter to its new
+# inputs: without a selection, all filters are disabled.
+w.select('/0/0/0/0|0')
 w.apply()
 w.python('''
-    made = GetActiveSource()
+    selection = servermanager.ProxyManager().GetSelectionModel('ActiveSources')
+    assert selection.GetNumberOfSelectedProxies() == 1, selection.GetNumberOfSelectedProxies()
+    made = FindSource('ShapeCorrespondence1')
     assert made.SurfaceB == FindSource('B') and made.Landmarks is None, made.SurfaceB
     trace = smtrace.get_current_trace_output()
     smtrace.stop_trace()

@@ -24,22 +24,36 @@ w.wait(100)
 w.step('cut')
 w.python('''
     cut = GetActiveSource()
-    assert [OutputPort(cut, port).GetDataInformation().GetNumberOfCells() > 0 for port in (0, 1)] == [True, True]''')
+    assert [OutputPort(cut, port).GetDataInformation().GetNumberOfCells() > 0 for port in (0, 1)] == [True, True]
+    assert any(GetDisplayProperties(OutputPort(cut, 0)).Position), 'the feature lies in the rest' ''')
 
-w.eye('/0/1/0/1')
 w.filter('Shape Paste Feature')
 w.choose_inputs(Target='PhantomHeadSmall.vtp')
 w.wait(100)
+w.step('feature placed')
+w.python('''
+    import numpy
+    from vtkmodules.vtkCommonCore import reference
+    from vtkmodules.vtkCommonDataModel import vtkStaticCellLocator
+    seed, viewer = (numpy.array(position) for position in
+                    (GetActiveSource().Seed, GetActiveView().CameraPosition))
+    target = vtkStaticCellLocator()
+    target.SetDataSet(servermanager.Fetch(FindSource('PhantomHeadSmall.vtp')))
+    target.BuildLocator()
+    hit = numpy.zeros(3)
+    assert target.IntersectWithLine(viewer, viewer + 1.1 * (seed - viewer), 0, reference(0.0), hit, [0, 0, 0],
+                                    reference(0))
+    assert numpy.linalg.norm(hit - seed) < 1e-3, ('the feature is not on the side that is seen', hit, seed)''')
 w.apply()
 w.wait(100)
 w.step('pasted')
 w.python('''
-    import numpy
     made = GetActiveSource()
     assert made.Target == FindSource('PhantomHeadSmall.vtp')
     shown = [display.Input.SMProxy for display in GetActiveView().Representations
              if hasattr(display, 'Input') and display.Visibility]
     assert shown == [made.SMProxy], shown
+    assert GetDisplayProperties(made).ColorArrayName[1] == 'Part'
 
     def seed():
         return numpy.array(made.Seed)

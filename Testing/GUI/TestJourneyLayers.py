@@ -11,6 +11,14 @@ w.choose(window.INPUTS + 'InnerSurfaces/List0', 'PhantomSkullSmall.vtp')
 w.choose(window.INPUTS + 'InnerSurfaces/List1', 'PhantomBrainSmall.vtp')
 w.apply()
 w.step('solid with layers')
+w.python('''
+    import itertools, numpy
+    renderer = GetActiveView().GetRenderer()
+    bounds = numpy.reshape(GetActiveSource().GetDataInformation().GetBounds(), (3, 2))
+    for corner in itertools.product(*bounds):
+        renderer.SetWorldPoint(*corner, 1.0)
+        renderer.WorldToView()
+        assert max(map(abs, renderer.GetViewPoint()[:2])) < 1.0, (corner, renderer.GetViewPoint())''')
 w.filter('Shape Harmonic Volume Map')
 w.choose_inputs(Boundary='PhantomHeadSmall.vtp')
 w.choose(window.INPUTS + 'Features/List0', 'PhantomSkullSmall.vtp')

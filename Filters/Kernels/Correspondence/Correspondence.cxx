@@ -233,7 +233,7 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
       break;
   }
   const bool isFunctional = options.Start == Options::StartType::FunctionalMap;
-  const double started = isFunctional ? 0.4 : 0.1; // share of the time
+  const double started = isFunctional ? 0.6 : 0.1; // share of the time
   const Progress first = whole.Part(0.0, started);
   const SurfaceMaps start = isFunctional ? Functional(a, b, landmarks, options, result.Part, first)
                                          : MapByLandmarkCells(a, b, landmarks, first);

@@ -45,13 +45,13 @@ std::vector<int> RowsOf(const std::vector<int>& points, const ExponentialPatch& 
 /// Schmidt and Singh, section 4.2, demand it: a feature that is dropped back in its position gives
 /// the original surface. It is tested by pasting, with the same code, the loop only.
 bool StaysInPlace(PasteTarget& home, const FeatureFootprint& base, const std::vector<int>& loop,
-  const Eigen::RowVector3d& seed)
+  const Eigen::RowVector3d& seed, const Progress& progress)
 {
   constexpr double tolerance = 1e-9; // of the diagonal
   const Surface& surface = home.Surface();
   try
   {
-    const LoopOnTarget landing = home.Land(base, { seed, 0.0, 1.0 }, false);
+    const LoopOnTarget landing = home.Land(base, { seed, 0.0, 1.0 }, false, progress);
     return IsSimplePolygon(base.LoopPositions) &&
       (landing.Positions - surface.Points()(loop, Eigen::all)).rowwise().norm().maxCoeff() <=
       tolerance * ComputeBoxDiagonal(surface.Points());
@@ -70,21 +70,25 @@ void LayOutConformally(PasteTarget& home, const Eigen::RowVector3d& seed, double
   const std::vector<int>& loop, FeatureFootprint& base, const Progress& progress)
 {
   const ClosestPoint position = home.Layout().Locator().FindOne(seed);
+  double left = 1.0; // of the progress: most loops need few attempts
   for (const bool refine : { false, true })
   {
     for (const double share : { 1.02, 1.1, 1.25, 1.5 })
     {
+      const Progress part = progress.Part(1.0 - left, 1.0 - 0.5 * left);
+      left *= 0.5;
       try
       {
         const ExponentialPatch flat = FlattenPatchConformally(home.Surface(),
-          home.Layout().Around(position, share * radius, Eigen::RowVector3d::Zero(), progress),
-          refine, progress);
+          home.Layout().Around(
+            position, share * radius, Eigen::RowVector3d::Zero(), part.Part(0.0, 0.1)),
+          refine, part.Part(0.1, 0.5));
         const std::vector<int> rows = RowsOf(loop, flat);
         FeatureFootprint other = base;
         other.LoopPositions = flat.Positions(rows, Eigen::all);
         other.ConformalRadius = share * radius;
         other.IsRefined = refine;
-        if (!rows.empty() && StaysInPlace(home, other, loop, seed))
+        if (!rows.empty() && StaysInPlace(home, other, loop, seed, part.Part(0.5, 1.0)))
         {
           base = std::move(other);
           base.ReturnsInPlace = true;
@@ -122,11 +126,11 @@ FeatureFootprint BuildFootprintOnSurface(const Surface& filled, const Eigen::Row
   const Topology& kind = filled.Topology();
   if (kind.NonManifoldEdges + kind.NonManifoldPoints + kind.MisorientedEdges == 0)
   {
-    home.emplace(filled, ExponentialMapOptions(), progress.Part(0.0, 0.5));
+    home.emplace(filled, ExponentialMapOptions(), progress.Part(0.0, 0.2));
   }
   else
   {
-    alone.emplace(filled, ExponentialMapOptions(), progress.Part(0.0, 0.5));
+    alone.emplace(filled, ExponentialMapOptions(), progress.Part(0.0, 0.2));
   }
   ExponentialMap& map = home ? home->Layout() : *alone;
   const ClosestPoint position = map.Locator().FindOne(seed);
@@ -142,17 +146,17 @@ FeatureFootprint BuildFootprintOnSurface(const Surface& filled, const Eigen::Row
   {
     radius *= 1.5;
     const ExponentialPatch patch =
-      map.Around(position, radius, Eigen::RowVector3d::Zero(), progress.Part(0.5, 0.8));
+      map.Around(position, radius, Eigen::RowVector3d::Zero(), progress.Part(0.2, 0.25));
     const std::vector<int> rows = RowsOf(on, patch);
     if (!rows.empty())
     {
       FeatureFootprint base{ std::move(loop), patch.Positions(rows, Eigen::all),
         GetVertexNormals(filled)(on, Eigen::all), patch.Seed.Normal, patch.Seed.XAxis };
-      base.ReturnsInPlace = home && StaysInPlace(*home, base, on, seed);
+      base.ReturnsInPlace = home && StaysInPlace(*home, base, on, seed, progress.Part(0.25, 0.5));
       if (home && !base.ReturnsInPlace)
       {
         LayOutConformally(
-          *home, seed, patch.Distances(rows).maxCoeff(), on, base, progress.Part(0.8, 1.0));
+          *home, seed, patch.Distances(rows).maxCoeff(), on, base, progress.Part(0.5, 1.0));
       }
       return base;
     }

@@ -151,7 +151,7 @@ ShapeDeformation::ShapeDeformation(const PointGraph& graph, const BoundaryHandle
     { options.UpwindRadius, options.Distance } };
   if (options.LaplacianSmoothing)
   {
-    own.Smoothing = std::make_unique<LaplacianSmoothing>(problem);
+    own.Smoothing = std::make_unique<LaplacianSmoothing>(problem, progress.Part(0.3, 0.3));
   }
   if (fields.Segments.size() > 0)
   {

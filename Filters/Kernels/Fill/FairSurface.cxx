@@ -115,7 +115,8 @@ public:
   /// The equation is S H = 0 at the inner points: H is harmonic. A movement u along the normals
   /// changes H by (M^-1 S u - K u) / 2, with K = k1^2 + k2^2. Newton's equation is therefore
   /// (S M^-1 S - S K) u = -2 S H. S K is made symmetric, so that a Cholesky factorisation applies.
-  Eigen::VectorXd Find(const Geometry& is, Eigen::Index loop, bool cautious, bool again)
+  Eigen::VectorXd Find(
+    const Geometry& is, Eigen::Index loop, bool cautious, bool again, const Progress& progress)
   {
     const Eigen::Index inner = is.Areas.size() - loop;
     const Eigen::VectorXd residual = -(is.Stiffness * is.Curvature).tail(inner);
@@ -130,8 +131,8 @@ public:
     const Sparse derivative = plain - 0.5 * Inner(squares + turned, loop);
     Eigen::VectorXd step;
     // If the surface bends strongly over its width, the derivative may not be positive definite.
-    if ((cautious || !this->TrySolve(derivative, 2.0 * residual, step)) &&
-      !this->TrySolve(plain, 2.0 * residual, step))
+    if ((cautious || !this->TrySolve(derivative, 2.0 * residual, step, progress)) &&
+      !this->TrySolve(plain, 2.0 * residual, step, progress))
     {
       throw SolveFailure("the fair surface's equation has no solution; look for triangles "
                          "without area around the hole");
@@ -140,11 +141,12 @@ public:
   }
 
 private:
-  bool TrySolve(const Sparse& matrix, const Eigen::VectorXd& right, Eigen::VectorXd& solution)
+  bool TrySolve(const Sparse& matrix, const Eigen::VectorXd& right, Eigen::VectorXd& solution,
+    const Progress& progress)
   {
     try
     {
-      this->Solver.Factorize(matrix);
+      this->Solver.Factorize(matrix, progress);
     }
     catch (const SolveFailure&)
     {
@@ -191,7 +193,8 @@ double MeanLoopEdge(const Eigen::MatrixXd& points, Eigen::Index loop)
 
 /// Mixed finite elements: M L = S x - flux defines the Laplacian L, also at the loop, and S L = 0
 /// at the inner points is the equation.
-Eigen::MatrixXd SolveBiharmonicSurface(const Mesh& disk, const BoundaryLoop& loop)
+Eigen::MatrixXd SolveBiharmonicSurface(
+  const Mesh& disk, const BoundaryLoop& loop, const Progress& progress)
 {
   const Eigen::Index points = disk.Points.rows(), corners = loop.Points.rows();
   Eigen::MatrixXd positions = Eigen::MatrixXd::Zero(points, 3);
@@ -216,7 +219,7 @@ Eigen::MatrixXd SolveBiharmonicSurface(const Mesh& disk, const BoundaryLoop& loo
   }
   const Sparse weighted = WithRowsScaled(stiffness, masses.cwiseInverse()).transpose();
   SparseCholesky solver;
-  solver.Factorize(Inner(Sparse(weighted * stiffness), corners));
+  solver.Factorize(Inner(Sparse(weighted * stiffness), corners), progress);
   const Eigen::MatrixXd right = weighted * (flux - stiffness * positions);
   positions.bottomRows(points - corners) = solver.Solve(right.bottomRows(points - corners));
   return positions;
@@ -253,7 +256,8 @@ FairSurfaceResult SolveFairSurface(const Mesh& start, const Eigen::MatrixXd& loo
     }
     // A rise of the energy shows that the derivative misleads: the next step uses the bilaplacian
     // alone, which is positive definite.
-    const Eigen::VectorXd step = newton.Find(is, loop, energy > last, isNear && energy <= last);
+    const Eigen::VectorXd step = newton.Find(is, loop, energy > last, isNear && energy <= last,
+      progress.Part(begin, (result.Iterations + 1.0) / options.MaximumIterations));
     last = energy;
     // Steps that do not become shorter as expected oscillate.
     const double length = step.cwiseAbs().maxCoeff();

@@ -24,7 +24,8 @@ struct BoundaryLoop
  *
  * disk: n points in the plane or in space, the loop's points first. Throws SolveFailure.
  */
-Eigen::MatrixXd SolveBiharmonicSurface(const Mesh& disk, const BoundaryLoop& loop);
+Eigen::MatrixXd SolveBiharmonicSurface(
+  const Mesh& disk, const BoundaryLoop& loop, const Progress& progress = {});
 
 struct FairSurfaceOptions
 {

@@ -87,7 +87,6 @@ HeatGeodesics::HeatGeodesics(const Surface& surface, const Progress& progress)
     const double x = (c * c + (b - a) * (b + a)) / (2.0 * c);
     this->Corners.row(t) << c, x, std::sqrt(std::max(b * b - x * x, 0.0));
   }
-  progress(0.2);
   // Heat decays like exp(-distance / sqrt(time)): at 300 times the root of the time it is 1e-130,
   // still within double precision.
   constexpr double share = 1.0 / 300.0, rest = 1e-9;
@@ -99,11 +98,10 @@ HeatGeodesics::HeatGeodesics(const Surface& surface, const Progress& progress)
   // Crane et al.: the time is the square of the mean edge length.
   const double time = side * side;
   // First step of algorithm 1: the backward Euler step (M + t S) u = delta.
-  this->Heat.Factorize(Shifted(stiffness, time, masses));
-  progress(0.5);
+  this->Heat.Factorize(Shifted(stiffness, time, masses), progress.Part(0.2, 0.5));
   // The constant of each component is undetermined; adding a small share of the masses fixes it.
-  this->Poisson.Factorize(Shifted(stiffness, 1.0, (rest / masses.sum()) * masses));
-  progress(0.8);
+  this->Poisson.Factorize(
+    Shifted(stiffness, 1.0, (rest / masses.sum()) * masses), progress.Part(0.5, 0.8));
   if (this->Inside.minCoeff() == 0.0)
   {
     const Eigen::VectorXd boundary = Eigen::VectorXd::Ones(points) - this->Inside;
@@ -111,7 +109,7 @@ HeatGeodesics::HeatGeodesics(const Surface& surface, const Progress& progress)
       this->Inside.asDiagonal() * stiffness * this->Inside.asDiagonal();
     const Eigen::VectorXd diagonal = this->Inside.cwiseProduct(masses) + boundary;
     this->HeatWithin.emplace();
-    this->HeatWithin->Factorize(Shifted(kept, time, diagonal));
+    this->HeatWithin->Factorize(Shifted(kept, time, diagonal), progress.Part(0.8, 1.0));
   }
   progress(1.0);
 }

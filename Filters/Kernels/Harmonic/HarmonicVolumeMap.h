@@ -47,8 +47,7 @@ struct AcceleratedSetup;
  * Throws InvalidInput if the surface is not closed or bounds several solids, a value is not finite,
  * or an option is out of range. Throws InvalidInput, too, if a feature lies outside the domain or a
  * decomposition would exceed MaximumMemory. Throws SolveFailure if LAPACK's decomposition does not
- * converge, or if Accelerated has no room for any charge. Throws Aborted. A decomposition is a
- * single library call that cannot be interrupted.
+ * converge, or if Accelerated has no room for any charge. Throws Aborted.
  */
 HarmonicVolumeMapResult ComputeHarmonicVolumeMap(const Surface& boundary,
   const Eigen::MatrixXd& targets, const VolumeFeatures& features = {},

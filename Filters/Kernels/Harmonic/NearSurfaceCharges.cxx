@@ -250,9 +250,11 @@ GmresResult NearSurfaceChargeSystem::Solve(
   const Eigen::MatrixXd& values, const GmresOptions& options, const Progress& progress) const
 {
   // Right-preconditioned GMRES in the weighted norm of the rows (Gmres.h).
-  return SolveGmres([&](const Eigen::MatrixXd& charges) { return this->Values(charges); },
-    [&](const Eigen::MatrixXd& residual) { return this->Preconditioner->Apply(residual); }, values,
-    this->System.Weights, options, progress);
+  return SolveGmres([&](const Eigen::MatrixXd& charges, const Progress& part)
+    { return this->Values(charges, part); },
+    [&](const Eigen::MatrixXd& residual, const Progress& part)
+    { return this->Preconditioner->Apply(residual, part); },
+    values, this->System.Weights, options, progress);
 }
 
 } // namespace shape

@@ -1,5 +1,6 @@
 #include "Harmonic/SchwarzPreconditioner.h"
 
+#include "Base/LibraryCall.h"
 #include "Base/Parallel.h"
 #include "Fmm/DirectSummation.h"
 #include "Harmonic/ChargeSet.h"
@@ -198,7 +199,7 @@ void SchwarzPreconditioner::SetUpCoarse(const Progress& progress)
   Eigen::MatrixXd coarse(count, count); // transposed
   for (Eigen::Index c = 0; c < count; ++c)
   {
-    progress(static_cast<double>(c) / static_cast<double>(count));
+    progress(0.3 * static_cast<double>(c) / static_cast<double>(count));
     // A mean of potentials is the potential of a charge distributed over the positions.
     std::vector<int> sites;
     std::vector<double> shares;
@@ -213,9 +214,19 @@ void SchwarzPreconditioner::SetUpCoarse(const Progress& progress)
   }
   // In narrow gaps coarse charges are nearly redundant; the regularization keeps them small.
   constexpr double ridge = 1e-4;
-  Eigen::MatrixXd normal = coarse * coarse.transpose();
-  normal.diagonal().array() += ridge * normal.diagonal().mean();
-  this->CoarseInverse = normal.llt().solve(coarse);
+  this->CoarseInverse = coarse;
+  const auto invert = [&]
+  {
+    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(count, count);
+    normal.selfadjointView<Eigen::Lower>().rankUpdate(coarse);
+    normal.diagonal().array() += ridge * normal.diagonal().mean();
+    normal.selfadjointView<Eigen::Lower>().llt().solveInPlace(this->CoarseInverse);
+  };
+  const BlasThreads threads(BlasThreads::WorthSharing(static_cast<int>(count)));
+  const double n = static_cast<double>(count);
+  RunInterruptibly(invert, (1.0 + 1.0 / 3.0 + 2.0) * n * n * n,
+    { { this->CoarseInverse.data(), this->CoarseInverse.size() * sizeof(double) } },
+    progress.Part(0.3, 1.0));
 }
 
 SchwarzPreconditioner::Block SchwarzPreconditioner::MakeBlock(const TestedSystem& system,
@@ -274,7 +285,8 @@ SchwarzPreconditioner::Block SchwarzPreconditioner::MakeBlock(const TestedSystem
   return block;
 }
 
-Eigen::MatrixXd SchwarzPreconditioner::Apply(const Eigen::MatrixXd& residual) const
+Eigen::MatrixXd SchwarzPreconditioner::Apply(
+  const Eigen::MatrixXd& residual, const Progress& progress) const
 {
   const BlasThreads single(false);
   // Outline:
@@ -291,10 +303,11 @@ Eigen::MatrixXd SchwarzPreconditioner::Apply(const Eigen::MatrixXd& residual) co
   charges.bottomRows(c) = this->CoarseInverse * (this->ClusterMeans * left.topRows(n));
   // The potential of a coarse charge hardly varies over one average, so it is evaluated at its
   // centre.
-  left -= SumPotentialsDirectly(
-    this->CoarseSources, charges.bottomRows(c), this->Positions, RootError::Small);
+  left -= SumPotentialsDirectly(this->CoarseSources, charges.bottomRows(c), this->Positions,
+    RootError::Small, progress.Part(0.0, 0.5));
   // Step 3. Every site belongs to one block, so the blocks write different rows.
-  ParallelFor(static_cast<int>(this->Blocks.size()), 16,
+  ParallelFor(
+    static_cast<int>(this->Blocks.size()), 16,
     [&](int begin, int end)
     {
       for (int b = begin; b < end; ++b)
@@ -305,7 +318,8 @@ Eigen::MatrixXd SchwarzPreconditioner::Apply(const Eigen::MatrixXd& residual) co
         const Eigen::MatrixXd inputs = left(block.Inputs, Eigen::all);
         charges(block.Own, Eigen::all) = block.Inverse.cast<double>() * inputs;
       }
-    });
+    },
+    progress.Part(0.5, 1.0));
   return charges;
 }
 

@@ -50,7 +50,7 @@ public:
 
   /// residual: m x k. Returns the charges at the sources, then the charges at the coarse sources:
   /// (n + c) x k.
-  Eigen::MatrixXd Apply(const Eigen::MatrixXd& residual) const;
+  Eigen::MatrixXd Apply(const Eigen::MatrixXd& residual, const Progress& progress = {}) const;
 
 private:
   struct Block

@@ -10,7 +10,8 @@
 namespace shape
 {
 
-Eigen::MatrixXd SolveHarmonicValues(const Surface& patch, const Eigen::MatrixXd& loopValues)
+Eigen::MatrixXd SolveHarmonicValues(
+  const Surface& patch, const Eigen::MatrixXd& loopValues, const Progress& progress)
 {
   const Eigen::Index points = patch.Points().rows();
   // minimum weight; that of an edge between equilateral triangles is 0.58. Cocircular points
@@ -23,7 +24,8 @@ Eigen::MatrixXd SolveHarmonicValues(const Surface& patch, const Eigen::MatrixXd&
   std::iota(loop.begin(), loop.end(), 0);
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(points, loopValues.cols());
   values.topRows(loopValues.rows()) = loopValues;
-  DirichletProblem(stiffness, loop).Solve(values, Eigen::MatrixXd::Zero(points, loopValues.cols()));
+  DirichletProblem(stiffness, loop, progress)
+    .Solve(values, Eigen::MatrixXd::Zero(points, loopValues.cols()), progress.Part(1.0, 1.0));
   return values;
 }
 
@@ -31,12 +33,13 @@ Eigen::MatrixXd SolveMembrane(
   const Surface& disk, const Eigen::MatrixXd& loop, int rounds, const Progress& progress)
 {
   progress(0.0);
-  Eigen::MatrixXd positions = SolveHarmonicValues(disk, loop);
+  const auto part = [&](int round)
+  { return progress.Part(round / (rounds + 1.0), (round + 1.0) / (rounds + 1.0)); };
+  Eigen::MatrixXd positions = SolveHarmonicValues(disk, loop, part(0));
   for (int round = 1; round <= rounds; ++round)
   {
-    progress(static_cast<double>(round) / (rounds + 1));
     // Pinkall and Polthier 1993: the harmonic map of the current surface replaces it.
-    positions = SolveHarmonicValues(disk.WithPoints(positions), loop);
+    positions = SolveHarmonicValues(disk.WithPoints(positions), loop, part(round));
   }
   return positions;
 }

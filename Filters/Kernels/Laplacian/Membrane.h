@@ -17,7 +17,8 @@ namespace shape
  * Throws SolveFailure if a part of the patch is not connected to the loop, or when
  * GetIntrinsicLaplacian does.
  */
-Eigen::MatrixXd SolveHarmonicValues(const Surface& patch, const Eigen::MatrixXd& loopValues);
+Eigen::MatrixXd SolveHarmonicValues(
+  const Surface& patch, const Eigen::MatrixXd& loopValues, const Progress& progress = {});
 
 /**
  * Computes the membrane spanned by a closed curve. Returns the positions (n x 3) of the points of a

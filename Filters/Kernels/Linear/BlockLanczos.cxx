@@ -56,7 +56,7 @@ public:
       {
         this->Report(progress);
         // Step 2: the next block.
-        this->Extend();
+        this->Extend(progress);
         isFull = this->Size + Block > this->Most;
         if (this->Size >= this->Kept && (isFull || this->Size / Block % Patience == 0))
         {
@@ -64,13 +64,12 @@ public:
           this->Diagonalise();
           if (this->IsFound())
           {
-            return { this->Values.head(this->Wanted),
-              this->Basis.leftCols(this->Size) * this->Vectors.leftCols(this->Wanted) };
+            return { this->Values.head(this->Wanted), this->Ritz(this->Wanted, progress) };
           }
         }
       }
       // Step 4: thick restart.
-      this->Restart();
+      this->Restart(progress);
     }
     throw SolveFailure("the eigenvalues were not found in " + std::to_string(Restarts) +
       " restarts of the Lanczos iteration; ask for fewer eigenvalues");
@@ -79,14 +78,16 @@ public:
 private:
   /// The number of restarts is unknown. The converged pairs show how far the iteration is once the
   /// basis was full.
-  void Report(const Progress& progress)
+  double Share()
   {
     constexpr double filling = 0.3; // share of the time until the first restart
     this->Filled = std::max(this->Filled, this->Size);
-    progress(0.99 *
+    return 0.99 *
       (filling * std::min(1.0, static_cast<double>(this->Filled) / this->Most) +
-        (1.0 - filling) * static_cast<double>(this->Converged) / this->Wanted));
+        (1.0 - filling) * static_cast<double>(this->Converged) / this->Wanted);
   }
+
+  void Report(const Progress& progress) { progress(this->Share()); }
 
   Eigen::MatrixXd Random(Eigen::Index columns)
   {
@@ -96,9 +97,10 @@ private:
   }
 
   /// Applies the operator to the last block and appends the new directions of the result.
-  void Extend()
+  void Extend(const Progress& progress)
   {
     Eigen::MatrixXd image = this->Apply(this->Basis.middleCols(this->Size, Block));
+    this->Report(progress);
     image -= this->Known * (this->Known.transpose() * image).eval();
     const int first = this->Size;
     this->Size += Block;
@@ -183,11 +185,27 @@ private:
     return converged == this->Wanted;
   }
 
-  /// Keeps only the best Ritz vectors and the block that would have been next.
-  void Restart()
+  /// Returns the first Ritz vectors.
+  Eigen::MatrixXd Ritz(int count, const Progress& progress)
   {
-    const Eigen::MatrixXd best =
-      this->Basis.leftCols(this->Size) * this->Vectors.leftCols(this->Kept);
+    Eigen::MatrixXd result(this->Basis.rows(), count);
+    constexpr int grain = 4096;
+    const double share = this->Share();
+    ParallelFor(
+      static_cast<int>(result.rows()), grain,
+      [&](int begin, int end)
+      {
+        result.middleRows(begin, end - begin).noalias() =
+          this->Basis.block(begin, 0, end - begin, this->Size) * this->Vectors.leftCols(count);
+      },
+      progress.Part(share, share));
+    return result;
+  }
+
+  /// Keeps only the best Ritz vectors and the block that would have been next.
+  void Restart(const Progress& progress)
+  {
+    const Eigen::MatrixXd best = this->Ritz(this->Kept, progress);
     const Eigen::MatrixXd next = this->Basis.middleCols(this->Size, Block);
     this->Basis.leftCols(this->Kept) = best;
     this->Basis.middleCols(this->Kept, Block) = next;

@@ -1,8 +1,10 @@
 #include "Linear/DenseSolve.h"
 
 #include "Base/Errors.h"
+#include "Base/LibraryCall.h"
 #include "Base/Parallel.h"
 
+#include <algorithm>
 #include <lapacke.h>
 #include <new>
 #include <string>
@@ -11,34 +13,60 @@
 namespace shape
 {
 
-SingularValues::SingularValues(Eigen::MatrixXd a)
+SingularValues::SingularValues(Eigen::MatrixXd a, const Progress& progress)
   : Wide(a.rows() < a.cols())
 {
-  if (a.size() == 0 || !a.allFinite())
+  // A column at a time, because a large matrix takes long.
+  bool finite = a.size() > 0;
+  for (Eigen::Index column = 0; column < a.cols() && finite; ++column)
+  {
+    progress(0.01 * static_cast<double>(column) / static_cast<double>(a.cols()));
+    finite = a.col(column).allFinite();
+  }
+  if (!finite)
   {
     throw InvalidInput("the matrix to decompose is empty or has a value that is not finite");
   }
   const std::string size = std::to_string(a.rows()) + " x " + std::to_string(a.cols());
   if (this->Wide)
   {
-    a.transposeInPlace();
+    Eigen::MatrixXd transposed(a.cols(), a.rows());
+    ParallelFor(
+      static_cast<int>(a.rows()), 64,
+      [&](int begin, int end)
+      { transposed.middleCols(begin, end - begin) = a.middleRows(begin, end - begin).transpose(); },
+      progress.Part(0.01, 0.02));
+    a.swap(transposed);
   }
   this->Reflectors = std::move(a);
   const auto rows = static_cast<lapack_int>(this->Reflectors.rows());
   const auto columns = static_cast<lapack_int>(this->Reflectors.cols());
   this->Factors.resize(columns);
   const BlasThreads threads(BlasThreads::WorthSharing(columns));
-  // A = Q R, then R = U S V^T. If A is wide, its transpose is factorised.
-  const lapack_int factorised = LAPACKE_dgeqrf(
-    LAPACK_COL_MAJOR, rows, columns, this->Reflectors.data(), rows, this->Factors.data());
-  Eigen::MatrixXd triangle = this->Reflectors.topRows(columns).triangularView<Eigen::Upper>();
   this->U.resize(columns, columns);
   this->S.resize(columns);
   this->Vt.resize(columns, columns);
-  const lapack_int status = factorised != 0
-    ? factorised
-    : LAPACKE_dgesdd(LAPACK_COL_MAJOR, 'S', columns, columns, triangle.data(), columns,
+  lapack_int status = LAPACK_WORK_MEMORY_ERROR;
+  const auto decompose = [&]
+  {
+    // A = Q R, then R = U S V^T. If A is wide, its transpose is factorised.
+    status = LAPACKE_dgeqrf(
+      LAPACK_COL_MAJOR, rows, columns, this->Reflectors.data(), rows, this->Factors.data());
+    if (status == 0)
+    {
+      Eigen::MatrixXd triangle = this->Reflectors.topRows(columns).triangularView<Eigen::Upper>();
+      status = LAPACKE_dgesdd(LAPACK_COL_MAJOR, 'S', columns, columns, triangle.data(), columns,
         this->S.data(), this->U.data(), columns, this->Vt.data(), columns);
+    }
+  };
+  const auto written = [](Eigen::Ref<Eigen::MatrixXd> values) {
+    return CallResult{ values.data(), values.size() * sizeof(double) };
+  };
+  const double n = columns;
+  RunInterruptibly(decompose, n * n * (2.0 * rows + 20.0 * n),
+    { { &status, sizeof(status) }, written(this->Reflectors), written(this->Factors),
+      written(this->U), written(this->S), written(this->Vt) },
+    progress.Part(0.02, 1.0));
   if (status < 0)
   {
     throw std::bad_alloc(); // the arguments are valid, so LAPACKE could not allocate its workspace
@@ -50,20 +78,32 @@ SingularValues::SingularValues(Eigen::MatrixXd a)
   }
 }
 
-void SingularValues::ApplyQ(Eigen::MatrixXd& b, bool transposed) const
+void SingularValues::ApplyQ(Eigen::MatrixXd& b, bool transposed, const Progress& progress) const
 {
-  const auto rows = static_cast<lapack_int>(this->Reflectors.rows());
-  const auto reflectors = static_cast<lapack_int>(this->Reflectors.cols());
-  const BlasThreads threads(BlasThreads::WorthSharing(reflectors));
-  if (LAPACKE_dormqr(LAPACK_COL_MAJOR, 'L', transposed ? 'T' : 'N', rows,
-        static_cast<lapack_int>(b.cols()), reflectors, this->Reflectors.data(), rows,
-        this->Factors.data(), b.data(), rows) != 0)
+  // Q is the product of the reflectors in order. They are applied in groups, with a report after
+  // each: Q^T applies the first group first, Q the last one.
+  constexpr Eigen::Index group = 256;
+  const Eigen::Index rows = this->Reflectors.rows(), reflectors = this->Reflectors.cols();
+  const Eigen::Index groups = (reflectors + group - 1) / group;
+  const BlasThreads threads(BlasThreads::WorthSharing(static_cast<int>(reflectors)));
+  for (Eigen::Index i = 0; i < groups; ++i)
   {
-    throw std::bad_alloc();
+    progress(static_cast<double>(i) / static_cast<double>(groups));
+    const Eigen::Index first = group * (transposed ? i : groups - 1 - i);
+    const auto left = static_cast<lapack_int>(rows - first);
+    if (LAPACKE_dormqr(LAPACK_COL_MAJOR, 'L', transposed ? 'T' : 'N', left,
+          static_cast<lapack_int>(b.cols()),
+          static_cast<lapack_int>(std::min(group, reflectors - first)),
+          &this->Reflectors(first, first), static_cast<lapack_int>(rows), &this->Factors(first),
+          &b(first, 0), static_cast<lapack_int>(rows)) != 0)
+    {
+      throw std::bad_alloc();
+    }
   }
 }
 
-Eigen::MatrixXd SingularValues::Solve(const Eigen::MatrixXd& b, double threshold) const
+Eigen::MatrixXd SingularValues::Solve(
+  const Eigen::MatrixXd& b, double threshold, const Progress& progress) const
 {
   const int rank = this->Rank(threshold);
   const auto inverse = this->S.head(rank).cwiseInverse().asDiagonal();
@@ -73,17 +113,17 @@ Eigen::MatrixXd SingularValues::Solve(const Eigen::MatrixXd& b, double threshold
   {
     Eigen::MatrixXd x = Eigen::MatrixXd::Zero(this->Reflectors.rows(), b.cols());
     x.topRows(shorter) = this->U.leftCols(rank) * (inverse * (this->Vt.topRows(rank) * b).eval());
-    this->ApplyQ(x, false);
+    this->ApplyQ(x, false, progress);
     return x;
   }
   // A = Q U S V^T, so x = V S^-1 U^T Q^T b.
   Eigen::MatrixXd c = b;
-  this->ApplyQ(c, true);
+  this->ApplyQ(c, true, progress);
   return this->Vt.topRows(rank).transpose() *
     (inverse * (this->U.leftCols(rank).transpose() * c.topRows(shorter)).eval());
 }
 
-Eigen::MatrixXd SingularValues::RightVectors(int first) const
+Eigen::MatrixXd SingularValues::RightVectors(int first, const Progress& progress) const
 {
   const Eigen::Index count = this->S.size() - first;
   if (!this->Wide)
@@ -95,7 +135,7 @@ Eigen::MatrixXd SingularValues::RightVectors(int first) const
   vectors.topRows(this->S.size()) = this->U.rightCols(count);
   if (count > 0)
   {
-    this->ApplyQ(vectors, false);
+    this->ApplyQ(vectors, false, progress);
   }
   return vectors;
 }

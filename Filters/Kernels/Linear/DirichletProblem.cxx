@@ -3,8 +3,8 @@
 namespace shape
 {
 
-DirichletProblem::DirichletProblem(
-  const Eigen::SparseMatrix<double>& stiffness, const std::vector<int>& fixed)
+DirichletProblem::DirichletProblem(const Eigen::SparseMatrix<double>& stiffness,
+  const std::vector<int>& fixed, const Progress& progress)
   : Stiffness(stiffness)
 {
   // The matrix of the inner points; -1 marks fixed ones.
@@ -37,17 +37,18 @@ DirichletProblem::DirichletProblem(
   inner.setFromTriplets(entries.begin(), entries.end());
   if (count > 0)
   {
-    this->Solver.Factorize(inner);
+    this->Solver.Factorize(inner, progress);
   }
 }
 
-void DirichletProblem::Solve(Eigen::MatrixXd& values, const Eigen::MatrixXd& right) const
+void DirichletProblem::Solve(
+  Eigen::MatrixXd& values, const Eigen::MatrixXd& right, const Progress& progress) const
 {
   if (!this->Inner.empty())
   {
     // Values at inner points are 0, so the product has only the contribution of the fixed points.
     const Eigen::MatrixXd rest = right - this->Stiffness * values;
-    values(this->Inner, Eigen::all) = this->Solver.Solve(rest(this->Inner, Eigen::all));
+    values(this->Inner, Eigen::all) = this->Solver.Solve(rest(this->Inner, Eigen::all), progress);
   }
 }
 

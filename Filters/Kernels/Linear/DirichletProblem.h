@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Base/Progress.h"
 #include "Linear/SparseSolve.h"
 
 #include <Eigen/SparseCore>
@@ -16,12 +17,14 @@ class DirichletProblem
 public:
   /// stiffness: n x n, symmetric positive semi-definite; it must outlive this object. fixed: the
   /// points with given values. Throws SolveFailure if the part of the matrix for the other points
-  /// is not positive definite.
-  DirichletProblem(const Eigen::SparseMatrix<double>& stiffness, const std::vector<int>& fixed);
+  /// is not positive definite, and Aborted.
+  DirichletProblem(const Eigen::SparseMatrix<double>& stiffness, const std::vector<int>& fixed,
+    const Progress& progress = {});
 
   /// values: n x d, given at the fixed points and 0 at the others. Sets the values at the other
-  /// points so that stiffness * values = right holds at these points.
-  void Solve(Eigen::MatrixXd& values, const Eigen::MatrixXd& right) const;
+  /// points so that stiffness * values = right holds at these points. Throws Aborted.
+  void Solve(
+    Eigen::MatrixXd& values, const Eigen::MatrixXd& right, const Progress& progress = {}) const;
 
 private:
   const Eigen::SparseMatrix<double>& Stiffness;

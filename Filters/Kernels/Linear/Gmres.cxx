@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace shape
@@ -51,12 +52,24 @@ GmresResult SolveGmres(const LinearMap& a, const LinearMap& b, const Eigen::Matr
   constexpr int patience = 3, patienceNear = 2;
   constexpr double nearGoal = 4.0;
   int idle = 0;
+  // The share of the work: on a logarithmic scale, the residual decreases about evenly.
+  double share = 0.0;
+  const auto completed = [&](int iterations)
+  {
+    const double ratio = start.maxCoeff() / result.Residuals.maxCoeff(),
+                 goal = start.maxCoeff() / options.Tolerance;
+    const double decrease = goal > 1.0 ? std::log(ratio) / std::log(goal) : 0.0;
+    return std::min(1.0, std::max({ share, decrease, double(iterations) / maximum }));
+  };
   while (result.Iterations < maximum && result.Residuals.maxCoeff() > options.Tolerance)
   {
     const int k = result.Iterations;
-    progress(static_cast<double>(k) / maximum);
+    share = completed(k);
+    const double end = completed(k + 1);
+    progress(share);
     // Step 1: the operator.
-    Eigen::MatrixXd next = a(b(basis[k]));
+    const double middle = 0.7 * share + 0.3 * end;
+    Eigen::MatrixXd next = a(b(basis[k], progress.Part(share, middle)), progress.Part(middle, end));
     const Eigen::RowVectorXd before = inner(next, next).cwiseSqrt();
     // Step 2: orthogonalisation.
     for (int i = 0; i <= k; ++i)
@@ -107,7 +120,7 @@ GmresResult SolveGmres(const LinearMap& a, const LinearMap& b, const Eigen::Matr
     return sum;
   };
   // Step 4: the solution.
-  result.Solution = b(combined(factors));
+  result.Solution = b(combined(factors), progress.Part(share, 1.0));
   result.Left = combined(rests);
   return result;
 }

@@ -28,8 +28,8 @@ struct GmresResult
   int Iterations = 0;
 };
 
-/// A linear map applied to each column of a matrix.
-using LinearMap = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>;
+/// A linear map applied to each column of a matrix. It may report its progress.
+using LinearMap = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&, const Progress&)>;
 
 /**
  * Solves A x = b by GMRES with right preconditioning (Saad and Schultz 1986): each iteration

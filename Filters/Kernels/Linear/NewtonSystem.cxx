@@ -92,7 +92,7 @@ void NewtonSystem::Clear()
   std::fill_n(this->Matrix.valuePtr(), this->Matrix.nonZeros(), 0.0);
 }
 
-NewtonSystem::Step NewtonSystem::Solve(const Ridge& ridge)
+NewtonSystem::Step NewtonSystem::Solve(const Ridge& ridge, const Progress& progress)
 {
   // The unknowns are scaled to unit diagonal, so a ridge has the same effect on all of them.
   const Eigen::VectorXd diagonal = this->Matrix.diagonal();
@@ -112,7 +112,7 @@ NewtonSystem::Step NewtonSystem::Solve(const Ridge& ridge)
     this->Matrix.diagonal().array() += share;
     try
     {
-      this->Cholesky.Factorize(this->Matrix);
+      this->Cholesky.Factorize(this->Matrix, progress);
     }
     catch (const SolveFailure&)
     {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Base/Progress.h"
 #include "Linear/SparseSolve.h"
 
 #include <Eigen/SparseCore>
@@ -83,8 +84,8 @@ public:
   };
 
   /// Adds ridges to H until it is positive definite, factorises it in place and returns the step.
-  /// Each attempt is one library call that cannot be interrupted.
-  Step Solve(const Ridge& ridge);
+  /// Throws Aborted.
+  Step Solve(const Ridge& ridge, const Progress& progress = {});
 
 private:
   std::size_t SlotOf(int element, int row, int column) const

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Base/Progress.h"
+
 #include <Eigen/SparseCore>
 
 #include <memory>
@@ -8,10 +10,10 @@ namespace shape
 {
 
 /**
- * Cholesky factorisation of sparse symmetric positive definite matrices with the same pattern. It
- * uses CHOLMOD's supernodal method if ShapeMap was built with CHOLMOD, else Eigen's method.
- *
- * Each call is one library call that cannot be interrupted.
+ * Cholesky factorisation of sparse symmetric positive definite matrices with the same pattern. If
+ * ShapeMap was built with CHOLMOD, the factorisation is supernodal, with CHOLMOD's elimination
+ * order. It can be interrupted, also while the order is computed. Otherwise Eigen's method is used:
+ * one library call that cannot be interrupted.
  */
 class SparseCholesky
 {
@@ -23,11 +25,12 @@ public:
 
   /// Factorises `a` (n x n, both triangular parts stored). The first call also computes the
   /// elimination order. Later calls reuse it, so their matrices must have the same pattern. Throws
-  /// SolveFailure if `a` is not positive definite.
-  void Factorize(const Eigen::SparseMatrix<double>& a);
+  /// SolveFailure if `a` is not positive definite or its factor has 2^31 values or more,
+  /// std::bad_alloc, and Aborted.
+  void Factorize(const Eigen::SparseMatrix<double>& a, const Progress& progress = {});
 
-  /// Returns the solution x (n x k) of a x = b. b: n x k.
-  Eigen::MatrixXd Solve(const Eigen::MatrixXd& b) const;
+  /// Returns the solution x (n x k) of a x = b. b: n x k. Throws Aborted.
+  Eigen::MatrixXd Solve(const Eigen::MatrixXd& b, const Progress& progress = {}) const;
 
 private:
   struct Factor;

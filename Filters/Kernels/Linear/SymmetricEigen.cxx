@@ -1,8 +1,10 @@
 #include "Linear/SymmetricEigen.h"
 
 #include "Base/Errors.h"
+#include "Base/LibraryCall.h"
 #include "Base/Parallel.h"
 
+#include <cmath>
 #include <lapacke.h>
 #include <new>
 #include <string>
@@ -10,13 +12,20 @@
 namespace shape
 {
 
-Eigenpairs FindLargestEigenpairs(Eigen::MatrixXd matrix, int count)
+Eigenpairs FindLargestEigenpairs(Eigen::MatrixXd matrix, int count, const Progress& progress)
 {
   const auto size = static_cast<lapack_int>(matrix.rows());
   Eigen::VectorXd values(size);
   const BlasThreads threads(BlasThreads::WorthSharing(size));
-  const lapack_int status =
-    LAPACKE_dsyevd(LAPACK_COL_MAJOR, 'V', 'L', size, matrix.data(), size, values.data());
+  lapack_int status = LAPACK_WORK_MEMORY_ERROR;
+  RunInterruptibly(
+    [&] {
+      status = LAPACKE_dsyevd(LAPACK_COL_MAJOR, 'V', 'L', size, matrix.data(), size, values.data());
+    },
+    9.0 * std::pow(size, 3.0),
+    { { &status, sizeof(status) }, { values.data(), values.size() * sizeof(double) },
+      { matrix.data(), matrix.size() * sizeof(double) } },
+    progress);
   if (status == LAPACK_WORK_MEMORY_ERROR || status == LAPACK_TRANSPOSE_MEMORY_ERROR)
   {
     throw std::bad_alloc();

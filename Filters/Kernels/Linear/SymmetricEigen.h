@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Base/Progress.h"
+
 #include <Eigen/Core>
 
 namespace shape
@@ -13,9 +15,8 @@ struct Eigenpairs
 
 /// Computes the `count` largest eigenvalues of a dense symmetric matrix, descending, and their
 /// eigenvectors (LAPACK's syevd). Only the lower triangular part is read. count: from 1 to the size
-/// of the matrix. The computation is one library call that cannot be interrupted. Throws
-/// SolveFailure if it does not converge or if a value of the matrix is not finite, and
-/// std::bad_alloc.
-Eigenpairs FindLargestEigenpairs(Eigen::MatrixXd matrix, int count);
+/// of the matrix. Throws SolveFailure if the computation does not converge or if a value of the
+/// matrix is not finite, std::bad_alloc, and Aborted.
+Eigenpairs FindLargestEigenpairs(Eigen::MatrixXd matrix, int count, const Progress& progress = {});
 
 } // namespace shape

@@ -78,9 +78,7 @@ Eigen::MatrixXd FlattenConformally(const Surface& surface, const Progress& progr
   const Eigen::Index points = filled.Points().rows();
   const std::shared_ptr<const IntrinsicLaplacian> laplacian = GetIntrinsicLaplacian(filled);
   const Eigen::SparseMatrix<double>& stiffness = laplacian->Stiffness;
-  progress(0.3);
-  const DirichletProblem problem(stiffness, loop);
-  progress(0.8);
+  const DirichletProblem problem(stiffness, loop, progress.Part(0.3, 0.8));
 
   // Step 2: curvatures.
   const Eigen::MatrixXd curvatures = Curvatures(*laplacian, points, loop);

@@ -19,7 +19,7 @@ namespace shape
  * of the loop's image. These curvatures determine the directions of its edges, and then the edge
  * lengths are chosen so that it closes (equations 6, 10, 17). The final map is the harmonic map
  * with this boundary. Curvatures and cotangents are computed on the intrinsic Delaunay
- * triangulation. Both systems share one factorisation, which cannot be interrupted. Other loops are
+ * triangulation. Both systems share one factorisation. Other loops are
  * filled with triangle fans around the mean of their points.
  *
  * The map is conformal in the limit of fine meshes. Triangles may flip if the mesh is coarse, or if

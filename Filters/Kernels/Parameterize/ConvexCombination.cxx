@@ -1,6 +1,7 @@
 #include "Parameterize/ConvexCombination.h"
 
 #include "Base/Errors.h"
+#include "Base/LibraryCall.h"
 #include "Laplacian/CotangentWeights.h"
 #include "Linear/SparseSolve.h"
 
@@ -128,20 +129,36 @@ FreeEquations EquationsOf(const Eigen::SparseMatrix<double>& matrix,
 /// Solves by LU factorisation in Eigen's default order (COLAMD). For these matrices it is a hundred
 /// times faster than in the order of a symmetric pattern. BiCGSTAB is not faster, and the tolerance
 /// at which it stops would flip small triangles.
-Eigen::MatrixXd SolveRows(const FreeEquations& equations)
+Eigen::MatrixXd SolveRows(const FreeEquations& equations, const Progress& progress)
 {
   // The weights of different points vary with their edge lengths, so each row is scaled to diagonal
   // 1.
   const Eigen::VectorXd scale = equations.A.diagonal().cwiseInverse();
   const Eigen::SparseMatrix<double> a = scale.asDiagonal() * equations.A;
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> solver;
-  solver.compute(a);
-  if (solver.info() != Eigen::Success)
+  const Eigen::MatrixXd right = scale.asDiagonal() * equations.B;
+  Eigen::MatrixXd solution = right;
+  bool unique = false;
+  constexpr double operationsOfARow = 1e6;
+  RunInterruptibly(
+    [&]
+    {
+      Eigen::SparseLU<Eigen::SparseMatrix<double>> solver;
+      solver.compute(a);
+      unique = solver.info() == Eigen::Success;
+      if (unique)
+      {
+        solution = solver.solve(right);
+      }
+    },
+    operationsOfARow * static_cast<double>(a.rows()),
+    { { &unique, sizeof(unique) }, { solution.data(), solution.size() * sizeof(double) } },
+    progress);
+  if (!unique)
   {
     throw SolveFailure("the equations of the mean value weights have no unique solution; remove "
                        "triangles without area");
   }
-  return solver.solve(scale.asDiagonal() * equations.B);
+  return solution;
 }
 
 } // namespace
@@ -173,13 +190,12 @@ Eigen::MatrixXd SolveConvexCombination(const Mesh& surface, CombinationWeights w
     // Mean value weights are not symmetric, so they need LU instead of Cholesky.
     if (weights == CombinationWeights::MeanValue)
     {
-      free = SolveRows(equations);
+      free = SolveRows(equations, progress.Part(0.3, 1.0));
     }
     else
     {
       SparseCholesky solver;
-      solver.Factorize(equations.A);
-      progress(0.9);
+      solver.Factorize(equations.A, progress.Part(0.3, 0.9));
       free = solver.Solve(equations.B);
     }
     for (std::size_t i = 0; i < position.size(); ++i)

@@ -35,8 +35,8 @@ enum class CombinationWeights
  * get the angles that ComputeTriangleAngles assigns to them. For MeanValue, an edge shorter than
  * 1e-6 of the mean edge length is treated as that long.
  *
- * The factorisation is one library call that cannot be interrupted. For 100,000 points, it takes
- * about 0.3 s (Cotangent, Uniform) or 0.9 s (MeanValue). Throws SolveFailure if the factorisation
+ * For 100,000 points, the factorisation takes about 0.3 s (Cotangent, Uniform) or 0.9 s
+ * (MeanValue). Throws SolveFailure if the factorisation
  * breaks down, and Aborted.
  */
 Eigen::MatrixXd SolveConvexCombination(const Mesh& surface, CombinationWeights weights,

@@ -56,8 +56,7 @@ struct DiskMapResult
  * of the loop has no length. For the square, it also throws if the loop has fewer than four points,
  * or an inner edge joins two points that are mapped to the same side. Throws SolveFailure if the
  * image has flipped triangles, or triangles too small to determine their orientation. An extremity
- * shrinks exponentially with the ratio of its length to its girth. The factorisation is one library
- * call that cannot be interrupted. Throws Aborted.
+ * shrinks exponentially with the ratio of its length to its girth. Throws Aborted.
  */
 DiskMapResult MapToDisk(
   const Surface& surface, const DiskMapOptions& options = {}, const Progress& progress = {});

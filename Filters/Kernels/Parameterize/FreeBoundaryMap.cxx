@@ -105,9 +105,10 @@ FreeBoundaryMapResult MapWithFreeBoundary(
   unit.Points /= std::sqrt(area);
 
   FreeBoundaryMapResult result;
-  // Step 2: the conformal map.
+  // Step 2: the conformal map. Refinement takes most of the time.
+  const double conformal = options.Refine ? 0.2 : 0.8;
   Eigen::MatrixXd image =
-    FlattenConformally(unit, progress.Part(0.0, 0.2, "flattening conformally"));
+    FlattenConformally(unit, progress.Part(0.0, conformal, "flattening conformally"));
   const std::vector<std::vector<int>> loops = FindManifoldBoundaryLoops(surface);
   for (std::size_t i = 0; i < loops.front().size(); ++i)
   {

@@ -98,10 +98,11 @@ public:
   }
 
   /// Returns the step to the minimum of the sum of the forms.
-  Eigen::VectorXd Direction(const LocalTerms& terms, const Eigen::VectorXd& gradient)
+  Eigen::VectorXd Direction(
+    const LocalTerms& terms, const Eigen::VectorXd& gradient, const Progress& progress)
   {
     this->Assemble(terms);
-    this->Solver.Factorize(this->Matrix);
+    this->Solver.Factorize(this->Matrix, progress);
     // The second derivative of the forms is twice their matrix.
     return this->Solver.Solve(-0.5 * gradient);
   }
@@ -280,8 +281,8 @@ InjectiveRefinementResult Descend(const PlanarElements& elements, ProxySystem& s
       result.Points, elements, options.Measure, options.Exponent, progress.Part(done, done));
     const Eigen::VectorXd gradient = system.Gradient(terms);
     // Global step.
-    const Eigen::VectorXd direction = system.Direction(terms, gradient);
-    progress(done);
+    const Eigen::VectorXd direction = system.Direction(
+      terms, gradient, progress.Part(done, 1.0 - 20.0 / (21.0 + result.Iterations)));
     const double before = result.Energy;
     ++result.Iterations;
     // Line search. Energy and slope are divided by the area.

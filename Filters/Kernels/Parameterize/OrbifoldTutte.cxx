@@ -142,7 +142,7 @@ public:
   }
 
   /// Returns the positions of the unknowns.
-  std::vector<Complex> Solve()
+  std::vector<Complex> Solve(const Progress& progress)
   {
     if (this->Right.size() == 0)
     {
@@ -151,7 +151,7 @@ public:
     Eigen::SparseMatrix<double> matrix(this->Right.size(), this->Right.size());
     matrix.setFromTriplets(this->Entries.begin(), this->Entries.end());
     SparseCholesky solver;
-    solver.Factorize(matrix);
+    solver.Factorize(matrix, progress.Part(0.2, 1.0));
     const Eigen::VectorXd solution = solver.Solve(this->Right);
     std::vector<Complex> unknowns;
     for (Eigen::Index i = 0; i < solution.size(); i += 2)
@@ -255,8 +255,13 @@ OrbifoldImage MapToOrbifold(const Surface& surface, const std::vector<int>& cone
                              ComputeTriangleAngles(surface).Cotangents, surface.Points().rows()),
       MinimumWeight);
   MeanEquations equations(unknowns);
+  constexpr int often = 1 << 15; // triangles between reports
   for (Eigen::Index t = 0; t < triangles.rows(); ++t)
   {
+    if (t % often == 0)
+    {
+      progress(0.3 + 0.1 * static_cast<double>(t) / static_cast<double>(triangles.rows()));
+    }
     for (int corner = 0; corner < 3; ++corner)
     {
       const int next = (corner + 1) % 3;
@@ -266,10 +271,8 @@ OrbifoldImage MapToOrbifold(const Surface& surface, const std::vector<int>& cone
         -0.5 * weights.coeff(triangles(t, corner), triangles(t, next)));
     }
   }
-  progress(0.4);
   // Step 4: the solution.
-  const std::vector<Complex> solution = equations.Solve();
-  progress(0.9);
+  const std::vector<Complex> solution = equations.Solve(progress.Part(0.4, 0.9));
   image.Points.resize(static_cast<Eigen::Index>(positions.size()), 2);
   for (std::size_t i = 0; i < positions.size(); ++i)
   {

@@ -38,7 +38,7 @@ struct OrbifoldImage
  * points. Also throws InvalidInput if the number of cones is wrong, two cones are the same, or the
  * mesh is too coarse for a path through them. Throws SolveFailure if triangles are too small to
  * determine their orientation. An extremity shrinks exponentially with the ratio of its length to
- * its girth. The factorisation is one library call that cannot be interrupted. Throws Aborted.
+ * its girth. Throws Aborted.
  */
 OrbifoldImage MapToOrbifold(const Surface& surface, const std::vector<int>& cones,
   OrbifoldType type, const Progress& progress = {});

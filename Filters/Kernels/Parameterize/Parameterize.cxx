@@ -170,7 +170,8 @@ ParameterizeResult OntoOrbifold(const Surface& surface, const Eigen::MatrixXd& l
       std::to_string(landmarks.rows()) + " Landmarks; give 3 or 4 points near the surface");
   }
   const OrbifoldType type = landmarks.rows() == 4 ? OrbifoldType::Rectangle : options.Tile;
-  OrbifoldImage image = MapToOrbifold(surface, NearestPoints(surface, landmarks), type, progress);
+  OrbifoldImage image =
+    MapToOrbifold(surface, NearestPoints(surface, landmarks), type, progress.Part(0.0, 0.85));
   if (type == OrbifoldType::Rectangle)
   {
     image.Points = FitToBestParallelogram(image);
@@ -243,19 +244,22 @@ ParameterizeResult Onto(const Surface& surface, const Eigen::MatrixXd& landmarks
 ParameterizeResult Parameterize(const Surface& surface, const Eigen::MatrixXd& landmarks,
   const ParameterizeOptions& options, const Progress& progress)
 {
-  ParameterizeResult result = Onto(surface, landmarks, options, progress);
+  ParameterizeResult result = Onto(surface, landmarks, options, progress.Part(0.0, 0.9));
   const bool isCut = options.Domain == ParameterizeOptions::DomainType::Orbifold;
   const Mesh& mapped = isCut ? result.Cut.Surface : surface.AsMesh();
   const Eigen::MatrixXd& image = isCut ? result.CutPositions : result.Positions;
+  progress(0.9);
   // The mean distortion, weighted by the surface's area: twice the areas serve as weights.
   const Eigen::VectorXd areas = ComputeAreaVectors(mapped).rowwise().norm();
   result.ConformalDistortion = areas.dot(ComputeConformalDistortion(mapped, image)) / areas.sum();
+  progress(0.93);
   if (options.Domain != ParameterizeOptions::DomainType::Sphere)
   {
     // A free boundary has the size of minimum distortion. The other domains have a fixed size, so
     // the surface is scaled to the image's area.
     const bool hasOwnSize = options.Domain == ParameterizeOptions::DomainType::FreeBoundary;
     const PlanarElements elements(mapped, hasOwnSize ? 1.0 : ScaleTo(image, mapped));
+    progress(0.97);
     result.Energy = std::min(
       LargestMeasure, elements.Energy(image.leftCols(2), Distortion::SymmetricDirichlet, 1.0));
   }

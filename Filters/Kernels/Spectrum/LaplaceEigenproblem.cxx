@@ -4,10 +4,9 @@
 #include "Laplacian/IntrinsicDelaunay.h"
 #include "Linear/BlockLanczos.h"
 #include "Linear/SparseSolve.h"
+#include "Linear/SymmetricEigen.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +44,7 @@ public:
     this->Vectors = this->Shares.cwiseSqrt();
     if (points <= std::max(few, 3 * pairs))
     {
-      this->FindDensely(pairs);
+      this->FindDensely(pairs, progress);
     }
     else if (pairs > 1)
     {
@@ -64,14 +63,15 @@ public:
   }
 
 private:
-  void FindDensely(int pairs)
+  void FindDensely(int pairs, const Progress& progress)
   {
-    // M^-1/2 L M^-1/2 has the same eigenvalues and is symmetric.
+    // M^-1/2 L M^-1/2 has the same eigenvalues and is symmetric. Its smallest eigenvalues are the
+    // largest of the negative matrix.
     const Eigen::VectorXd inverse = this->Shares.cwiseSqrt().cwiseInverse();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> all(
-      inverse.asDiagonal() * Eigen::MatrixXd(this->Laplacian->Stiffness) * inverse.asDiagonal());
-    this->Append(
-      all.eigenvalues().segment(1, pairs - 1), all.eigenvectors().middleCols(1, pairs - 1));
+    const Eigenpairs found = FindLargestEigenpairs(
+      -(inverse.asDiagonal() * Eigen::MatrixXd(this->Laplacian->Stiffness) * inverse.asDiagonal()),
+      pairs, progress);
+    this->Append(-found.Values.tail(pairs - 1), found.Vectors.rightCols(pairs - 1));
   }
 
   void FindByLanczos(int pairs, double tolerance, const Progress& progress)
@@ -82,7 +82,7 @@ private:
     Eigen::SparseMatrix<double> shifted = this->Laplacian->Stiffness;
     shifted.diagonal() += shift * this->Shares;
     SparseCholesky factor;
-    factor.Factorize(shifted);
+    factor.Factorize(shifted, progress.Part(0.0, 0.1));
     const Eigen::VectorXd roots = this->Shares.cwiseSqrt();
     const Eigenpairs found =
       FindExtremeEigenpairs([&](const Eigen::MatrixXd& columns) -> Eigen::MatrixXd
@@ -241,6 +241,7 @@ LaplaceEigenpairs SolveLaplaceEigenproblem(
   const std::vector<Position> positions = InOrder(parts);
   for (int k = 0; k < pairs; ++k)
   {
+    progress(0.95 + 0.05 * k / pairs);
     const Position& position = positions[k];
     const auto function = functions[position.Component].col(position.Column);
     // Step 3: the sign.

@@ -70,8 +70,9 @@ Eigen::MatrixXd Majorised(
   // Classical scaling gives the start.
   const Eigen::MatrixXd squares = distances.array().square();
   const Eigen::RowVectorXd means = squares.colwise().mean();
-  Eigen::MatrixXd positions =
-    -0.5 * ((squares.rowwise() - means) * ComputeScalingAxes(squares, options.Dimensions));
+  Eigen::MatrixXd positions = -0.5 *
+    ((squares.rowwise() - means) *
+      ComputeScalingAxes(squares, options.Dimensions, progress.Part(0.0, 0.0)));
   Eigen::MatrixXd transformed;
   double before = 0.0;
   for (int k = 0;; ++k)
@@ -111,8 +112,10 @@ EmbeddedSamples EmbedSamples(
       progress.Part(0.7, 1.0, "embedding the surface")) };
 }
 
-Eigen::MatrixXd ExtendBiharmonically(const Surface& surface, const EmbeddedSamples& samples)
+Eigen::MatrixXd ExtendBiharmonically(
+  const Surface& surface, const EmbeddedSamples& samples, const Progress& progress)
 {
+  progress(0.0);
   const Eigen::Index n = surface.Points().rows();
   const std::shared_ptr<const IntrinsicLaplacian> laplacian = GetIntrinsicLaplacian(surface);
   const Eigen::SparseMatrix<double>& stiffness = laplacian->Stiffness;
@@ -161,8 +164,8 @@ Eigen::MatrixXd ExtendBiharmonically(const Surface& surface, const EmbeddedSampl
   Eigen::SparseMatrix<double> matrix(size, size);
   matrix.setFromTriplets(entries.begin(), entries.end());
   SparseCholesky factor;
-  factor.Factorize(matrix);
-  result(unknowns, Eigen::all) = factor.Solve(load(unknowns, Eigen::all));
+  factor.Factorize(matrix, progress.Part(0.1, 0.9));
+  result(unknowns, Eigen::all) = factor.Solve(load(unknowns, Eigen::all), progress.Part(0.9, 1.0));
   return result;
 }
 
@@ -170,7 +173,7 @@ Eigen::MatrixXd EmbedBySmacof(
   const Surface& surface, const SmacofOptions& options, const Progress& progress)
 {
   const EmbeddedSamples samples = EmbedSamples(surface, options, progress.Part(0.0, 0.9));
-  Eigen::MatrixXd result = ExtendBiharmonically(surface, samples);
+  Eigen::MatrixXd result = ExtendBiharmonically(surface, samples, progress.Part(0.9, 1.0));
   progress(1.0);
   return result;
 }

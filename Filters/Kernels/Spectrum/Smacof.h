@@ -44,7 +44,8 @@ EmbeddedSamples EmbedSamples(
  * kernels", 2011). Returns n x Dimensions; 0 at points without a triangle. The samples may have
  * been embedded on a coarser surface. Throws SolveFailure.
  */
-Eigen::MatrixXd ExtendBiharmonically(const Surface& surface, const EmbeddedSamples& samples);
+Eigen::MatrixXd ExtendBiharmonically(
+  const Surface& surface, const EmbeddedSamples& samples, const Progress& progress = {});
 
 /// Returns the result of EmbedSamples, extended to all points by ExtendBiharmonically.
 Eigen::MatrixXd EmbedBySmacof(

@@ -1,5 +1,6 @@
 #include "Tetrahedra/Tetrahedralize.h"
 
+#include "Base/DisjointSets.h"
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
 #include "Search/ClosestPoint.h"
@@ -96,6 +97,7 @@ std::vector<Face> SortFaces(
     {
       add(tetrahedra(i, k), tetrahedra(i, (k + 1) % 4), tetrahedra(i, (k + 2) % 4), i);
     }
+    ReportEvery(i, tetrahedra.rows(), progress.Part(0.0, 0.3));
   }
   for (Eigen::Index t = 0; t < onSurfaces.rows(); ++t)
   {
@@ -110,16 +112,17 @@ std::vector<Face> SortFaces(
   std::partial_sum(first.begin(), first.end(), first.begin());
   std::vector<Face> sorted(faces.size());
   std::vector<std::size_t> next = first;
-  for (const Face& face : faces)
+  for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    sorted[next[face.Points[0]]++] = face;
+    sorted[next[faces[i].Points[0]]++] = faces[i];
+    ReportEvery(i, faces.size(), progress.Part(0.3, 0.6));
   }
   for (std::size_t point = 0; point + 1 < first.size(); ++point)
   {
     std::sort(sorted.begin() + first[point], sorted.begin() + first[point + 1],
       [](const Face& a, const Face& b)
       { return a.Points != b.Points ? a.Points < b.Points : a.Tetrahedron < b.Tetrahedron; });
-    ReportEvery(point, first.size(), progress);
+    ReportEvery(point, first.size(), progress.Part(0.6, 1.0));
   }
   return sorted;
 }
@@ -130,8 +133,9 @@ Eigen::VectorXi SetsBetweenSurfaces(const Eigen::MatrixXi& tetrahedra,
   const Eigen::MatrixXi& onSurfaces, int& sets, const Progress& progress)
 {
   const std::vector<Face> faces = SortFaces(tetrahedra, onSurfaces, progress.Part(0.0, 0.6));
-  std::vector<std::vector<int>> neighbours(tetrahedra.rows());
+  DisjointSets connected(static_cast<int>(tetrahedra.rows()));
   int missing = 0, open = 0;
+  Eigen::Index visited = 0;
   for (std::size_t i = 0; i < faces.size();)
   {
     // A face of two tetrahedra connects them unless it lies on a surface. One that lies on a
@@ -148,9 +152,9 @@ Eigen::VectorXi SetsBetweenSurfaces(const Eigen::MatrixXi& tetrahedra,
     open += !onSurface && next != first + 2;
     if (!onSurface && next == first + 2)
     {
-      neighbours[faces[first].Tetrahedron].push_back(faces[first + 1].Tetrahedron);
-      neighbours[faces[first + 1].Tetrahedron].push_back(faces[first].Tetrahedron);
+      connected.Merge(faces[first].Tetrahedron, faces[first + 1].Tetrahedron);
     }
+    ReportEvery(visited++, faces.size(), progress.Part(0.6, 0.9));
     i = next;
   }
   if (missing + open > 0)
@@ -159,28 +163,15 @@ Eigen::VectorXi SetsBetweenSurfaces(const Eigen::MatrixXi& tetrahedra,
       " triangles of the surface, and their boundary has " + std::to_string(open) +
       " faces off the surface; remesh where triangles are thin, or change PreserveBoundary");
   }
-  Eigen::VectorXi set = Eigen::VectorXi::Constant(tetrahedra.rows(), -1);
-  std::vector<int> front;
-  for (int seed = 0; seed < tetrahedra.rows(); ++seed)
+  // Numbered in the order of their first tetrahedra.
+  std::vector<int> number(tetrahedra.rows(), -1);
+  Eigen::VectorXi set(tetrahedra.rows());
+  for (int i = 0; i < static_cast<int>(tetrahedra.rows()); ++i)
   {
-    if (set(seed) == -1)
-    {
-      set(seed) = sets;
-      for (front.assign(1, seed); !front.empty();)
-      {
-        const int here = front.back();
-        front.pop_back();
-        for (const int there : neighbours[here])
-        {
-          if (set(there) == -1)
-          {
-            set(there) = sets;
-            front.push_back(there);
-          }
-        }
-      }
-      ++sets;
-    }
+    int& known = number[connected.Find(i)];
+    known = known == -1 ? sets++ : known;
+    set(i) = known;
+    ReportEvery(i, tetrahedra.rows(), progress.Part(0.9, 1.0));
   }
   return set;
 }

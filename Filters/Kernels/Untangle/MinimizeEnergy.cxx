@@ -92,7 +92,8 @@ public:
   }
 
   /// The direction in which every point moves by a step of its own unknowns.
-  Descent NewtonDirection(const Eigen::Matrix3Xd& x, double epsilon) override
+  Descent NewtonDirection(
+    const Eigen::Matrix3Xd& x, double epsilon, const Progress& progress) override
   {
     std::vector<PointDirections> bases(this->FreeCount);
     for (int point = 0; point < this->FreeCount; ++point)
@@ -104,7 +105,7 @@ public:
     {
       this->AddSimplex(i, x, epsilon, bases);
     }
-    const NewtonSystem::Step step = this->System.Solve({ 1e-12, 1e3 });
+    const NewtonSystem::Step step = this->System.Solve({ 1e-12, 1e3 }, progress.Part(0.3, 1.0));
     Descent descent{ Eigen::Matrix3Xd(3, this->FreeCount), step.Slope };
     for (int point = 0; point < this->FreeCount; ++point)
     {
@@ -248,10 +249,11 @@ private:
 };
 
 /// Returns the minimiser of the sum of |J|^2, the start for very distorted positions.
-Eigen::Matrix3Xd Smoothest(const Eigen::Matrix3Xd& x, EnergyProblem& problem)
+Eigen::Matrix3Xd Smoothest(
+  const Eigen::Matrix3Xd& x, EnergyProblem& problem, const Progress& progress)
 {
   // One step of the same method, with an epsilon so large that all determinants are negligible.
-  const EnergyProblem::Descent descent = problem.NewtonDirection(x, 1e100);
+  const EnergyProblem::Descent descent = problem.NewtonDirection(x, 1e100, progress);
   Eigen::Matrix3Xd smooth = x;
   problem.Move(smooth, descent.Direction, 1.0);
   return smooth;
@@ -273,7 +275,7 @@ PatchResult MinimizeEnergy(Eigen::Matrix3Xd& x, EnergyProblem& problem, const Pa
   EnergyProblem::State state = problem.Evaluate(x, epsilon);
   if (result.Negative > 0 && options.FromSmoothest)
   {
-    Eigen::Matrix3Xd smooth = Smoothest(x, problem);
+    Eigen::Matrix3Xd smooth = Smoothest(x, problem, progress.Part(0.0, 0.0));
     const EnergyProblem::State other = problem.Evaluate(smooth, epsilon);
     if (other.Energy < state.Energy)
     {
@@ -288,13 +290,15 @@ PatchResult MinimizeEnergy(Eigen::Matrix3Xd& x, EnergyProblem& problem, const Pa
   Eigen::Matrix3Xd trial;
   for (; result.Steps < options.MaximumSteps; ++result.Steps)
   {
-    progress(static_cast<double>(result.Steps) / options.MaximumSteps);
+    const double begin = static_cast<double>(result.Steps) / options.MaximumSteps;
+    progress(begin);
     if (result.Negative == 0 && further >= options.FurtherSteps)
     {
       break;
     }
     further += result.Negative == 0;
-    const auto descent = problem.NewtonDirection(x, epsilon);
+    const auto descent = problem.NewtonDirection(
+      x, epsilon, progress.Part(begin, (result.Steps + 1.0) / options.MaximumSteps));
     EnergyProblem::State next;
     double step = 1.0;
     for (; step > 1e-9; step *= 0.5)

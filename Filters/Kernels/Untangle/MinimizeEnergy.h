@@ -97,7 +97,8 @@ public:
     double Slope = 0.0;
   };
 
-  virtual Descent NewtonDirection(const Eigen::Matrix3Xd& x, double epsilon) = 0;
+  virtual Descent NewtonDirection(
+    const Eigen::Matrix3Xd& x, double epsilon, const Progress& progress) = 0;
 
   /// Moves x by `step` times `direction`, within the constraints of the energy.
   virtual void Move(Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& direction, double step) const = 0;

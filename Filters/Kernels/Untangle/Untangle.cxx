@@ -336,7 +336,7 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
   {
     Untangling other = BeginUntangling(cells, rest, options);
     // Restarts with each inner point at the mean of its neighbours.
-    other.Solid.Points = SolveTutteEmbedding(other.Solid);
+    other.Solid.Points = SolveTutteEmbedding(other.Solid, progress.Part(0.7, 0.7));
     if (ReduceInverted(
           other, moreSteps, progress.Part(0.7, 0.95, "untangling from another start")) < left)
     {

@@ -133,12 +133,13 @@ void vtkShapeComposite::ActivateScalars(vtkDataObject* data, const std::vector<s
     const auto isHere = [&](const std::string& name)
     { return kinds[0]->HasArray(name.c_str()) || kinds[1]->HasArray(name.c_str()); };
     const auto name = std::find_if(names.begin(), names.end(), isHere);
+    if (name == names.end())
+    {
+      continue;
+    }
     for (vtkDataSetAttributes* kind : kinds)
     {
-      if (name != names.end())
-      {
-        kind->SetActiveScalars(kind->HasArray(name->c_str()) ? name->c_str() : nullptr);
-      }
+      kind->SetActiveScalars(kind->HasArray(name->c_str()) ? name->c_str() : nullptr);
     }
   }
 }
@@ -154,7 +155,7 @@ void vtkShapeComposite::AddPointFields(
       to->ShallowCopy(from);
       for (const PointField& field : fields)
       {
-        const Eigen::MatrixXd own = field.Values.middleRows(first, count);
+        const auto own = field.Values.middleRows(first, count);
         if (!field.AreIds)
         {
           to->GetPointData()->AddArray(vtkShapeConvert::ToArray(own, field.Name));

@@ -57,7 +57,8 @@ Eigen::MatrixXd ToPointArray(vtkDataSet* data, const std::string& array, int com
   const std::string& name, const std::string& remedy = "");
 
 /// Returns an array whose tuples are the rows of `values`.
-vtkSmartPointer<vtkDoubleArray> ToArray(const Eigen::MatrixXd& values, const std::string& array);
+vtkSmartPointer<vtkDoubleArray> ToArray(
+  const Eigen::Ref<const Eigen::MatrixXd>& values, const std::string& array);
 
 /// Returns an array of one component with the entries of `values`.
 vtkSmartPointer<vtkIntArray> ToIntegers(const Eigen::VectorXi& values, const std::string& array);

@@ -48,8 +48,6 @@
  *   is a part of the other, .Iterations is also 0. The result is then the initial functional map,
  *   because iterations would spread the part over the other surface.
  *
- * A sparse factorisation cannot be interrupted, so an abort takes effect at its end.
- *
  * The mathematics: shape::ComputeCorrespondence.
  */
 #ifndef vtkShapeCorrespondence_h

@@ -30,8 +30,6 @@
  * Laplacian of SurfaceA. It has a row for each eigenfunction and the columns Area0, Area1, ...,
  * Conformal0, ...
  *
- * A factorisation cannot be interrupted, so an abort takes effect at its end.
- *
  * The mathematics: shape::MapDifference.
  */
 #ifndef vtkShapeMapDifference_h

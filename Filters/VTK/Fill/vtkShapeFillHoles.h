@@ -19,8 +19,7 @@
  * output.
  *
  * The parameters of vtkShapeDeformingAlgorithm apply to the FillMethod Deformation and may be
- * changed interactively. The frames at the loop are optimised once, for the default parameters. A
- * factorisation cannot be interrupted, so an abort takes effect at its end.
+ * changed interactively. The frames at the loop are optimised once, for the default parameters.
  *
  * Facts, with the prefix FillHoles
  * - .Loops: number of loops found. .UnclosedSides: number of boundary edges that belong to no

@@ -15,9 +15,6 @@
  *
  * If only the seeds change, everything that depends only on Input is reused.
  *
- * Method Heat computes two or three factorisations. A factorisation cannot be interrupted, so an
- * abort takes effect at its end.
- *
  * The mathematics: shape::ComputeGeodesicDistance.
  */
 #ifndef vtkShapeGeodesicDistance_h

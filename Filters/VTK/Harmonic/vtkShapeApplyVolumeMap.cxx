@@ -53,14 +53,14 @@ void vtkShapeApplyVolumeMap::Execute(const shape::Progress& progress)
   if (this->Inverse)
   {
     const shape::PiecewiseInverseMap inverse(
-      map, {}, progress.Part(0.1, 0.85, "preparing the inverse map"));
+      map, {}, progress.Part(0.1, 0.2, "preparing the inverse map"));
     const auto position = [&](const Eigen::MatrixXd& points, const shape::Progress& part)
     {
       const shape::InverseMap::Result found = inverse.Find(points, part);
       return shape::MovedPoints{ found.Points, found.States };
     };
     counts = vtkShapeChargeSet::Move(
-      domain, moved, position, progress.Part(0.85, 1.0, "inverting the map"));
+      domain, moved, position, progress.Part(0.2, 1.0, "inverting the map"));
   }
   else
   {

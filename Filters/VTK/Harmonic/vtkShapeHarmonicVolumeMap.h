@@ -82,8 +82,6 @@
  * also have .InvertedBefore and .InvertedAfter, the numbers of inverted cells. The charge set still
  * stores the harmonic map, which may fold.
  *
- * A singular value decomposition cannot be interrupted, so an abort takes effect at its end.
- *
  * The mathematics: shape::ComputeVolumeMap, shape::ComputeHarmonicVolumeMap.
  */
 #ifndef vtkShapeHarmonicVolumeMap_h

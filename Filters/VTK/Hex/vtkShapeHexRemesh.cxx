@@ -14,8 +14,12 @@
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include "Base/Errors.h"
+#include "Mesh/Mesh.h"
 #include "Mesh/Topology.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 vtkStandardNewMacro(vtkShapeHexRemesh);
@@ -69,6 +73,29 @@ shape::GivenPolycube ToPolycube(vtkPolyData* data)
 }
 
 } // namespace
+
+double* vtkShapeHexRemesh::GetSurfaceSize()
+{
+  std::fill_n(this->SurfaceSize, 3, 0.0);
+  auto* surface = this->GetNumberOfInputConnections(0) > 0
+    ? vtkPolyData::SafeDownCast(this->GetInputDataObject(0, 0))
+    : nullptr;
+  if (surface && surface->GetNumberOfPolys() > 0)
+  {
+    try
+    {
+      const shape::Mesh mesh = vtkShapeConvert::ToMesh(surface, "the Surface");
+      this->SurfaceSize[0] = std::abs(shape::ComputeEnclosedVolume(mesh));
+      this->SurfaceSize[1] = shape::ComputeArea(mesh);
+      this->SurfaceSize[2] = shape::ComputeLongestBoxEdge(mesh.Points);
+    }
+    catch (const shape::InvalidInput&)
+    {
+      // Apply says what is wrong.
+    }
+  }
+  return this->SurfaceSize;
+}
 
 shape::HexRemeshGuides vtkShapeHexRemesh::ReadGuides()
 {

@@ -82,6 +82,11 @@ public:
   void RemoveAllInnerSurfaces();
   ///@}
 
+  /// Returns the volume, the area and the longest edge of the bounding box of what is connected to
+  /// Surface now, without updating it. All are 0 if there is no single surface. The panel estimates
+  /// the number of hexahedra from them.
+  double* GetSurfaceSize() VTK_SIZEHINT(3);
+
   ///@{
   /// The properties. Effects and ranges: vtkShapeHexRemesh.xml. Enumerations and defaults:
   /// shape::HexRemeshOptions.
@@ -108,6 +113,7 @@ private:
 
   shape::HexRemeshOptions Options;
   std::string SizeArray = "None";
+  double SurfaceSize[3] = { 0.0, 0.0, 0.0 };
 };
 
 #endif

@@ -21,8 +21,7 @@
  * inside the solid, 1 without distortion.
  *
  * If no polycube is found, the error names the charts that prevent it. TetGen is required, and
- * runs in its own process. A single library call takes up to a second, and an abort takes effect
- * at its end.
+ * runs in its own process.
  *
  * The mathematics: shape::BuildPolycube.
  */

@@ -34,7 +34,8 @@ void vtkShapeParameterize::Execute(const shape::Progress& progress)
     landmarks = vtkShapeConvert::ToPoints(this->GetGatheredInput(1).Grid);
   }
   const shape::ParameterizeResult map =
-    shape::Parameterize(mesh, landmarks, this->Options, progress);
+    shape::Parameterize(mesh, landmarks, this->Options, progress.Part(0.0, 0.93));
+  progress(0.93);
 
   const Eigen::MatrixXd positions = vtkShapeConvert::Rows(map.Positions, whole.OwnPoints);
   vtkDataObject* input = this->GetInputDataObject(0, 0);
@@ -60,6 +61,7 @@ void vtkShapeParameterize::Execute(const shape::Progress& progress)
         vtkShapeConvert::ToArray(vtkShapeConvert::ToPoints(from), "SourcePosition"));
     });
 
+  progress(0.96);
   vtkShapeMapColors::Add(surface, "", mesh.Points());
   vtkShapeMapColors::Add(image, "SourcePosition", mesh.Points());
   for (vtkDataObject* output : { surface, image })

@@ -34,9 +34,6 @@
  * - .LoopLength: for Disk and FreeBoundary, the length of the longest boundary loop, in the units
  *   of the surface; otherwise 0.
  *
- * A factorisation cannot be interrupted, so an abort takes effect at its end (within a second at
- * 100,000 points).
- *
  * The mathematics: shape::Parameterize.
  */
 #ifndef vtkShapeParameterize_h

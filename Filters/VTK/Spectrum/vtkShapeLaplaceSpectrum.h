@@ -16,9 +16,6 @@
  *
  * Field data: LaplaceSpectrum.Eigenvalues, ascending, in 1 / length^2.
  *
- * A factorisation cannot be interrupted, nor can the dense decomposition that is used if the
- * surface has few points for the number of eigenpairs. An abort takes effect at their end.
- *
  * The mathematics: shape::ComputeLaplaceSpectrum, shape::SolveLaplaceEigenproblem.
  */
 #ifndef vtkShapeLaplaceSpectrum_h

@@ -34,8 +34,6 @@
  *   that were moved.
  * - .Iterations: number of Newton steps in all patches.
  *
- * A Newton step cannot be interrupted, so an abort takes effect at its end.
- *
  * The mathematics: shape::Untangle.
  */
 #ifndef vtkShapeUntangle_h

@@ -68,8 +68,10 @@ TEST(Gmres, SolvesASquareSystemInAsManyStepsAsItHasRows)
   shape::GmresOptions options;
   options.MaximumIterations = n;
   options.Tolerance = 0.0;
-  const auto result = shape::SolveGmres([&](const Eigen::MatrixXd& v) { return a * v; },
-    [](const Eigen::MatrixXd& v) { return v; }, b, Eigen::VectorXd::Ones(n), options);
+  const auto result =
+    shape::SolveGmres([&](const Eigen::MatrixXd& v, const shape::Progress&) { return a * v; },
+      [](const Eigen::MatrixXd& v, const shape::Progress&) { return v; }, b,
+      Eigen::VectorXd::Ones(n), options);
   EXPECT_LT((result.Solution - x).norm(), 1e-10 * x.norm());
   EXPECT_LT(result.Residuals.maxCoeff(), 1e-12);
 }
@@ -83,8 +85,10 @@ TEST(Gmres, FindsTheWeightedLeastSquares)
   const Eigen::MatrixXd back = a.transpose() * weights.asDiagonal();
   shape::GmresOptions options;
   options.Tolerance = 0.0;
-  const auto result = shape::SolveGmres([&](const Eigen::MatrixXd& v) { return a * v; },
-    [&](const Eigen::MatrixXd& v) { return back * v; }, b, weights, options);
+  const auto result =
+    shape::SolveGmres([&](const Eigen::MatrixXd& v, const shape::Progress&) { return a * v; },
+      [&](const Eigen::MatrixXd& v, const shape::Progress&) { return back * v; }, b, weights,
+      options);
   const Eigen::MatrixXd expected = (back * a).ldlt().solve(back * b);
   EXPECT_LT((result.Solution - expected).norm(), 1e-9 * expected.norm());
   for (int c = 0; c < 2; ++c)

@@ -186,7 +186,7 @@ TEST(MeanPositions, PointsInsideAreTheMeansOfTheirNeighbours)
   }
   // Wherever they were: in a cube of hexahedra, neighbours lie evenly around.
   const Eigen::MatrixXd means =
-    shape::SolveTutteEmbedding(shape::SolidCells(cells, {}, "the cube"));
+    shape::SolveTutteEmbedding(shape::SolidCells(cells, {}, "the cube"), {});
   EXPECT_LT((means - regular.Points).cwiseAbs().maxCoeff(), 1e-12);
 }
 

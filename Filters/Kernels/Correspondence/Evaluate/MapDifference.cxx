@@ -1,7 +1,7 @@
 #include "Correspondence/Evaluate/MapDifference.h"
 
 #include "Base/Errors.h"
-#include "Linear/DenseSolve.h"
+#include "Linear/SymmetricEigen.h"
 #include "Mesh/HalfEdges.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
@@ -78,6 +78,46 @@ struct EdgeSamples
   }
 };
 
+/// The functional map, and how many of its singular values were cut off.
+struct FunctionalMapFit
+{
+  Eigen::MatrixXd Matrix;
+  int Undetermined;
+};
+
+/// Fits the map from functions on the first surface to functions on the second one: least squares
+/// over the samples, weighted by area. Where the map covers little of the second surface, the
+/// system is nearly singular, so small singular values are cut off. As they are not smaller than
+/// 0.03 of the largest, the normal equations lose only three digits.
+FunctionalMapFit FitFunctionalMap(const EdgeSamples& samples, const Eigen::MatrixXi& triangles,
+  const Eigen::MatrixXd& here, const Eigen::MatrixXd& beyond, const Progress& progress)
+{
+  const Eigen::MatrixXd values = samples.Midpoints(here);
+  const Eigen::Index count = samples.Areas.size(), there = beyond.cols();
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(there, there),
+                  right = Eigen::MatrixXd::Zero(there, here.cols());
+  constexpr Eigen::Index chunk = 16384;
+  for (Eigen::Index begin = 0; begin < count; begin += chunk)
+  {
+    progress(0.9 * static_cast<double>(begin) / static_cast<double>(count));
+    const Eigen::Index rows = std::min(chunk, count - begin);
+    const SurfacePoints images{ samples.Images.Triangles.segment(begin, rows),
+      samples.Images.Barycentrics.middleRows(begin, rows) };
+    const Eigen::MatrixXd pulled = PullBack(images, triangles, beyond),
+                          weighted = samples.Areas.segment(begin, rows).asDiagonal() * pulled;
+    normal.noalias() += weighted.transpose() * pulled;
+    right.noalias() += weighted.transpose() * values.middleRows(begin, rows);
+  }
+  const Eigenpairs squares =
+    FindLargestEigenpairs(normal, static_cast<int>(there), progress.Part(0.9, 1.0));
+  const double minimum = std::pow(MinimumSingularValueRatio, 2) * squares.Values(0);
+  const auto rank = static_cast<int>((squares.Values.array() >= minimum).count());
+  const auto vectors = squares.Vectors.leftCols(rank);
+  return { vectors *
+      (squares.Values.head(rank).cwiseInverse().asDiagonal() * (vectors.transpose() * right)),
+    static_cast<int>(there) - rank };
+}
+
 /// Computes the eigenvalues of a symmetric matrix, those farthest from 1 first, and its
 /// eigenvectors. An eigenvalue that is not positive is the farthest.
 void Order(const Eigen::MatrixXd& matrix, DifferenceOperator& result, Eigen::MatrixXd& vectors)
@@ -152,8 +192,7 @@ DifferenceOperator ConformalDifference(const LaplaceEigenpairs& first,
 
 } // namespace
 
-// 1. The functional map F from A's eigenfunctions to twice as many of B's: least squares over edge
-//    midpoints, weighted by area.
+// 1. The functional map F from A's eigenfunctions to twice as many of B's (FitFunctionalMap).
 // 2. The area-based difference F' F.
 // 3. The conformal difference L1^-1 F' L2 F.
 MapDifferenceResult MapDifference(const Surface& first, const Surface& second,
@@ -176,19 +215,13 @@ MapDifferenceResult MapDifference(const Surface& first, const Surface& second,
                             first, count, progress.Part(0.1, 0.3, "computing the eigenfunctions")),
                           beyond = SolveLaplaceEigenproblem(
                             second, there, progress.Part(0.3, 0.9, "computing the eigenfunctions"));
-  const Eigen::VectorXd roots = samples.Areas.cwiseSqrt();
-  // Where the map covers little of B, the system is nearly singular: small singular values are cut
-  // off.
-  const SingularValues pulled(
-    roots.asDiagonal() * PullBack(samples.Images, second.Triangles(), beyond.Eigenfunctions));
-  const double minimum = MinimumSingularValueRatio * pulled.Values()(0);
-  const Eigen::MatrixXd f =
-    pulled.Solve(roots.asDiagonal() * samples.Midpoints(here.Eigenfunctions), minimum);
+  const FunctionalMapFit f = FitFunctionalMap(samples, second.Triangles(), here.Eigenfunctions,
+    beyond.Eigenfunctions, progress.Part(0.9, 1.0));
 
   MapDifferenceResult result;
-  result.Undetermined = there - pulled.Rank(minimum);
-  result.Area = AreaDifference(here.Eigenfunctions, f);
-  result.Conformal = ConformalDifference(here, beyond, f, topology.Components);
+  result.Undetermined = f.Undetermined;
+  result.Area = AreaDifference(here.Eigenfunctions, f.Matrix);
+  result.Conformal = ConformalDifference(here, beyond, f.Matrix, topology.Components);
   progress(1.0);
   return result;
 }

@@ -312,20 +312,20 @@ SurfaceMaps ComputeFunctionalMap(const Surface& a, const Surface& b, const Landm
   ZoomOutOptions refinement = options.Refinement;
   refinement.Last = pairs;
 
-  const Side one = Prepare(a, pairs, landmarks, 0, options, progress.Part(0.0, 0.3));
-  const Side two = Prepare(b, pairs, landmarks, 1, options, progress.Part(0.3, 0.6));
+  const Side one = Prepare(a, pairs, landmarks, 0, options, progress.Part(0.0, 0.2));
+  const Side two = Prepare(b, pairs, landmarks, 1, options, progress.Part(0.2, 0.4));
   const Eigen::MatrixXd map = FitFunctionalMap(
-    one.Described(), two.Described(), fit, progress.Part(0.6, 0.7, "fitting the functional map"));
+    one.Described(), two.Described(), fit, progress.Part(0.4, 0.5, "fitting the functional map"));
   const FunctionalMaps maps = RefineByZoomOut(one.Sampled(), two.Sampled(), map, landmarks,
-    refinement, progress.Part(0.7, 0.85, "refining the functional map"));
+    refinement, progress.Part(0.5, 0.9, "refining the functional map"));
   const Eigen::MatrixXd &functionsA = one.Spectrum.Eigenfunctions,
                         &functionsB = two.Spectrum.Eigenfunctions;
   // The row of a point's image: with C from B to A, phi_A(x) = C phi_B(image of x), for all
   // eigenfunctions together.
   return { FindNearestSurfacePoints(functionsA, b.Triangles(), functionsB * maps.BToA.transpose(),
-             progress.Part(0.85, 0.92, "finding the nearest points")),
+             progress.Part(0.9, 0.95, "finding the nearest points")),
     FindNearestSurfacePoints(functionsB, a.Triangles(), functionsA * maps.AToB.transpose(),
-      progress.Part(0.92, 1.0, "finding the nearest points")) };
+      progress.Part(0.95, 1.0, "finding the nearest points")) };
 }
 
 } // namespace shape

@@ -94,15 +94,15 @@ SurfaceMaps ComputeHeatKernelMap(const Surface& a, const Surface& b, const Landm
   const Topology topologyA = RequireWhole(a, "surface A"), topologyB = RequireWhole(b, "surface B");
   RequireLandmarks(landmarks, a, b);
   const Landmarks used = landmarks.empty()
-    ? FindLandmarks(a, b, {}, progress.Part(0.0, 0.3, "finding landmarks")).Pairs
+    ? FindLandmarks(a, b, {}, progress.Part(0.0, 0.2, "finding landmarks")).Pairs
     : landmarks;
   const std::vector<int> onA = PointsOf(used, 0), onB = PointsOf(used, 1);
   RequireReached(topologyA, onA, "surface A");
   RequireReached(topologyB, onB, "surface B");
   const LaplaceEigenpairs spectrumA = UnitSpectrum(a, options.Eigenpairs,
-                            progress.Part(0.3, 0.45, "computing the eigenfunctions")),
+                            progress.Part(0.2, 0.5, "computing the eigenfunctions")),
                           spectrumB = UnitSpectrum(b, options.Eigenpairs,
-                            progress.Part(0.45, 0.6, "computing the eigenfunctions"));
+                            progress.Part(0.5, 0.8, "computing the eigenfunctions"));
   const auto [largestA, minimumA] = Range(spectrumA, "surface A");
   const auto [largestB, minimumB] = Range(spectrumB, "surface B");
   // At the first time the highest eigenfunction has decayed to 1e-4; at the last one even the
@@ -116,9 +116,9 @@ SurfaceMaps ComputeHeatKernelMap(const Surface& a, const Surface& b, const Landm
   const Eigen::MatrixXd heatA = Heat(spectrumA, onA, times), heatB = Heat(spectrumB, onB, times);
   // Ovsjanikov et al., equation 3: the image of x minimises the difference of heat at all times.
   return { FindNearestSurfacePoints(
-             heatA, b.Triangles(), heatB, progress.Part(0.6, 0.8, "finding the nearest points")),
+             heatA, b.Triangles(), heatB, progress.Part(0.8, 0.9, "finding the nearest points")),
     FindNearestSurfacePoints(
-      heatB, a.Triangles(), heatA, progress.Part(0.8, 1.0, "finding the nearest points")) };
+      heatB, a.Triangles(), heatA, progress.Part(0.9, 1.0, "finding the nearest points")) };
 }
 
 } // namespace shape

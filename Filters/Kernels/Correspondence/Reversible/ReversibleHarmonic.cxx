@@ -108,7 +108,7 @@ public:
   ///
   ///   [alpha W1 + (1 - alpha) P21' M2 P21 + beta M1] X12
   ///     = (1 - alpha) P21' M2 X2 + beta M1 P12 X2
-  void Solve(const Side& other, const Weights& weights)
+  void Solve(const Side& other, const Weights& weights, const Progress& progress)
   {
     Eigen::SparseMatrix<double> matrix = weights.Alpha * this->Stiffness;
     double* values = matrix.valuePtr();
@@ -136,7 +136,7 @@ public:
       }
       matrix.coeffRef(i, i) += own(i) > 0.0 ? own(i) : 1.0;
     }
-    this->Factor.Factorize(matrix);
+    this->Factor.Factorize(matrix, progress);
     this->Image = this->Factor.Solve((1.0 - weights.Alpha) *
         PushForward(other.Map, this->Triangles, other.Masses.asDiagonal() * other.Embedding,
           this->Masses.size()) +
@@ -279,10 +279,10 @@ ReversibleHarmonicResult ComputeReversibleHarmonicMap(const EmbeddedSurface& a,
     const Weights weights{ options.Alpha * std::pow(options.FirstAlpha / options.Alpha, rest),
       options.BetaStep * std::min(k, options.BetaSteps) };
     // Each step uses the latest values of the others and so lowers the energy of this iteration.
-    two.Project(one, weights, part.Part(0.0, 0.5));
-    two.Solve(one, weights);
-    one.Project(two, weights, part.Part(0.5, 1.0));
-    one.Solve(two, weights);
+    two.Project(one, weights, part.Part(0.0, 0.3));
+    two.Solve(one, weights, part.Part(0.3, 0.5));
+    one.Project(two, weights, part.Part(0.5, 0.8));
+    one.Solve(two, weights, part.Part(0.8, 1.0));
     const double energy = one.Energy(two, weights) + two.Energy(one, weights);
     const double before = result.Energies.empty() ? 0.0 : result.Energies.back();
     result.Energies.push_back(energy);
@@ -301,10 +301,12 @@ ReversibleHarmonicResult ComputeReversibleHarmonicMap(const EmbeddedSurface& a,
 namespace
 {
 
-EmbeddedSurface Embedded(const Surface& surface, const EmbeddedSamples& samples)
+EmbeddedSurface Embedded(
+  const Surface& surface, const EmbeddedSamples& samples, const Progress& progress)
 {
   return { surface,
-    ExtendBiharmonically(surface, samples) / std::sqrt(ComputePointAreas(surface).sum()) };
+    ExtendBiharmonically(surface, samples, progress) /
+      std::sqrt(ComputePointAreas(surface).sum()) };
 }
 
 } // namespace
@@ -318,8 +320,9 @@ ReversibleHarmonicResult RefineReversibleHarmonicMap(const CoarsePair& pair,
                   ofB = EmbedSamples(pair.B(), options.Scaling, progress.Part(0.1, 0.2));
   const double share = pair.IsCoarser() ? 0.4 : 1.0;
   ReversibleHarmonicResult result =
-    ComputeReversibleHarmonicMap(Embedded(pair.A(), ofA), Embedded(pair.B(), ofB), start, landmarks,
-      options, progress.Part(0.2, share, "minimizing the reversible harmonic energy"));
+    ComputeReversibleHarmonicMap(Embedded(pair.A(), ofA, progress.Part(0.2, 0.2)),
+      Embedded(pair.B(), ofB, progress.Part(0.2, 0.2)), start, landmarks, options,
+      progress.Part(0.2, share, "minimizing the reversible harmonic energy"));
   if (!pair.IsCoarser())
   {
     return result;
@@ -340,9 +343,8 @@ ReversibleHarmonicResult RefineReversibleHarmonicMap(const CoarsePair& pair,
   const int quarter = std::max(1, options.AlphaSteps / 4);
   fine.FirstIteration = std::max(options.FirstIteration, options.AlphaSteps - quarter + 2);
   fine.MaximumIterations = std::min(quarter, options.MaximumIterations);
-  const EmbeddedSurface fineA = Embedded(pair.FineA(), ofA);
-  progress(0.45);
-  const EmbeddedSurface fineB = Embedded(pair.FineB(), ofB);
+  const EmbeddedSurface fineA = Embedded(pair.FineA(), ofA, progress.Part(share, 0.45)),
+                        fineB = Embedded(pair.FineB(), ofB, progress.Part(0.45, 0.5));
   result.Maps = ComputeReversibleHarmonicMap(fineA, fineB,
     pair.OnFine(result.Maps, progress.Part(0.5, 0.55, "interpolating the maps")),
     pair.OnFine(landmarks), fine,

@@ -116,8 +116,11 @@ EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd
     double before = std::numeric_limits<double>::infinity(), power = 1.0;
     for (int iteration = 0; iteration < options.Iterations; ++iteration)
     {
-      const auto reached = [&](int iterations)
-      { return (level + static_cast<double>(iterations) / options.Iterations) / levels; };
+      // Sinkhorn's iterations become more as the entropy falls.
+      const auto reached = [&](int iterations) {
+        return std::pow(
+          (level + static_cast<double>(iterations) / options.Iterations) / levels, 2.0);
+      };
       const Progress part = progress.Part(reached(iteration), reached(iteration + 1));
       // The paper's damping: P^(1 - eta) times the new masses to the power eta, a weighted mean of
       // logarithms.

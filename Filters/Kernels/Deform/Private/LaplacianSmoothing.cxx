@@ -29,12 +29,12 @@ Eigen::SparseMatrix<double> BuildGraphLaplacian(
   return laplacian;
 }
 
-LaplacianSmoothing::LaplacianSmoothing(const NodeProblem& problem)
+LaplacianSmoothing::LaplacianSmoothing(const NodeProblem& problem, const Progress& progress)
   : Positions(problem.Graph.Positions)
   , Scales(problem.Scales)
   , Links(ListLinks(problem.Graph))
   , Laplacian(BuildGraphLaplacian(this->Positions, this->Links))
-  , Problem(this->Laplacian, problem.Sources)
+  , Problem(this->Laplacian, problem.Sources, progress)
 {
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Base/Progress.h"
 #include "Deform/Private/NodeDeformation.h"
 #include "Linear/DirichletProblem.h"
 
@@ -28,8 +29,8 @@ Eigen::SparseMatrix<double> BuildGraphLaplacian(
 class LaplacianSmoothing
 {
 public:
-  /// Factorises the matrix: one library call that cannot be interrupted.
-  explicit LaplacianSmoothing(const NodeProblem& problem);
+  /// Factorises the matrix. Throws Aborted.
+  LaplacianSmoothing(const NodeProblem& problem, const Progress& progress);
   LaplacianSmoothing(const LaplacianSmoothing&) = delete;
   LaplacianSmoothing& operator=(const LaplacianSmoothing&) = delete;
 

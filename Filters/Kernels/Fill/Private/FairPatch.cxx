@@ -50,7 +50,7 @@ public:
     this->Patch =
       RemeshPatch(this->Membrane, sizes, Eigen::MatrixXd(0, 3), progress.Part(0.0, 0.5));
     const Mesh flat = BuildFlatSurface(this->Patch);
-    this->Patch.Surface.Points = SolveBiharmonicSurface(flat, this->Loop);
+    this->Patch.Surface.Points = SolveBiharmonicSurface(flat, this->Loop, progress.Part(0.5, 0.5));
     this->MakeFair(progress.Part(0.5, 1.0));
     this->Stretch = ComputeMaximumStretch(flat, this->Patch.Surface);
   }

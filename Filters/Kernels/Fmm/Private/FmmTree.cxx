@@ -101,13 +101,13 @@ FmmTree::FmmTree(
   FmmLatticeOrder order = OrderOnLattice(scaled(sources), lattice);
   this->SourceOrder = std::move(order.Ids);
   this->SplitSources(order.Keys, leaf);
-  progress(0.4);
+  progress(0.25);
   // Step 3: boxes of points.
   order = OrderOnLattice(scaled(points), lattice);
   this->PointOrder = std::move(order.Ids);
-  progress(0.7);
+  progress(0.5);
   this->FarPoints = order.RootStart[0];
-  this->SplitPoints(order.Keys, order.RootStart);
+  this->SplitPoints(order.Keys, order.RootStart, progress.Part(0.5, 1.0));
   progress(1.0);
 }
 
@@ -161,7 +161,8 @@ void FmmTree::SplitSources(const std::vector<std::uint64_t>& keys, int leaf)
   }
 }
 
-void FmmTree::SplitPoints(const std::vector<std::uint64_t>& keys, const std::vector<int>& rootStart)
+void FmmTree::SplitPoints(const std::vector<std::uint64_t>& keys, const std::vector<int>& rootStart,
+  const Progress& progress)
 {
   // Level by level, each box of points knows the boxes of sources of its size that touch it, and
   // the larger leaves that touch its ancestors:
@@ -184,6 +185,7 @@ void FmmTree::SplitPoints(const std::vector<std::uint64_t>& keys, const std::vec
   this->PointLevels = { 0 };
   this->ChunkLevels = { 0 };
   int first = 0;
+  double pointsInLeaves = this->FarPoints;
   std::vector<std::vector<Seen>> seen(around.size());
   while (first < static_cast<int>(this->PointBoxes.size()))
   {
@@ -195,6 +197,11 @@ void FmmTree::SplitPoints(const std::vector<std::uint64_t>& keys, const std::vec
     std::vector<Surroundings> next;
     for (int at = first; at < last; ++at)
     {
+      constexpr int boxesBetweenReports = 256;
+      if (at % boxesBetweenReports == 0)
+      {
+        progress(pointsInLeaves / static_cast<double>(keys.size()));
+      }
       Surroundings& here = around[at - first];
       std::vector<int> split;
       for (const int box : here.Touching)
@@ -204,6 +211,7 @@ void FmmTree::SplitPoints(const std::vector<std::uint64_t>& keys, const std::vec
       // Step 1: a leaf.
       if (split.empty())
       {
+        pointsInLeaves += this->PointBoxes[at].End - this->PointBoxes[at].Begin;
         this->AddLeaf(at, std::move(here.Larger));
         continue;
       }

@@ -102,7 +102,8 @@ private:
   };
   struct Surroundings;
   void SplitSources(const std::vector<std::uint64_t>& keys, int leaf);
-  void SplitPoints(const std::vector<std::uint64_t>& keys, const std::vector<int>& rootStart);
+  void SplitPoints(const std::vector<std::uint64_t>& keys, const std::vector<int>& rootStart,
+    const Progress& progress);
   void AddLeaf(int box, std::vector<int> near);
   void AddChunks(int firstBox, const std::vector<std::vector<Seen>>& seen);
 };

@@ -68,10 +68,11 @@ void Refine(RefinedBoundary& boundary, const Eigen::MatrixXd& left)
   std::stable_sort(
     order.begin(), order.end(), [&](int a, int b) { return squares(a) > squares(b); });
   std::vector<char> marked(order.size(), 0);
+  const double enough = share * squares.sum();
   double sum = 0.0;
   for (const int triangle : order)
   {
-    if (sum >= share * squares.sum())
+    if (sum >= enough)
     {
       break;
     }
@@ -126,8 +127,8 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     // The number of levels is unknown: usually three to five, each of more points than the last.
     const auto end = [](int level)
     {
-      constexpr double first[] = { 0.02, 0.08, 0.3 };
-      return level < 3 ? first[level] : 1.0 - 0.3 * std::exp2(3 - level);
+      constexpr double first[] = { 0.02, 0.08, 0.2 };
+      return level < 3 ? first[level] : 1.0 - 0.42 * std::exp2(3 - level);
     };
     const Progress part = progress.Part(end(number - 1), end(number));
     // Step 1: the system.

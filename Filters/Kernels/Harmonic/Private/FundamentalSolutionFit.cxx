@@ -1,6 +1,7 @@
 #include "Harmonic/Private/FundamentalSolutionFit.h"
 
 #include "Base/Errors.h"
+#include "Base/Parallel.h"
 #include "Geometry/Sampling.h"
 #include "Linear/DenseSolve.h"
 #include "Mesh/Topology.h"
@@ -70,12 +71,15 @@ ChargeSet MergeCharges(const ChargeSet& set)
   return merged;
 }
 
-/// Returns the memory of SingularValues for an m x n matrix in GiB: the matrix, its triangular
-/// factor with U and V^T, and the workspace of LAPACK's gesdd.
+/// Returns the memory of SingularValues for an m x n matrix in GiB: either the matrix, its
+/// triangular factor with U and V^T, and the workspace of LAPACK's gesdd; or, while the results are
+/// received from the process that computed them, two copies of the reflectors, U and V^T.
 double DecompositionMemory(double rows, double columns)
 {
-  const double shorter = std::min(rows, columns);
-  return 8.0 * (rows * columns + 7.0 * shorter * shorter) / (1024.0 * 1024.0 * 1024.0);
+  const double shorter = std::min(rows, columns), square = shorter * shorter;
+  const double values =
+    std::max(rows * columns + 7.0 * square, 2.0 * rows * columns + 4.0 * square);
+  return 8.0 * values / (1024.0 * 1024.0 * 1024.0);
 }
 
 } // namespace
@@ -199,18 +203,23 @@ FundamentalSolutionFit::Fit FundamentalSolutionFit::Solve(
   Eigen::MatrixXd matrix = BuildPotentialMatrix(points, sources, progress.Part(0.0, 0.1));
   Eigen::VectorXd roots(rows);
   roots << this->GetCollocationAreas(boundaryRows).cwiseSqrt(), this->RootWeights;
-  matrix = roots.asDiagonal() * matrix;
+  ParallelFor(
+    static_cast<int>(matrix.cols()), 64,
+    [&](int begin, int end)
+    { matrix.middleCols(begin, end - begin).array().colwise() *= roots.array(); },
+    progress.Part(0.1, 0.12));
   // Steps 3 and 4.
-  const SingularValues decomposition(std::move(matrix));
-  progress(0.95);
+  const SingularValues decomposition(std::move(matrix), progress.Part(0.12, 0.95));
 
   Fit fit;
   fit.Rows = static_cast<int>(rows);
-  fit.Charges = decomposition.Solve(roots.asDiagonal() * rightSide, this->Threshold);
+  fit.Charges =
+    decomposition.Solve(roots.asDiagonal() * rightSide, this->Threshold, progress.Part(0.95, 0.98));
   // Section 4.2. A singular vector combines all sources; the source of its largest entry is
   // redundant.
   std::set<int> redundant;
-  const Eigen::MatrixXd vectors = decomposition.RightVectors(decomposition.Rank(this->Threshold));
+  const Eigen::MatrixXd vectors =
+    decomposition.RightVectors(decomposition.Rank(this->Threshold), progress.Part(0.98, 1.0));
   for (const auto& vector : vectors.colwise())
   {
     int source = 0;

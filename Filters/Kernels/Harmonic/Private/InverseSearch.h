@@ -10,23 +10,26 @@
 namespace shape
 {
 
-/// Progress through an unknown number of steps. Each step takes a tenth of the remaining progress.
+/// Progress through an unknown number of steps. Each step takes a share of the
+/// remaining progress.
 class Steps
 {
 public:
-  explicit Steps(Progress progress)
+  explicit Steps(Progress progress, double share = 0.1)
     : Whole(std::move(progress))
+    , Share(share)
   {
   }
   Progress Next()
   {
     const double begin = this->Done;
-    this->Done += 0.1 * (1.0 - begin);
+    this->Done += this->Share * (1.0 - begin);
     return this->Whole.Part(begin, this->Done);
   }
 
 private:
   Progress Whole;
+  double Share;
   double Done = 0.0;
 };
 

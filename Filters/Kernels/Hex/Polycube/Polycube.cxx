@@ -341,7 +341,7 @@ PolycubeResult BuildPolycube(
       " charts inverts " + std::to_string(turned) + " of " +
       std::to_string(surface.Triangles().rows()) +
       " triangles: " + DescribeTurned({ positions, surface.Triangles() }, result.Labels, charts) +
-      "; refine the surface there, or try another Compactness");
+      "; divide the triangles with Subdivide, or try another Compactness");
   }
   result.Positions = map.CellSize * positions;
   progress(1.0);

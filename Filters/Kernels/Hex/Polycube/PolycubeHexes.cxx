@@ -190,16 +190,16 @@ PolycubeHexesResult BuildPolycubeHexahedra(
   if (cubes)
   {
     result = FitCubes(
-      *cubes, surface, options, progress.Part(0.55, 0.88, "fitting the hexahedra to the surface"));
+      *cubes, surface, options, progress.Part(0.55, 0.8, "fitting the hexahedra to the surface"));
   }
   if (!result || result->Fit.MinimumScaledJacobian < MinimumAccepted)
   {
     try
     {
       const Cubes voxels = CubesOfVoxels(
-        surface, options, progress.Part(0.88, 0.93, "filling the deformed solid with a grid"));
+        surface, options, progress.Part(0.8, 0.88, "filling the deformed solid with a grid"));
       PolycubeHexesResult other = FitCubes(
-        voxels, surface, options, progress.Part(0.93, 1.0, "fitting the hexahedra to the surface"));
+        voxels, surface, options, progress.Part(0.88, 1.0, "fitting the hexahedra to the surface"));
       if (!result || other.Fit.MinimumScaledJacobian > result->Fit.MinimumScaledJacobian)
       {
         result = std::move(other);

@@ -15,15 +15,16 @@
 namespace shape
 {
 
-Eigen::MatrixXd ComputeScalingAxes(const Eigen::MatrixXd& squares, int dimensions)
+Eigen::MatrixXd ComputeScalingAxes(
+  const Eigen::MatrixXd& squares, int dimensions, const Progress& progress)
 {
   // Double centring turns squared distances into inner products of centred positions; their largest
   // eigenpairs give the positions.
   const Eigen::VectorXd means = squares.rowwise().mean();
   const Eigen::MatrixXd products =
     -0.5 * ((squares.colwise() - means).rowwise() - means.transpose()).array() - 0.5 * means.mean();
-  const Eigenpairs largest =
-    FindLargestEigenpairs(products, std::min<int>(dimensions, static_cast<int>(products.rows())));
+  const Eigenpairs largest = FindLargestEigenpairs(
+    products, std::min<int>(dimensions, static_cast<int>(products.rows())), progress);
   Eigen::MatrixXd axes = Eigen::MatrixXd::Zero(squares.rows(), dimensions);
   for (Eigen::Index k = 0; k < largest.Values.size(); ++k)
   {
@@ -65,8 +66,9 @@ Eigen::MatrixXd EmbedByClassicalMds(
   between = 0.5 * (between + between.transpose()).eval();
   const Eigen::RowVectorXd means = between.colwise().mean();
   // Step 3: positions of all points.
-  Eigen::MatrixXd result =
-    -0.5 * ((squares.rowwise() - means) * ComputeScalingAxes(between, dimensions));
+  Eigen::MatrixXd result = -0.5 *
+    ((squares.rowwise() - means) *
+      ComputeScalingAxes(between, dimensions, progress.Part(0.9, 1.0)));
   // Step 4: signs and unused points.
   for (Eigen::Index k = 0; k < result.cols(); ++k)
   {

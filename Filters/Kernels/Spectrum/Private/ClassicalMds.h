@@ -30,6 +30,7 @@ Eigen::MatrixXd EmbedByClassicalMds(
 /// m) A, where the row d contains its squared distances from the samples, and m is the mean of d
 /// over the samples. squares: s x s, symmetric: the squared distances between the samples. Columns
 /// without a positive eigenvalue are 0.
-Eigen::MatrixXd ComputeScalingAxes(const Eigen::MatrixXd& squares, int dimensions);
+Eigen::MatrixXd ComputeScalingAxes(
+  const Eigen::MatrixXd& squares, int dimensions, const Progress& progress);
 
 } // namespace shape

@@ -55,7 +55,7 @@ std::vector<int> FindNeighbours(const SolidCells& solid, int point)
 
 } // namespace
 
-Eigen::MatrixXd SolveTutteEmbedding(const SolidCells& solid)
+Eigen::MatrixXd SolveTutteEmbedding(const SolidCells& solid, const Progress& progress)
 {
   std::vector<int> fixed;
   std::vector<Eigen::Triplet<double>> entries;
@@ -78,7 +78,8 @@ Eigen::MatrixXd SolveTutteEmbedding(const SolidCells& solid)
   laplacian.setFromTriplets(entries.begin(), entries.end());
   Eigen::MatrixXd positions = Eigen::MatrixXd::Zero(solid.PointCount(), 3);
   positions(fixed, Eigen::all) = solid.Points(fixed, Eigen::all);
-  DirichletProblem(laplacian, fixed).Solve(positions, Eigen::MatrixXd::Zero(solid.PointCount(), 3));
+  DirichletProblem(laplacian, fixed, progress)
+    .Solve(positions, Eigen::MatrixXd::Zero(solid.PointCount(), 3), progress.Part(1.0, 1.0));
   return positions;
 }
 

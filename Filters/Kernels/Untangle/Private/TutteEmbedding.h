@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Base/Progress.h"
 #include "Untangle/Private/SolidCells.h"
 
 #include <Eigen/Core>
@@ -10,7 +11,7 @@ namespace shape
 /// Returns positions of a solid's points (n x 3) such that each inner point is the mean of its
 /// neighbours (W. T. Tutte, "How to draw a graph", 1963). Two points are neighbours if they share a
 /// cell. Boundary points and points without a cell keep their positions.
-Eigen::MatrixXd SolveTutteEmbedding(const SolidCells& solid);
+Eigen::MatrixXd SolveTutteEmbedding(const SolidCells& solid, const Progress& progress);
 
 /**
  * Returns the logarithm of the target size of the cells around each point. The size is the ratio of

@@ -260,16 +260,17 @@ Eigen::MatrixXd AlignWithAxes(const WorkingSolid& solid, const Progress& progres
   pin.array() += 1e-9 * shape.Stiffness.diagonal().mean();
   SparseCholesky poisson;
   const Eigen::SparseMatrix<double> pinned = shape.Stiffness + Diagonal(pin);
-  poisson.Factorize(pinned);
+  poisson.Factorize(pinned, progress.Part(0.0, 0.0));
   SparseCholesky smoothing;
   Eigen::MatrixXd positions = solid.Points;
   for (int round = 0; round < AlignmentRounds; ++round)
   {
-    progress(static_cast<double>(round) / AlignmentRounds);
+    const Progress part =
+      progress.Part(static_cast<double>(round) / AlignmentRounds, (round + 1.0) / AlignmentRounds);
     const double reach =
       shape.EdgeLength * std::max(NearestReach, MaximumReach * std::pow(0.85, round));
     const Eigen::SparseMatrix<double> smooth = pinned + Diagonal(pointAreas / reach);
-    smoothing.Factorize(smooth);
+    smoothing.Factorize(smooth, part);
     const Eigen::MatrixXd turns = smoothing.Solve(Wishes(solid, positions, areas) / reach);
     const auto further = [&](int t)
     {
@@ -321,7 +322,8 @@ Eigen::MatrixXd FlattenAlongAxes(const WorkingSolid& solid, const Eigen::VectorX
   const auto none = [](int) { return Eigen::Matrix3d(Eigen::Matrix3d::Identity()); };
   for (int round = 0; round < FlatteningRounds; ++round)
   {
-    progress(static_cast<double>(round) / FlatteningRounds);
+    const Progress part = progress.Part(
+      static_cast<double>(round) / FlatteningRounds, (round + 1.0) / FlatteningRounds);
     const double flatness = shape.EdgeLength * MinimumFlatness *
       std::pow(MaximumFlatness / MinimumFlatness, round / (FlatteningRounds - 1.0));
     const Eigen::MatrixXd right = shape.RightSide(positions, none) + pin.asDiagonal() * positions;
@@ -329,7 +331,7 @@ Eigen::MatrixXd FlattenAlongAxes(const WorkingSolid& solid, const Eigen::VectorX
     {
       const Eigen::SparseMatrix<double> matrix =
         shape.Stiffness + Diagonal(pin) + flatness * penalties[axis];
-      factors[axis].Factorize(matrix);
+      factors[axis].Factorize(matrix, part.Part(axis / 3.0, (axis + 1.0) / 3.0));
       positions.col(axis) = factors[axis].Solve(right.col(axis));
     }
   }

@@ -79,19 +79,22 @@ public:
     return all;
   }
 
-  Descent NewtonDirection(const Eigen::Matrix3Xd& x, double epsilon) override
+  Descent NewtonDirection(
+    const Eigen::Matrix3Xd& x, double epsilon, const Progress& progress) override
   {
     const int count = static_cast<int>(this->Hats.size());
     std::vector<Eigen::Matrix<double, 12, 12>> blocks(count);
     std::vector<Eigen::Matrix<double, 12, 1>> slopes(count);
-    ParallelFor(count, EnergyGrain,
+    ParallelFor(
+      count, EnergyGrain,
       [&](int begin, int end)
       {
         for (int t = begin; t < end; ++t)
         {
           this->Expand(t, x, epsilon, blocks[t], slopes[t]);
         }
-      });
+      },
+      progress.Part(0.0, 0.3));
     this->System.Clear();
     for (int t = 0; t < count; ++t)
     {
@@ -112,7 +115,7 @@ public:
         }
       }
     }
-    const NewtonSystem::Step step = this->System.Solve({ 1e-10, 1e2 });
+    const NewtonSystem::Step step = this->System.Solve({ 1e-10, 1e2 }, progress.Part(0.3, 1.0));
     Descent descent{ Eigen::Matrix3Xd::Zero(3, this->Solid.Points.rows()), step.Slope };
     // Tied coordinates take the same step, and so stay exactly equal; fixed ones take none.
     for (Eigen::Index i = 0; i < this->Tied.Unknowns.size(); ++i)

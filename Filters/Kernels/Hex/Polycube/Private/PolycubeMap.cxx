@@ -326,6 +326,7 @@ PolycubeMap FindPolycubeMap(const Surface& surface, double compactness,
   Attempt best;
   best.Result.Negative = std::numeric_limits<int>::max();
   int work = 0;
+  double left = 1.0; // of the progress of the trials: the first ones often succeed
   // All trials with the same direction of the axes share the alignment.
   for (const bool turned : { false, true })
   {
@@ -341,8 +342,11 @@ PolycubeMap FindPolycubeMap(const Surface& surface, double compactness,
       {
         continue;
       }
-      Attempt attempt = TryCompactness(solid, aligned, trial.Factor * compactness, options.Facing,
-        work, progress.Part(0.25, 0.9, "dividing the surface into patches"));
+      Attempt attempt =
+        TryCompactness(solid, aligned, trial.Factor * compactness, options.Facing, work,
+          progress.Part(0.25, 0.9, "dividing the surface into patches")
+            .Part(1.0 - left, 1.0 - 0.5 * left));
+      left *= 0.5;
       attempt.Rotation = rotation;
       if (attempt.Result.Negative < best.Result.Negative)
       {
@@ -358,7 +362,7 @@ PolycubeMap FindPolycubeMap(const Surface& surface, double compactness,
       (options.Facing ? " or lie under folded charts" : "") + "; " +
       (best.Faults.empty() ? "no single chart is at fault"
                            : DescribeFaults(best.Faults, best.Charts)) +
-      "; try Shape Polycube with another Compactness");
+      "; try Shape Polycube with another Compactness, or Shape Hex Remesh with Method Grid");
   }
   double size = options.CellSize > 0.0
     ? options.CellSize
