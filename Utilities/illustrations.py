@@ -107,6 +107,18 @@ def FillHoles():
 
 
 @drawing
+def LabelSurfaces():
+    grid = Wavelet(WholeExtent=[-24, 24] * 3)
+    # A ball of two halves, with a smaller ball inside both.
+    labels = PythonCalculator(Input=grid, ArrayName='Label', Expression='(mag(points) < 20) * '
+                              'where(mag(points + [0, 6, -4]) < 11, 3, 1 + (points[:, 0] + 0.4 * points[:, 2] > 0))')
+    regions = ShapeLabelSurfaces(Input=labels, LabelArray='Label')
+    show(cut(regions, (0, -5, 0)), array='Patch', kind='CELLS', preset='Brewer Qualitative Set2', discrete=True,
+         edges=True)
+    return FRONT
+
+
+@drawing
 def Tetrahedralize():
     solid = ShapeTetrahedralize(Input=shape('FigureA.vtp'), PreserveBoundary=0)
     show(cut(solid, (0, 0.02, 0), (0.1, -1, 0)), edges=True, colour=[0.55, 0.74, 0.80])
