@@ -101,6 +101,21 @@ grey.AddThreshold(1.5)
 radii = numpy.linalg.norm(points(shapetesting.outputs(grey)[0]) - (20.2, 17.9, 14.6), axis=1)
 assert abs(radii - 11.5).max() < 3.0 / (8.0 * 11.5)
 
+# Tetrahedra of the regions, which share the points between them.
+solid_filter = simple.ShapeTetrahedralize(Input=extracted)
+solid_filter.UpdatePipeline()
+solid = shapetesting.output(solid_filter)
+ids = vtk_to_numpy(solid.GetCellData().GetArray('RegionId'))
+assert set(ids) == {2, 9}
+tetrahedra = vtk_to_numpy(solid.GetCells().GetConnectivityArray()).reshape(-1, 4)
+a, b, c, d = points(solid)[tetrahedra].transpose(1, 0, 2)
+each = (numpy.cross(b - a, c - a) * (d - a)).sum(axis=1) / 6.0
+assert each.min() > 0.0
+for label, volume in zip((2, 9), volumes):
+    assert abs(each[ids == label].sum() - volume) < 1e-9 * volume, label
+shared = set(tetrahedra[ids == 2].ravel()) & set(tetrahedra[ids == 9].ravel())
+assert set(triangles(surface)[inner].ravel()) <= shared, 'with the boundary preserved, points keep their ids'
+
 # What is wrong is said.
 for data, settings, expected in (
         (image(labels), {'LabelArray': 'Lable'}, "no array 'Lable'"),

@@ -2,11 +2,9 @@
 
 As an example: a solid of hexahedra in two layers is saved with the quadrilaterals of its boundary."""
 import os
-import subprocess
 import tempfile
 
 import numpy
-from vtkmodules.vtkFiltersVerdict import vtkCellSizeFilter
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkCellTypeSource
 from paraview import simple
@@ -14,42 +12,10 @@ from paraview.modules.vtkRemotingServerManager import vtkSMProxyManager
 import shapemap
 
 import calculix
-import shapetesting
+import gmsh_reader
 from shapetesting import points
 
 folder = tempfile.mkdtemp()
-NODES_OF = {1: 2, 2: 3, 3: 4, 4: 4, 5: 8, 15: 1}  # Gmsh's types: line, triangle, quad, tet, hex, point
-
-
-def read_by_gmsh(path):
-    """What Gmsh has of a file: points, and {type: (corners, references)}."""
-    out = os.path.join(folder, 'out.msh')
-    run = subprocess.run(['gmsh', path, '-0', '-format', 'msh22', '-o', out], stdout=subprocess.PIPE,
-                         stderr=subprocess.STDOUT, text=True)
-    assert run.returncode == 0 and 'Error' not in run.stdout, run.stdout
-    lines = open(out).read().splitlines()
-    first = lines.index('$Nodes') + 2
-    nodes = [line.split() for line in lines[first:lines.index('$EndNodes')]]
-    nodes.sort(key=lambda node: int(node[0]))
-    assert [int(node[0]) for node in nodes] == list(range(1, len(nodes) + 1))
-    places = numpy.array([node[1:] for node in nodes], float)
-    elements = {}
-    for line in lines[lines.index('$Elements') + 2:lines.index('$EndElements')]:
-        numbers = [int(word) for word in line.split()]
-        corners, references = elements.setdefault(numbers[1], ([], []))
-        corners.append([n - 1 for n in numbers[-NODES_OF[numbers[1]]:]])
-        references.append(numbers[4])  # the elementary entity
-    return places, {kind: (numpy.array(corners), numpy.array(references))
-                    for kind, (corners, references) in elements.items()}
-
-
-def volume(grid):
-    sizes = vtkCellSizeFilter()
-    sizes.SetInputData(grid)
-    sizes.ComputeSumOn()
-    sizes.Update()
-    return sizes.GetOutput().GetFieldData().GetArray('Volume').GetValue(0)
-
 
 # The example: the grid, bent so that no coordinate is round, with a layer in RegionId.
 block = calculix.block((6, 4, 5), (3.0, 2.0, 2.5))
@@ -65,7 +31,7 @@ simple.SaveData(path, source, FeatureAngle=45)
 listed = vtkSMProxyManager.GetProxyManager().GetWriterFactory().GetSupportedFileTypes(source.SMProxy, 0)
 assert 'Medit mesh(*.mesh )' in listed, listed
 
-found, elements = read_by_gmsh(path)
+found, elements = gmsh_reader.read(path)
 assert found.shape == places.shape
 # Gmsh numbers anew, and writes 16 digits: nodes are found by their places.
 nearest = numpy.array([abs(places - place).max(axis=1).argmin() for place in found])
@@ -76,14 +42,14 @@ written = {tuple(cell): layer + 1 for cell, layer in zip(corners, layers)}
 read = {tuple(nearest[cell]): reference for cell, reference in zip(*elements[5])}
 assert written == read
 again = calculix.hexahedra(found, elements[5][0])
-assert abs(volume(again) - volume(solid)) < 1e-12 * volume(solid) and volume(again) > 10.0
+assert abs(gmsh_reader.volume(again) - gmsh_reader.volume(solid)) < 1e-12 * gmsh_reader.volume(solid) and gmsh_reader.volume(again) > 10.0
 quads, references = elements[3]
 assert len(quads) == 2 * (6 * 4 + 4 * 5 + 5 * 6) + 4 * 5, 'the boundary, and between the layers'
 assert sorted(numpy.bincount(references)[1:]) == [20, 20, 20, 24, 24, 30, 30]
 # Seen from outside: the boundary encloses the volume that the hexahedra fill.
 a, b, c, d = found[quads[references <= 6]].transpose(1, 0, 2)
 enclosed = sum((numpy.cross(p - a, q - a) * a).sum() for p, q in ((b, c), (c, d))) / 6.0
-assert abs(enclosed - volume(solid)) < 1e-3 * volume(solid), 'faces are not flat'
+assert abs(enclosed - gmsh_reader.volume(solid)) < 1e-3 * gmsh_reader.volume(solid), 'faces are not flat'
 
 # Tetrahedra and their triangles.
 tetrahedra = vtkCellTypeSource()
@@ -94,7 +60,7 @@ writer = shapemap.vtkShapeMeditWriter()
 writer.SetInputConnection(tetrahedra.GetOutputPort())
 writer.SetFileName(os.path.join(folder, 'tetrahedra.mesh'))
 assert writer.Write()
-found, elements = read_by_gmsh(writer.GetFileName())
+found, elements = gmsh_reader.read(writer.GetFileName())
 assert len(found) == tetrahedra.GetOutput().GetNumberOfPoints()
 assert len(elements[4][0]) == tetrahedra.GetOutput().GetNumberOfCells()
 a, b, c, d = found[elements[4][0]].transpose(1, 0, 2)
@@ -108,7 +74,7 @@ surface.SetBlocksDimensions(4, 3, 1)
 surface.Update()
 writer.SetInputConnection(surface.GetOutputPort())
 assert writer.Write()
-found, elements = read_by_gmsh(writer.GetFileName())
+found, elements = gmsh_reader.read(writer.GetFileName())
 assert set(elements) == {3} and (elements[3][1] == 1).all() and len(elements[3][0]) == 12
 
 # What cannot be written is said.

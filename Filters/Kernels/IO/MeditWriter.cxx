@@ -1,6 +1,7 @@
 #include "IO/MeditWriter.h"
 
-#include <charconv>
+#include "IO/Private/ExactText.h"
+
 #include <map>
 #include <string>
 #include <utility>
@@ -12,13 +13,6 @@ namespace
 {
 
 using namespace cell_kind;
-
-/// Returns the shortest text that represents the number exactly.
-std::string ToText(double value)
-{
-  char buffer[40];
-  return { buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr };
-}
 
 /// The integers of an element: its vertices, numbered from 1, and its reference.
 using Element = std::vector<int>;
@@ -80,7 +74,7 @@ void WriteMedit(std::ostream& file, const MeshSets& sets, const Progress& progre
   file << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << points.rows() << '\n';
   for (Eigen::Index i = 0; i < points.rows(); ++i)
   {
-    file << ToText(points(i, 0)) << ' ' << ToText(points(i, 1)) << ' ' << ToText(points(i, 2))
+    file << ToExactText(points(i, 0)) << ' ' << ToExactText(points(i, 1)) << ' ' << ToExactText(points(i, 2))
          << " 0\n";
     if (i % 65536 == 0)
     {

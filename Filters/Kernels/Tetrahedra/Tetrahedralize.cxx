@@ -3,7 +3,9 @@
 #include "Base/DisjointSets.h"
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
+#include "Mesh/UsedPoints.h"
 #include "Search/ClosestPoint.h"
+#include "Solids/ConformingRegions.h"
 #include "Solids/SolidRegions.h"
 #include "Solids/SurfaceComplex.h"
 #include "Tetrahedra/Private/TetGen.h"
@@ -13,7 +15,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <string>
 
@@ -216,9 +220,20 @@ Measures Measure(
   return measures;
 }
 
-/// The region of each tetrahedron. Throws if one lies in a void or a region's volume is wrong.
+/// What is filled, in units in which its size is about 1.
+struct Solid
+{
+  const Mesh& Surfaces;          ///< triangles that do not cross; all points are distinct and used
+  const Eigen::MatrixXd& Holes;  ///< a position in each void
+  std::function<int(const RowVector3d&)> RegionAt;
+  std::map<int, double> Volumes; ///< of the regions
+  double Scale;                  ///< the factor of the units
+};
+
+/// Finds the region of each tetrahedron. Tetrahedra of regions without a volume are outside. Throws
+/// if a region's volume is wrong.
 Eigen::VectorXi FindRegionIds(const TetGenOutput& mesh, const Eigen::MatrixXi& onSurfaces,
-  const Eigen::VectorXd& volumes, const SolidRegions& regions, const Progress& progress)
+  const Eigen::VectorXd& volumes, const Solid& solid, const Progress& progress)
 {
   int sets = 0;
   const Eigen::VectorXi set = SetsBetweenSurfaces(mesh.Tetrahedra, onSurfaces, sets, progress);
@@ -234,32 +249,140 @@ Eigen::VectorXi FindRegionIds(const TetGenOutput& mesh, const Eigen::MatrixXi& o
   for (int s = 0; s < sets; ++s)
   {
     const Eigen::RowVector4i corners = mesh.Tetrahedra.row(largest(s));
-    regionOfSet(s) = regions.RegionAt(mesh.Points(corners, Eigen::all).colwise().mean());
-    if (regionOfSet(s) == SolidRegions::Void)
-    {
-      throw SolveFailure("TetGen filled a region outside the solid; remesh where parts of the "
-                         "surface nearly touch");
-    }
+    regionOfSet(s) = solid.RegionAt(mesh.Points(corners, Eigen::all).colwise().mean());
   }
   Eigen::VectorXi region(set.size());
-  Eigen::VectorXd found = Eigen::VectorXd::Zero(regions.Volumes().size());
+  std::map<int, double> found;
   for (Eigen::Index i = 0; i < set.size(); ++i)
   {
     region(i) = regionOfSet(set(i));
-    found(region(i)) += volumes(i);
+    found[region(i)] += volumes(i);
   }
-  const double total = regions.Volumes().sum();
-  for (Eigen::Index r = 0; r < found.size(); ++r)
+  double total = 0.0;
+  for (const auto& [id, volume] : solid.Volumes)
   {
-    if (!(std::abs(found(r) - regions.Volumes()(r)) <= 1e-9 * total))
+    total += volume;
+  }
+  for (const auto& [id, volume] : solid.Volumes)
+  {
+    if (!(std::abs(found[id] - volume) <= 1e-9 * total))
     {
-      throw SolveFailure("the volume of TetGen's tetrahedra in region " + std::to_string(r) +
-        " differs by " + std::to_string(100.0 * (found(r) / regions.Volumes()(r) - 1.0)) +
+      throw SolveFailure("the volume of TetGen's tetrahedra in region " + std::to_string(id) +
+        " differs by " + std::to_string(100.0 * (found[id] / volume - 1.0)) +
         " % from the volume that the surfaces enclose; remesh where triangles are thin, or change "
         "PreserveBoundary");
     }
   }
   return region;
+}
+
+/// Removes the tetrahedra outside, and the points after the first `given` that none uses then.
+void RemoveOutside(
+  TetGenOutput& mesh, Eigen::VectorXi& region, Eigen::Index given, const Solid& solid)
+{
+  std::vector<int> inside;
+  for (int i = 0; i < static_cast<int>(region.size()); ++i)
+  {
+    if (solid.Volumes.count(region(i)) > 0)
+    {
+      inside.push_back(i);
+    }
+  }
+  if (static_cast<Eigen::Index>(inside.size()) == region.size())
+  {
+    return;
+  }
+  mesh.Tetrahedra = mesh.Tetrahedra(inside, Eigen::all).eval();
+  region = region(inside).eval();
+  std::vector<int> kept = FindUsedPoints(mesh.Tetrahedra, mesh.Points.rows());
+  kept.erase(kept.begin(), std::lower_bound(kept.begin(), kept.end(), static_cast<int>(given)));
+  std::vector<int> all(given);
+  std::iota(all.begin(), all.end(), 0);
+  all.insert(all.end(), kept.begin(), kept.end());
+  mesh.Tetrahedra = RenumberPoints(mesh.Tetrahedra, all, mesh.Points.rows());
+  mesh.Points = mesh.Points(all, Eigen::all).eval();
+}
+
+/// Fills a solid. The provenance of the result is that of its surfaces' points.
+TetrahedralizeResult Fill(
+  const Solid& solid, const TetrahedralizeOptions& options, const Progress& progress)
+{
+  double total = 0.0;
+  for (const auto& [id, volume] : solid.Volumes)
+  {
+    total += volume;
+  }
+  const double unit = solid.Scale * solid.Scale * solid.Scale;
+  const double maximumVolume = options.MaximumVolume * unit;
+  const double byVolume = maximumVolume > 0.0 ? total / maximumVolume : 0.0;
+  if (byVolume > 1e8)
+  {
+    throw InvalidInput(
+      "MaximumVolume would give more than 100 million tetrahedra; use a value greater than " +
+      std::to_string(total / unit * 1e-8));
+  }
+  const Eigen::Index given = solid.Surfaces.Points.rows();
+  // Refinement may not end near very sharp angles, and takes long inside a thin sheet.
+  const int maximumNewPoints =
+    1000000 + static_cast<int>(std::min(1e9, 50.0 * static_cast<double>(given) + byVolume));
+  TetGenOutput mesh = RunTetGen({ solid.Surfaces, solid.Holes, options.MaximumRadiusEdgeRatio,
+                                  maximumVolume, options.PreserveBoundary, maximumNewPoints },
+    progress.Part(0.0, 0.8, "tetrahedralizing with TetGen"));
+  if (mesh.Tetrahedra.rows() == 0 || mesh.Faces.rows() == 0 || mesh.Points.rows() < given ||
+    mesh.Points.topRows(given) != solid.Surfaces.Points)
+  {
+    throw SolveFailure(
+      "TetGen made no tetrahedra, or dropped points of the surface; use Clean with a tolerance "
+      "above 0 to merge points that nearly coincide");
+  }
+  if (mesh.Points.rows() - given >= maximumNewPoints)
+  {
+    throw SolveFailure("TetGen added " + std::to_string(maximumNewPoints) +
+      " points without reaching the bounds, as happens near sharp angles and in thin parts; "
+      "raise "
+      "MaximumRadiusEdgeRatio, or switch PreserveBoundary on");
+  }
+  MakePositive(mesh.Points, mesh.Tetrahedra, progress.Part(0.8, 0.84));
+  TetrahedralizeResult result;
+  result.RegionId = FindRegionIds(mesh,
+    options.PreserveBoundary ? solid.Surfaces.Triangles : mesh.Faces,
+    Measure(mesh.Points, mesh.Tetrahedra, progress.Part(0.84, 0.86)).Volumes, solid,
+    progress.Part(0.86, 0.96, "finding the regions of the tetrahedra"));
+  RemoveOutside(mesh, result.RegionId, given, solid);
+  const Measures measures = Measure(mesh.Points, mesh.Tetrahedra, progress.Part(0.96, 1.0));
+  std::map<int, int> used;
+  for (const int region : result.RegionId)
+  {
+    ++used[region];
+  }
+  result.Regions = static_cast<int>(used.size());
+  result.SteinerPoints = static_cast<int>(mesh.Points.rows() - given);
+  result.Volume = measures.Volumes.sum() / unit;
+  result.MinimumScaledJacobian = measures.MinimumScaledJacobian;
+  result.Points = mesh.Points / solid.Scale;
+  result.Tetrahedra = std::move(mesh.Tetrahedra);
+  return result;
+}
+
+/// Sets where the points come from: the first ones from `originals`, and the others from nowhere.
+void SetProvenance(
+  TetrahedralizeResult& result, const Eigen::VectorXi& originals, Eigen::Index points)
+{
+  ProvenanceWriter provenance(points);
+  for (const int point : originals)
+  {
+    provenance.AddCopy(point);
+  }
+  provenance.AddNone(result.Points.rows() - originals.size());
+  result.Provenance = provenance.Finish(Eigen::VectorXi::Constant(result.Tetrahedra.rows(), -1));
+}
+
+/// Returns the factor, a power of two, that makes the size about 1: TetGen's own tolerances suit a
+/// model of size 1, and a power of two changes no bit of the mantissas.
+double ScaleOf(const Eigen::MatrixXd& points)
+{
+  const double size = ComputeLongestBoxEdge(points);
+  return size > 0.0 ? std::exp2(-std::ilogb(size)) : 1.0;
 }
 
 } // namespace
@@ -284,9 +407,7 @@ TetrahedralizeResult Tetrahedralize(const Surface& surface,
   {
     RequireClosed(surfaces[s], names[s]);
   }
-  // TetGen's own tolerances suit a model of size 1; a power of two changes no bit of the mantissas.
-  const double size = ComputeLongestBoxEdge(surface.Points());
-  const double scale = size > 0.0 ? std::exp2(-std::ilogb(size)) : 1.0;
+  const double scale = ScaleOf(surface.Points());
   for (Surface& each : surfaces)
   {
     each = scale == 1.0 ? each : each.WithPoints(scale * each.Points());
@@ -295,59 +416,47 @@ TetrahedralizeResult Tetrahedralize(const Surface& surface,
   RequireConformingComplex(
     complex, names, 1.0 / scale, progress.Part(0.02, 0.2, "looking for self-intersections"));
   const SolidRegions regions(surfaces, names, progress.Part(0.2, 0.25));
-  const double maximumVolume = options.MaximumVolume * scale * scale * scale;
-  const double byVolume = maximumVolume > 0.0 ? regions.Volumes().sum() / maximumVolume : 0.0;
-  if (byVolume > 1e8)
+  std::map<int, double> volumes;
+  for (int region = 0; region < static_cast<int>(regions.Volumes().size()); ++region)
   {
-    throw InvalidInput(
-      "MaximumVolume would give more than 100 million tetrahedra; use a value greater than " +
-      std::to_string(regions.Volumes().sum() / (scale * scale * scale) * 1e-8));
+    volumes[region] = regions.Volumes()(region);
   }
+  const Eigen::MatrixXd holes = regions.FindPositionsInVoids();
+  const auto regionAt = [&](const RowVector3d& position)
+  {
+    const int region = regions.RegionAt(position);
+    if (region == SolidRegions::Void)
+    {
+      throw SolveFailure("TetGen filled a region outside the solid; remesh where parts of the "
+                         "surface nearly touch");
+    }
+    return region;
+  };
+  TetrahedralizeResult result =
+    Fill({ complex.Surfaces, holes, regionAt, volumes, scale }, options, progress.Part(0.25, 0.99));
+  SetProvenance(result, complex.OriginalPoint, surface.Points().rows());
+  progress(1.0);
+  return result;
+}
 
-  // Refinement may not end near very sharp angles, and takes long inside a thin sheet.
-  const int maximumNewPoints =
-    1000000 + static_cast<int>(std::min(1e9, 50.0 * complex.Surfaces.Points.rows() + byVolume));
-  TetGenOutput mesh =
-    RunTetGen({ complex.Surfaces, regions.FindPositionsInVoids(), options.MaximumRadiusEdgeRatio,
-                maximumVolume, options.PreserveBoundary, maximumNewPoints },
-      progress.Part(0.25, 0.85, "tetrahedralizing with TetGen"));
-  const Eigen::Index given = complex.Surfaces.Points.rows();
-  if (mesh.Tetrahedra.rows() == 0 || mesh.Faces.rows() == 0 || mesh.Points.rows() < given ||
-    mesh.Points.topRows(given) != complex.Surfaces.Points)
-  {
-    throw SolveFailure(
-      "TetGen made no tetrahedra, or dropped points of the surface; use Clean with a tolerance "
-      "above 0 to merge points that nearly coincide");
-  }
-  if (mesh.Points.rows() - given >= maximumNewPoints)
-  {
-    throw SolveFailure("TetGen added " + std::to_string(maximumNewPoints) +
-      " points without reaching the bounds, as happens near sharp angles and in thin parts; "
-      "raise "
-      "MaximumRadiusEdgeRatio, or switch PreserveBoundary on");
-  }
-  MakePositive(mesh.Points, mesh.Tetrahedra, progress.Part(0.85, 0.88));
-  const Measures measures = Measure(mesh.Points, mesh.Tetrahedra, progress.Part(0.88, 0.9));
-  TetrahedralizeResult result;
-  result.RegionId =
-    FindRegionIds(mesh, options.PreserveBoundary ? complex.Surfaces.Triangles : mesh.Faces,
-      measures.Volumes, regions, progress.Part(0.9, 0.99, "finding the regions of the tetrahedra"));
-  progress(0.99);
-  Eigen::VectorXi used = Eigen::VectorXi::Zero(static_cast<Eigen::Index>(surfaces.size()));
-  used(result.RegionId).setOnes();
-  result.Regions = used.sum();
-  ProvenanceWriter provenance(surface.Points().rows());
-  for (const int point : complex.OriginalPoint)
-  {
-    provenance.AddCopy(point);
-  }
-  provenance.AddNone(mesh.Points.rows() - complex.OriginalPoint.size());
-  result.Provenance = provenance.Finish(Eigen::VectorXi::Constant(mesh.Tetrahedra.rows(), -1));
-  result.SteinerPoints = static_cast<int>(mesh.Points.rows() - given);
-  result.Volume = measures.Volumes.sum() / (scale * scale * scale);
-  result.MinimumScaledJacobian = measures.MinimumScaledJacobian;
-  result.Points = mesh.Points / scale;
-  result.Tetrahedra = std::move(mesh.Tetrahedra);
+TetrahedralizeResult TetrahedralizeRegions(const Mesh& surfaces, const Eigen::MatrixXi& labels,
+  const TetrahedralizeOptions& options, const Progress& progress)
+{
+  CheckOptions(options);
+  const double scale = ScaleOf(surfaces.Points);
+  const Surface scaled(Mesh{ scale * surfaces.Points, surfaces.Triangles });
+  // Duplicate points would separate regions that touch, so they are merged before the check.
+  const SurfaceComplex complex = JoinSurfaces({ scaled });
+  RequireConformingComplex(complex, { "the Input" }, 1.0 / scale,
+    progress.Part(0.02, 0.2, "looking for self-intersections"));
+  const ConformingRegions regions(complex.Surfaces, labels, progress.Part(0.2, 0.25));
+  const Eigen::MatrixXd noHoles(0, 3); // the outside is removed afterwards
+  TetrahedralizeResult result = Fill({ complex.Surfaces, noHoles,
+                                       [&](const RowVector3d& position)
+                                       { return regions.RegionAt(position); },
+                                       regions.Volumes(), scale },
+    options, progress.Part(0.25, 0.99));
+  SetProvenance(result, complex.OriginalPoint, surfaces.Points.rows());
   progress(1.0);
   return result;
 }

@@ -73,6 +73,21 @@ TetrahedralizeResult Tetrahedralize(const Surface& surface,
   const std::vector<Surface>& innerSurfaces = {}, const TetrahedralizeOptions& options = {},
   const Progress& progress = {});
 
+/**
+ * Fills the regions between the triangles of a conforming surface with tetrahedra, in the same way.
+ * Regions that touch share the points of their interface.
+ *
+ * surfaces: the triangles. labels: m x 2, the labels of the regions on both sides of each triangle;
+ * the normal leaves the first. A tetrahedron's RegionId is its label. Label 0 is the outside, which
+ * stays empty.
+ *
+ * The same is checked. Throws InvalidInput if the two labels of a triangle are equal, or if the
+ * triangles of a region are not closed, manifold and consistently oriented, or face inwards; and
+ * what Tetrahedralize throws.
+ */
+TetrahedralizeResult TetrahedralizeRegions(const Mesh& surfaces, const Eigen::MatrixXi& labels,
+  const TetrahedralizeOptions& options = {}, const Progress& progress = {});
+
 /// Returns the solid's provenance, with a source for every point. A point that is not a point of
 /// the surface gets the values at the closest position on the surface. Throws Aborted.
 Provenance TraceClosestPositions(

@@ -16,6 +16,8 @@
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include "Base/Errors.h"
+
 #include <utility>
 
 vtkStandardNewMacro(vtkShapeTetrahedralize);
@@ -59,6 +61,37 @@ void WriteTetrahedra(const shape::TetrahedralizeResult& solid, vtkUnstructuredGr
   output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(solid.RegionId, "RegionId"));
 }
 
+/// Returns the cell array Regions (m x 2), the labels on both sides of each triangle; empty if there
+/// is none.
+Eigen::MatrixXi ReadRegions(vtkPolyData* surface, Eigen::Index triangles)
+{
+  vtkDataArray* regions = surface->GetCellData()->GetArray("Regions");
+  if (!regions)
+  {
+    return {};
+  }
+  if (regions->GetNumberOfComponents() != 2)
+  {
+    throw shape::InvalidInput("the cell array Regions has " +
+      std::to_string(regions->GetNumberOfComponents()) +
+      " components, not the 2 labels on the sides of each triangle; rename it");
+  }
+  if (surface->GetNumberOfCells() != triangles || regions->GetNumberOfTuples() != triangles)
+  {
+    throw shape::InvalidInput("the Input has the cell array Regions, but cells that are not "
+                              "triangles; apply Triangulate");
+  }
+  Eigen::MatrixXi labels(triangles, 2);
+  for (Eigen::Index t = 0; t < triangles; ++t)
+  {
+    for (int side = 0; side < 2; ++side)
+    {
+      labels(t, side) = static_cast<int>(regions->GetComponent(t, side));
+    }
+  }
+  return labels;
+}
+
 } // namespace
 
 void vtkShapeTetrahedralize::Execute(const shape::Progress& progress)
@@ -76,8 +109,15 @@ void vtkShapeTetrahedralize::Execute(const shape::Progress& progress)
     innerSurfaces.push_back(vtkShapeConvert::ToMesh(
       this->GetGatheredInput(1, i).Data, "inner surface " + std::to_string(i)));
   }
-  const shape::TetrahedralizeResult solid =
-    shape::Tetrahedralize(mesh, innerSurfaces, this->Options, progress.Part(0.0, 0.9));
+  const Eigen::MatrixXi labels = ReadRegions(surface, mesh.Triangles().rows());
+  if (labels.size() > 0 && !innerSurfaces.empty())
+  {
+    throw shape::InvalidInput("the array Regions divides the Input already; remove the inner "
+                              "surfaces, or the array");
+  }
+  const shape::TetrahedralizeResult solid = labels.size() > 0
+    ? shape::TetrahedralizeRegions(mesh, labels, this->Options, progress.Part(0.0, 0.9))
+    : shape::Tetrahedralize(mesh, innerSurfaces, this->Options, progress.Part(0.0, 0.9));
 
   const std::string warning =
     vtkShapeLargeSize::CheckCellVolume("Maximum Volume", this->Options.MaximumVolume, solid.Volume);

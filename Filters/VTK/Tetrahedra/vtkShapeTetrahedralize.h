@@ -7,7 +7,8 @@
  *
  * Inputs (polygons are triangulated internally)
  * - Input: the closed surface that bounds the solid. A component inside an odd number of other
- *   components bounds a void, which stays empty.
+ *   components bounds a void, which stays empty. With the cell array `Regions` (int, 2), which Shape
+ *   Label Surfaces makes, each triangle is between two regions, and the regions are filled.
  * - InnerSurfaces (optional, repeatable): closed surfaces inside the solid that are interfaces
  *   between materials. They may be nested.
  *
@@ -15,7 +16,7 @@
  * points of Input come first, in order. Points that no polygon uses, and duplicates of earlier
  * points, are omitted. The points of the inner surfaces follow, and then new points.
  * - Cell array `RegionId` (int): i + 1 if inner surface i (counted from 0) is the innermost surface
- *   around the cell; 0 outside all inner surfaces.
+ *   around the cell; 0 outside all inner surfaces. With `Regions`, the label of the region.
  * - Point array `OriginalPointId` (vtkIdType): the index of the point in Input, or -1 for other
  *   points.
  * - Point data of Input. Points that are not from Input get the data at the closest position on the
