@@ -110,10 +110,11 @@ def FillHoles():
 def LabelSurfaces():
     grid = Wavelet(WholeExtent=[-24, 24] * 3)
     # A ball of two halves, with a smaller ball inside both.
-    labels = PythonCalculator(Input=grid, ArrayName='Label', Expression='(mag(points) < 20) * '
-                              'where(mag(points + [0, 6, -4]) < 11, 3, 1 + (points[:, 0] + 0.4 * points[:, 2] > 0))')
+    ball = 'coordsX^2 + (coordsY%+d)^2 + (coordsZ%+d)^2 < %d'
+    labels = Calculator(Input=grid, ResultArrayName='Label', Function='if(%s, 3, if(%s, if(%s, 2, 1), 0))' % (
+        ball % (6, -4, 121), ball % (0, 0, 400), 'coordsX + 0.4 * coordsZ > 0'))
     regions = ShapeLabelSurfaces(Input=labels, LabelArray='Label')
-    show(cut(regions, (0, -5, 0)), array='Patch', kind='CELLS', preset='Brewer Qualitative Set2', discrete=True,
+    show(cut(regions, (0, -6, 0), (0, -1, 0)), array='Patch', kind='CELLS', preset='Turbo', limits=(0, 5), discrete=6,
          edges=True)
     return FRONT
 

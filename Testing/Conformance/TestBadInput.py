@@ -2,7 +2,7 @@
 same object works again once the input is mended."""
 import numpy
 from vtkmodules.vtkCommonCore import vtkDataArray
-from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData, vtkTable
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkTable
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import filters
@@ -33,8 +33,14 @@ def without_good_map(name, spoil):
 
 
 def spoiled(name, port, value):
-    """The good input with one coordinate that is not finite, of a point that cells use."""
+    """The good input with one coordinate that is not finite, of a point that cells use, or one label of an
+    image."""
     data = shapetesting.copy(filters.good_input(name, port))
+    if isinstance(data, vtkImageData):
+        labels = vtk_to_numpy(data.GetPointData().GetScalars()).astype(float)
+        labels[len(labels) // 2] = value
+        shapetesting.add_array(data, labels, data.GetPointData().GetScalars().GetName())
+        return data
     coordinates = shapetesting.points(data)
     coordinates[data.GetCell(data.GetNumberOfCells() // 2).GetPointId(0), 1] = value
     shapetesting.set_points(data, coordinates)
@@ -79,7 +85,8 @@ for name in filters.names():
 
         # One object meets all of them, and works each time that the input is mended.
         bad = filters.with_good_inputs(name)
-        for what, data in (('an empty surface', vtkPolyData()),
+        is_image = isinstance(filters.good_input(name, port), vtkImageData)
+        for what, data in (('nothing in it', vtkImageData() if is_image else vtkPolyData()),
                            ('a NaN', spoiled(name, port, numpy.nan)),
                            ('an infinity', spoiled(name, port, numpy.inf))):
             bad.SetInputDataObject(port, data)
@@ -94,6 +101,8 @@ for name in filters.names():
             assert not messages, '%s after %s on port %d: %s' % (name, what, port, messages)
             assert filters.size_of(bad.GetOutputDataObject(0)) > 0
     for port in filters.required_ports(filters.new(name)):
+        if isinstance(filters.good_input(name, port), vtkImageData):
+            continue  # it has no triangles
         flat = filters.with_good_inputs(name)
         flat.SetInputDataObject(port, with_flat_triangles(name, port))
         messages = shapetesting.run(flat)

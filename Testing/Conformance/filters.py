@@ -6,6 +6,8 @@ import numpy
 from paraview import servermanager
 from paraview.simple import GetActiveSource  # connects to the built-in server
 import shapemap.vtkShapeFilters as module
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
 
 import shapetesting
 
@@ -43,6 +45,18 @@ def holed():
         surface, numpy.flatnonzero(near[shapetesting.triangles(surface)].all(axis=1)).tolist())
 
 
+def segmented():
+    """An image of two regions that touch."""
+    i, j, k = numpy.indices((14, 12, 10))
+    inside = (i - 6.4) ** 2 + (j - 5.6) ** 2 + (k - 4.5) ** 2 < 16.0
+    image = vtkImageData()
+    image.SetDimensions(14, 12, 10)
+    labels = numpy_to_vtk((inside * (1 + (i > 6))).ravel(order='F').astype(numpy.int32), deep=True)
+    labels.SetName('Label')
+    image.GetPointData().SetScalars(labels)
+    return image
+
+
 # Inputs that no file has; also optional ones that others may take the place of, one of which is
 # required.
 NEEDED_INPUTS = {
@@ -51,6 +65,7 @@ NEEDED_INPUTS = {
     ('ShapeCutFeature', 'Loop'): lambda: shapetesting.closed_curve(
         [[0.6 * numpy.cos(t), 0.6 * numpy.sin(t), 0.8] for t in 0.26 * numpy.arange(24)]),
     ('ShapeFillHoles', 'Input'): holed,
+    ('ShapeLabelSurfaces', 'Input'): segmented,
 }
 
 GetActiveSource()

@@ -1,4 +1,4 @@
-"""Shape LS-DYNA Writer: a keyword file with parts and sets, in fixed columns.
+"""Shape Dyna Writer: a keyword file with parts and sets, in fixed columns.
 
 As an example: tetrahedra of a box are saved for a model that includes them."""
 import os

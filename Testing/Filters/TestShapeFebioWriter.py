@@ -1,4 +1,4 @@
-"""Shape FEBio Writer: the mesh section of a model, with parts, surfaces and node sets.
+"""Shape Febio Writer: the mesh section of a model, with parts, surfaces and node sets.
 
 As an example: a bar of two materials is saved for a model that includes it."""
 import os

@@ -91,13 +91,13 @@ assert numpy.allclose(points(surfaces(turned, LabelArray='Label')[0]),
 
 # Chosen labels; the others are the outside.
 chosen = shapetesting.new(shapemap.vtkShapeLabelSurfaces, image(labels), LabelArray='Label')
-chosen.AddLabel(2)
+chosen.SetLabels(0, 2)
 assert (regions(shapetesting.outputs(chosen)[0]) == (2, 0)).all()
 
 # Grey values: the surface lies where they reach the threshold.
 distance = 13.0 - numpy.sqrt((i - 20.2) ** 2 + (j - 17.9) ** 2 + (k - 14.6) ** 2)
 grey = shapetesting.new(shapemap.vtkShapeLabelSurfaces, image(distance, 'Grey'), LabelArray='Grey', Smoothing=0.0)
-grey.AddThreshold(1.5)
+grey.SetThresholds(0, 1.5)
 radii = numpy.linalg.norm(points(shapetesting.outputs(grey)[0]) - (20.2, 17.9, 14.6), axis=1)
 assert abs(radii - 11.5).max() < 3.0 / (8.0 * 11.5)
 

@@ -34,7 +34,7 @@ for name in ('ShapeUntangle', 'ShapeHarmonicVolumeMap', 'ShapeApplyVolumeMap'):
     check(proxies[name])
 w.open('DentedSphere600.vtp')
 for proxy in filters:
-    if proxy.get('name') != 'ShapeUntangle':
+    if proxy.get('name') not in ('ShapeUntangle', 'ShapeLabelSurfaces'):
         check(proxy)
 w.python('assert len(GetSources()) == 3, GetSources()')
 
@@ -53,4 +53,8 @@ w.python('''
     shown = [p.Input.Port for p in GetActiveView().Representations if hasattr(p, 'Input') and p.Visibility]
     assert shown == [1], 'the image: %s' % shown''')
 w.picture('GUIParameterize.png')
+
+# What needs an image is offered when an image is selected.
+w.python('Wavelet()')
+check(proxies['ShapeLabelSurfaces'])
 w.run()

@@ -28,9 +28,10 @@ std::string ToColumns(double value)
   char buffer[40];
   for (int digits = 16; text.size() > NumberColumns; --digits)
   {
-    text = { buffer,
-      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits)
-        .ptr };
+    text = {
+      buffer,
+      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr
+    };
   }
   return text;
 }
@@ -55,7 +56,7 @@ std::vector<int> ShellNodes(const Eigen::RowVectorXi& corners)
   return { corners(0), corners(1), corners(2), corners(corners.size() - 1) };
 }
 
-void WriteNodes(std::ostream& file, const Eigen::MatrixXd& points, const Progress& progress)
+void WriteDynaNodes(std::ostream& file, const Eigen::MatrixXd& points, const Progress& progress)
 {
   file << "*NODE\n";
   for (Eigen::Index i = 0; i < points.rows(); ++i)
@@ -73,12 +74,12 @@ void WriteNodes(std::ostream& file, const Eigen::MatrixXd& points, const Progres
   }
 }
 
-void WriteElements(std::ostream& file, const ElementBlock& block, const Progress& progress)
+void WriteDynaElements(std::ostream& file, const ElementBlock& block, const Progress& progress)
 {
   const int dimension = GetDimension(block.Kind);
-  file << (dimension == 3    ? "*ELEMENT_SOLID\n"
-      : dimension == 2       ? "*ELEMENT_SHELL\n"
-                             : "*ELEMENT_BEAM\n");
+  file << (dimension == 3 ? "*ELEMENT_SOLID\n"
+      : dimension == 2    ? "*ELEMENT_SHELL\n"
+                          : "*ELEMENT_BEAM\n");
   for (Eigen::Index i = 0; i < block.Corners.rows(); ++i)
   {
     file << std::setw(IdColumns) << block.Numbers[i] << std::setw(IdColumns) << block.SetNumber;
@@ -107,7 +108,7 @@ void WriteElements(std::ostream& file, const ElementBlock& block, const Progress
   }
 }
 
-void WriteNodeSet(
+void WriteDynaNodeSet(
   std::ostream& file, const std::string& title, int number, const std::set<int>& points)
 {
   file << "*SET_NODE_LIST_TITLE\n" << title << '\n' << std::setw(SetColumns) << number << '\n';
@@ -129,11 +130,11 @@ struct FaceSet
   std::set<int> Points;
 };
 
-void WriteFaceSets(std::ostream& file, const std::map<int, FaceSet>& faceSets)
+void WriteDynaFaceSets(std::ostream& file, const std::map<int, FaceSet>& faceSets)
 {
   for (const auto& [number, faces] : faceSets)
   {
-    WriteNodeSet(file, faces.Title, number, faces.Points);
+    WriteDynaNodeSet(file, faces.Title, number, faces.Points);
     file << "*SET_SEGMENT_TITLE\n"
          << faces.Title << '\n'
          << std::setw(SetColumns) << number << '\n';
@@ -160,7 +161,7 @@ void WriteDyna(std::ostream& file, const MeshSets& sets, const Progress& progres
       " points or cells, but the format has room for 99,999,999; write another format");
   }
   file << "*KEYWORD\n$ Written by ShapeMap: node = point + 1, element = cell + 1\n";
-  WriteNodes(file, sets.Mesh.Points, progress.Part(0.1, 0.5));
+  WriteDynaNodes(file, sets.Mesh.Points, progress.Part(0.1, 0.5));
   std::map<int, std::string> parts;
   std::map<int, FaceSet> faceSets;
   std::set<int> vertices;
@@ -184,18 +185,17 @@ void WriteDyna(std::ostream& file, const MeshSets& sets, const Progress& progres
     else
     {
       parts[block.SetNumber] = block.Set;
-      WriteElements(file, block, progress.Part(0.5, 0.9));
+      WriteDynaElements(file, block, progress.Part(0.5, 0.9));
     }
   }
   for (const auto& [number, name] : parts)
   {
     file << "*PART\n" << name << '\n' << std::setw(SetColumns) << number << '\n';
   }
-  WriteFaceSets(file, faceSets);
+  WriteDynaFaceSets(file, faceSets);
   if (!vertices.empty())
   {
-    WriteNodeSet(
-      file, "Points", faceSets.empty() ? 1 : faceSets.rbegin()->first + 1, vertices);
+    WriteDynaNodeSet(file, "Points", faceSets.empty() ? 1 : faceSets.rbegin()->first + 1, vertices);
   }
   file << "*END\n";
   progress(1.0);

@@ -43,7 +43,7 @@ bool AreFaces(const ElementBlock& block, const MeshSets& sets)
   return block.Numbers.front() > sets.Mesh.Kinds.size();
 }
 
-void WriteElement(
+void WriteFebioElement(
   std::ostream& file, const char* tag, int number, const Eigen::RowVectorXi& corners)
 {
   file << "\t\t\t<" << tag << " id=\"" << number << "\">";
@@ -54,7 +54,7 @@ void WriteElement(
   file << "</" << tag << ">\n";
 }
 
-void WriteNodes(std::ostream& file, const Eigen::MatrixXd& points, const Progress& progress)
+void WriteFebioNodes(std::ostream& file, const Eigen::MatrixXd& points, const Progress& progress)
 {
   file << "\t\t<Nodes name=\"Nodes\">\n";
   for (Eigen::Index i = 0; i < points.rows(); ++i)
@@ -69,7 +69,7 @@ void WriteNodes(std::ostream& file, const Eigen::MatrixXd& points, const Progres
   file << "\t\t</Nodes>\n";
 }
 
-void WriteNodeSet(std::ostream& file, const std::string& name, const std::set<int>& points)
+void WriteFebioNodeSet(std::ostream& file, const std::string& name, const std::set<int>& points)
 {
   file << "\t\t<NodeSet name=\"" << name << "\">\n\t\t\t";
   const char* separator = "";
@@ -81,8 +81,8 @@ void WriteNodeSet(std::ostream& file, const std::string& name, const std::set<in
   file << "\n\t\t</NodeSet>\n";
 }
 
-void WriteParts(std::ostream& file, const std::vector<ElementBlock>& blocks, const MeshSets& sets,
-  const Progress& progress)
+void WriteFebioParts(std::ostream& file, const std::vector<ElementBlock>& blocks,
+  const MeshSets& sets, const Progress& progress)
 {
   std::map<std::string, int> kinds; // of each region
   for (const ElementBlock& block : blocks)
@@ -101,7 +101,7 @@ void WriteParts(std::ostream& file, const std::vector<ElementBlock>& blocks, con
          << (kinds.at(block.Set) > 1 ? '_' + type : "") << "\">\n";
     for (Eigen::Index i = 0; i < block.Corners.rows(); ++i)
     {
-      WriteElement(file, "elem", block.Numbers[i], block.Corners.row(i));
+      WriteFebioElement(file, "elem", block.Numbers[i], block.Corners.row(i));
       if (++done % 65536 == 0)
       {
         progress(static_cast<double>(done) / static_cast<double>(sets.Mesh.Kinds.size()));
@@ -112,7 +112,7 @@ void WriteParts(std::ostream& file, const std::vector<ElementBlock>& blocks, con
 }
 
 /// Writes the sets of nodes and the surfaces. A surface may have two kinds of faces.
-void WriteSurfaces(
+void WriteFebioSurfaces(
   std::ostream& file, const std::vector<ElementBlock>& blocks, const MeshSets& sets)
 {
   std::set<int> vertices;
@@ -130,7 +130,7 @@ void WriteSurfaces(
   }
   if (!vertices.empty())
   {
-    WriteNodeSet(file, "Points", vertices);
+    WriteFebioNodeSet(file, "Points", vertices);
   }
   for (const auto& [number, parts] : surfaces)
   {
@@ -139,7 +139,7 @@ void WriteSurfaces(
     {
       points.insert(part->Corners.reshaped().begin(), part->Corners.reshaped().end());
     }
-    WriteNodeSet(file, parts.front()->Set, points);
+    WriteFebioNodeSet(file, parts.front()->Set, points);
   }
   for (const auto& [number, parts] : surfaces)
   {
@@ -149,7 +149,7 @@ void WriteSurfaces(
     {
       for (Eigen::Index i = 0; i < part->Corners.rows(); ++i)
       {
-        WriteElement(file, FebioType(part->Kind), ++face, part->Corners.row(i));
+        WriteFebioElement(file, FebioType(part->Kind), ++face, part->Corners.row(i));
       }
     }
     file << "\t\t</Surface>\n";
@@ -162,9 +162,9 @@ void WriteFebio(std::ostream& file, const MeshSets& sets, const Progress& progre
 {
   const std::vector<ElementBlock> blocks = GroupElements(sets);
   file << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<febio_spec version=\"4.0\">\n\t<Mesh>\n";
-  WriteNodes(file, sets.Mesh.Points, progress.Part(0.1, 0.5));
-  WriteParts(file, blocks, sets, progress.Part(0.5, 0.9));
-  WriteSurfaces(file, blocks, sets);
+  WriteFebioNodes(file, sets.Mesh.Points, progress.Part(0.1, 0.5));
+  WriteFebioParts(file, blocks, sets, progress.Part(0.5, 0.9));
+  WriteFebioSurfaces(file, blocks, sets);
   file << "\t</Mesh>\n</febio_spec>\n";
   progress(1.0);
 }

@@ -71,13 +71,12 @@ void WritePhysicalNames(std::ostream& file, const EntityLists& entities)
   file << "$EndPhysicalNames\n";
 }
 
-void WriteEntities(
-  std::ostream& file, const EntityLists& entities, const Eigen::MatrixXd& points)
+void WriteEntities(std::ostream& file, const EntityLists& entities, const Eigen::MatrixXd& points)
 {
   // The format asks for a box; that of the mesh bounds each entity. A point entity has a position.
   std::string box, corner;
-  for (const Eigen::RowVector3d& extreme :
-    { Eigen::RowVector3d(points.colwise().minCoeff()), Eigen::RowVector3d(points.colwise().maxCoeff()) })
+  for (const Eigen::RowVector3d& extreme : { Eigen::RowVector3d(points.colwise().minCoeff()),
+         Eigen::RowVector3d(points.colwise().maxCoeff()) })
   {
     for (const double coordinate : extreme)
     {
@@ -102,7 +101,7 @@ void WriteEntities(
   file << "$EndEntities\n";
 }
 
-void WriteNodes(std::ostream& file, const Eigen::MatrixXd& points, int dimension, int entity,
+void WriteGmshNodes(std::ostream& file, const Eigen::MatrixXd& points, int dimension, int entity,
   const Progress& progress)
 {
   // All nodes belong to one entity: the format does not require more.
@@ -125,7 +124,7 @@ void WriteNodes(std::ostream& file, const Eigen::MatrixXd& points, int dimension
   file << "$EndNodes\n";
 }
 
-void WriteElements(
+void WriteGmshElements(
   std::ostream& file, const std::vector<ElementBlock>& blocks, const Progress& progress)
 {
   std::size_t count = 0;
@@ -167,9 +166,9 @@ void WriteGmsh(std::ostream& file, const MeshSets& sets, const Progress& progres
   file << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
   WritePhysicalNames(file, entities);
   WriteEntities(file, entities, sets.Mesh.Points);
-  WriteNodes(file, sets.Mesh.Points, GetDimension(blocks.front().Kind), blocks.front().SetNumber,
-    progress.Part(0.1, 0.5));
-  WriteElements(file, blocks, progress.Part(0.5, 1.0));
+  WriteGmshNodes(file, sets.Mesh.Points, GetDimension(blocks.front().Kind),
+    blocks.front().SetNumber, progress.Part(0.1, 0.5));
+  WriteGmshElements(file, blocks, progress.Part(0.5, 1.0));
   progress(1.0);
 }
 

@@ -74,8 +74,8 @@ void WriteMedit(std::ostream& file, const MeshSets& sets, const Progress& progre
   file << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << points.rows() << '\n';
   for (Eigen::Index i = 0; i < points.rows(); ++i)
   {
-    file << ToExactText(points(i, 0)) << ' ' << ToExactText(points(i, 1)) << ' ' << ToExactText(points(i, 2))
-         << " 0\n";
+    file << ToExactText(points(i, 0)) << ' ' << ToExactText(points(i, 1)) << ' '
+         << ToExactText(points(i, 2)) << " 0\n";
     if (i % 65536 == 0)
     {
       progress(0.5 * static_cast<double>(i) / static_cast<double>(points.rows()));

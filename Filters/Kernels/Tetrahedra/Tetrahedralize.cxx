@@ -223,8 +223,8 @@ Measures Measure(
 /// What is filled, in units in which its size is about 1.
 struct Solid
 {
-  const Mesh& Surfaces;          ///< triangles that do not cross; all points are distinct and used
-  const Eigen::MatrixXd& Holes;  ///< a position in each void
+  const Mesh& Surfaces;         ///< triangles that do not cross; all points are distinct and used
+  const Eigen::MatrixXd& Holes; ///< a position in each void
   std::function<int(const RowVector3d&)> RegionAt;
   std::map<int, double> Volumes; ///< of the regions
   double Scale;                  ///< the factor of the units
@@ -344,10 +344,10 @@ TetrahedralizeResult Fill(
   }
   MakePositive(mesh.Points, mesh.Tetrahedra, progress.Part(0.8, 0.84));
   TetrahedralizeResult result;
-  result.RegionId = FindRegionIds(mesh,
-    options.PreserveBoundary ? solid.Surfaces.Triangles : mesh.Faces,
-    Measure(mesh.Points, mesh.Tetrahedra, progress.Part(0.84, 0.86)).Volumes, solid,
-    progress.Part(0.86, 0.96, "finding the regions of the tetrahedra"));
+  result.RegionId =
+    FindRegionIds(mesh, options.PreserveBoundary ? solid.Surfaces.Triangles : mesh.Faces,
+      Measure(mesh.Points, mesh.Tetrahedra, progress.Part(0.84, 0.86)).Volumes, solid,
+      progress.Part(0.86, 0.96, "finding the regions of the tetrahedra"));
   RemoveOutside(mesh, result.RegionId, given, solid);
   const Measures measures = Measure(mesh.Points, mesh.Tetrahedra, progress.Part(0.96, 1.0));
   std::map<int, int> used;
@@ -451,11 +451,11 @@ TetrahedralizeResult TetrahedralizeRegions(const Mesh& surfaces, const Eigen::Ma
     progress.Part(0.02, 0.2, "looking for self-intersections"));
   const ConformingRegions regions(complex.Surfaces, labels, progress.Part(0.2, 0.25));
   const Eigen::MatrixXd noHoles(0, 3); // the outside is removed afterwards
-  TetrahedralizeResult result = Fill({ complex.Surfaces, noHoles,
-                                       [&](const RowVector3d& position)
-                                       { return regions.RegionAt(position); },
-                                       regions.Volumes(), scale },
-    options, progress.Part(0.25, 0.99));
+  TetrahedralizeResult result =
+    Fill({ complex.Surfaces, noHoles,
+           [&](const RowVector3d& position) { return regions.RegionAt(position); },
+           regions.Volumes(), scale },
+      options, progress.Part(0.25, 0.99));
   SetProvenance(result, complex.OriginalPoint, surfaces.Points.rows());
   progress(1.0);
   return result;

@@ -1,6 +1,6 @@
 /**
  * @class   vtkShapeDynaWriter
- * @brief   write a mesh for LS-DYNA
+ * @brief   write a mesh as a keyword file of LS-DYNA
  *
  * The extension is .k. The file has parts for the regions, and sets of nodes and segments for the
  * patches.

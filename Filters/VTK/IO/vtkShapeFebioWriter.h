@@ -1,6 +1,6 @@
 /**
  * @class   vtkShapeFebioWriter
- * @brief   write a mesh for FEBio
+ * @brief   write a mesh as the mesh section of a FEBio model
  *
  * The extension is .feb. The file has the mesh section of a model, with parts for the regions, and
  * surfaces and node sets for the patches.

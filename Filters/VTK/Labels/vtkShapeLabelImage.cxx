@@ -1,14 +1,16 @@
 #include "vtkShapeLabelImage.h"
 
-#include "vtkShapeComposite.h"
 #include "vtkShapeGather.h"
 
 #include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
 
 #include "Base/Errors.h"
 
@@ -60,15 +62,38 @@ std::string ListArrays(vtkImageData* image)
   return present.empty() ? "" : " (present: " + present + ")";
 }
 
+/// Returns the blocks that are not empty, or the input itself.
+std::vector<vtkDataObject*> FindBlocks(vtkDataObject* input)
+{
+  std::vector<vtkDataObject*> blocks;
+  const auto add = [&](vtkDataObject* block)
+  {
+    auto* dataSet = vtkDataSet::SafeDownCast(block);
+    if (!dataSet || dataSet->GetNumberOfPoints() > 0)
+    {
+      blocks.push_back(block);
+    }
+  };
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  if (!composite)
+  {
+    add(input);
+    return blocks;
+  }
+  vtkSmartPointer<vtkCompositeDataIterator> it;
+  it.TakeReference(composite->NewIterator());
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    add(it->GetCurrentDataObject());
+  }
+  return blocks;
+}
+
 std::vector<Piece> FindPieces(vtkDataObject* input, const std::string& array)
 {
   std::vector<Piece> pieces;
-  for (vtkDataSet* block : vtkShapeComposite::Of(input))
+  for (vtkDataObject* block : FindBlocks(input))
   {
-    if (block->GetNumberOfPoints() == 0)
-    {
-      continue;
-    }
     auto* image = vtkImageData::SafeDownCast(block);
     if (!image)
     {
@@ -162,6 +187,10 @@ shape::LabelImage vtkShapeLabelImage::Read(vtkDataObject* input, const std::stri
     });
   vtkShapeGather::Reduce(controller, extent.data(), 6, Reduction::Minimum);
   vtkShapeGather::Reduce(controller, layouts.data(), 26, Reduction::Maximum);
+  if (extent[0] == std::numeric_limits<double>::max())
+  {
+    throw shape::InvalidInput("the Input has no voxels; choose an image with points");
+  }
   for (int i = 0; i < 13; ++i)
   {
     if (layouts[i] != -layouts[13 + i])
@@ -219,7 +248,13 @@ shape::LabelImage vtkShapeLabelImage::Read(vtkDataObject* input, const std::stri
                   std::to_string(value) +
                   ", which is no label; choose an array of integers, or set Thresholds");
               }
-              values[image.IndexOf(i - first[0], j - first[1], k - first[2])] = value;
+              double& known = values[image.IndexOf(i - first[0], j - first[1], k - first[2])];
+              if (known != none && known != value)
+              {
+                throw shape::InvalidInput("the Input has images that overlap with different "
+                                          "values; extract one of them with Extract Block");
+              }
+              known = value;
             }
           }
         }

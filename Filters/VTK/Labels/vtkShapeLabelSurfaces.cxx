@@ -16,6 +16,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -30,28 +31,69 @@ vtkShapeLabelSurfaces::vtkShapeLabelSurfaces()
   this->DeclareShown(0, { "Patch" });
 }
 
-void vtkShapeLabelSurfaces::AddLabel(int label)
+namespace
 {
-  this->Options.Labels.push_back(label);
-  this->Modified();
+
+/// Changes the number of values. Returns whether it was another one.
+template <typename Value>
+bool Resize(std::vector<Value>& values, int count)
+{
+  const auto size = static_cast<std::size_t>(std::max(count, 0));
+  if (size == values.size())
+  {
+    return false;
+  }
+  values.resize(size, Value(0));
+  return true;
 }
 
-void vtkShapeLabelSurfaces::RemoveAllLabels()
+/// Sets one value, and appends values as needed. Returns whether anything has changed.
+template <typename Value>
+bool Assign(std::vector<Value>& values, int index, Value value)
 {
-  this->Options.Labels.clear();
-  this->Modified();
+  if (index < 0)
+  {
+    return false;
+  }
+  const bool isNew = index >= static_cast<int>(values.size());
+  values.resize(std::max(values.size(), static_cast<std::size_t>(index) + 1), Value(0));
+  const bool isChanged = isNew || values[index] != value;
+  values[index] = value;
+  return isChanged;
 }
 
-void vtkShapeLabelSurfaces::AddThreshold(double threshold)
+} // namespace
+
+void vtkShapeLabelSurfaces::SetNumberOfLabels(int count)
 {
-  this->Thresholds.push_back(threshold);
-  this->Modified();
+  if (Resize(this->Options.Labels, count))
+  {
+    this->Modified();
+  }
 }
 
-void vtkShapeLabelSurfaces::RemoveAllThresholds()
+void vtkShapeLabelSurfaces::SetLabels(int index, int label)
 {
-  this->Thresholds.clear();
-  this->Modified();
+  if (Assign(this->Options.Labels, index, label))
+  {
+    this->Modified();
+  }
+}
+
+void vtkShapeLabelSurfaces::SetNumberOfThresholds(int count)
+{
+  if (Resize(this->Thresholds, count))
+  {
+    this->Modified();
+  }
+}
+
+void vtkShapeLabelSurfaces::SetThresholds(int index, double threshold)
+{
+  if (Assign(this->Thresholds, index, threshold))
+  {
+    this->Modified();
+  }
 }
 
 namespace

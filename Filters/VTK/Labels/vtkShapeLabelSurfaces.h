@@ -41,10 +41,12 @@ public:
   vtkGetCharFromStdStringMacro(LabelArray);
   vtkShapeOption(Smoothing, double);
   vtkShapeOption(SmallestIsland, int);
-  void AddLabel(int label);
-  void RemoveAllLabels();
-  void AddThreshold(double threshold);
-  void RemoveAllThresholds();
+  void SetNumberOfLabels(int count);
+  void SetLabels(int index, int label);
+  std::vector<int> GetLabels() { return this->Options.Labels; }
+  void SetNumberOfThresholds(int count);
+  void SetThresholds(int index, double threshold);
+  std::vector<double> GetThresholds() { return this->Thresholds; }
   ///@}
 
 protected:

@@ -61,8 +61,8 @@ void WriteTetrahedra(const shape::TetrahedralizeResult& solid, vtkUnstructuredGr
   output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(solid.RegionId, "RegionId"));
 }
 
-/// Returns the cell array Regions (m x 2), the labels on both sides of each triangle; empty if there
-/// is none.
+/// Returns the cell array Regions (m x 2), the labels on both sides of each triangle; empty if
+/// there is none.
 Eigen::MatrixXi ReadRegions(vtkPolyData* surface, Eigen::Index triangles)
 {
   vtkDataArray* regions = surface->GetCellData()->GetArray("Regions");

@@ -7,8 +7,8 @@
  *
  * Inputs (polygons are triangulated internally)
  * - Input: the closed surface that bounds the solid. A component inside an odd number of other
- *   components bounds a void, which stays empty. With the cell array `Regions` (int, 2), which Shape
- *   Label Surfaces makes, each triangle is between two regions, and the regions are filled.
+ *   components bounds a void, which stays empty. With the cell array `Regions` (int, 2), which
+ * Shape Label Surfaces makes, each triangle is between two regions, and the regions are filled.
  * - InnerSurfaces (optional, repeatable): closed surfaces inside the solid that are interfaces
  *   between materials. They may be nested.
  *

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -54,12 +55,19 @@ struct DynaFile
   std::map<std::string, std::vector<std::string>> Lines;
 };
 
-/// The volume of a hexahedron, whose nodes may be repeated: its faces are divided at their centres.
+/// The volume of a solid element. A fourth node that is repeated to the end makes it a tetrahedron,
+/// by the manual; other repeated nodes collapse edges. Faces are divided at their centres.
 double VolumeOf(const std::vector<int>& nodes, const Eigen::MatrixXd& points)
 {
   const int faces[6][4] = { { 0, 3, 2, 1 }, { 4, 5, 6, 7 }, { 0, 1, 5, 4 }, { 1, 2, 6, 5 },
     { 2, 3, 7, 6 }, { 3, 0, 4, 7 } };
   double volume = 0.0;
+  if (std::set<int>(nodes.begin() + 3, nodes.end()).size() == 1)
+  {
+    const Eigen::RowVector3d origin = points.row(nodes[0] - 1);
+    const auto edge = [&](int k) { return Eigen::RowVector3d(points.row(nodes[k] - 1) - origin); };
+    return edge(1).cross(edge(2)).dot(edge(3)) / 6.0;
+  }
   for (const auto& face : faces)
   {
     Eigen::RowVector3d p[4], centre = Eigen::RowVector3d::Zero();
@@ -84,7 +92,8 @@ TEST(DynaWriter, SolidsWithRepeatedNodesHaveTheVolumesOfTheirCells)
   const DynaFile file(shape::FindMeshSets(cells, {}, 40.0));
   const auto& solids = file.Lines.at("*ELEMENT_SOLID");
   ASSERT_EQ(solids.size(), 4u);
-  const std::map<int, double> volumes = { { 1, 1.0 }, { 2, 1.0 / 3.0 }, { 3, 0.5 }, { 4, 1.0 / 6.0 } };
+  const std::map<int, double> volumes = { { 1, 1.0 }, { 2, 1.0 / 3.0 }, { 3, 0.5 },
+    { 4, 1.0 / 6.0 } };
   for (const std::string& solid : solids)
   {
     std::vector<int> numbers = DynaFile::Integers(solid, 8);
@@ -143,13 +152,12 @@ TEST(DynaWriter, WritesShellsBeamsAndPoints)
   list.Add(Quadrilateral, { 0, 1, 2, 3 });
   list.Add(Line, { 3, 4 });
   list.Add(Vertex, { 5 });
-  const DynaFile file(
-    shape::FindMeshSets(list.Over(shapetest::OneOfEach().Points), {}, 40.0));
+  const DynaFile file(shape::FindMeshSets(list.Over(shapetest::OneOfEach().Points), {}, 40.0));
   const auto& shells = file.Lines.at("*ELEMENT_SHELL");
   EXPECT_EQ(DynaFile::Integers(shells[0], 8), (std::vector<int>{ 1, 1, 1, 2, 3, 3 }));
   EXPECT_EQ(DynaFile::Integers(shells[1], 8), (std::vector<int>{ 2, 1, 1, 2, 3, 4 }));
-  EXPECT_EQ(DynaFile::Integers(file.Lines.at("*ELEMENT_BEAM")[0], 8),
-    (std::vector<int>{ 3, 1, 4, 5 }));
+  EXPECT_EQ(
+    DynaFile::Integers(file.Lines.at("*ELEMENT_BEAM")[0], 8), (std::vector<int>{ 3, 1, 4, 5 }));
   EXPECT_EQ(file.Lines.at("*SET_NODE_LIST_TITLE"),
     (std::vector<std::string>{ "Points", "         1", "         6" }));
 }

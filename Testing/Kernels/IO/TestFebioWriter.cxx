@@ -22,11 +22,12 @@ std::map<std::string, std::vector<std::string>> ReadFebio(const shape::MeshSets&
   std::stringstream text;
   shape::WriteFebio(text, sets);
   std::map<std::string, std::vector<std::string>> lists;
-  std::string line, opened;
+  std::string line, last, opened;
   const std::regex opening("<(Nodes|Elements|NodeSet|Surface) .*>");
   while (std::getline(text, line))
   {
     line.erase(0, line.find_first_not_of('\t'));
+    last = line;
     if (std::regex_match(line, opening))
     {
       EXPECT_EQ(lists.count(line), 0u) << line;
@@ -42,7 +43,7 @@ std::map<std::string, std::vector<std::string>> ReadFebio(const shape::MeshSets&
       lists[opened].push_back(line);
     }
   }
-  EXPECT_EQ(line, "</febio_spec>");
+  EXPECT_EQ(last, "</febio_spec>");
   return lists;
 }
 
@@ -83,8 +84,7 @@ TEST(FebioWriter, PartsSurfacesAndNodeSetsHaveTheNamesOfRegionsAndPatches)
     std::vector<std::string>{ "<elem id=\"2\">2,3,6,5,8,9,12,11</elem>" });
   EXPECT_EQ(lists.at("<Surface name=\"Interface0_3\">"),
     std::vector<std::string>{ "<quad4 id=\"1\">2,5,11,8</quad4>" });
-  EXPECT_EQ(
-    lists.at("<NodeSet name=\"Interface0_3\">"), std::vector<std::string>{ "2,5,8,11" });
+  EXPECT_EQ(lists.at("<NodeSet name=\"Interface0_3\">"), std::vector<std::string>{ "2,5,8,11" });
   std::size_t faces = 0;
   for (int patch = 0; patch < 6; ++patch)
   {
