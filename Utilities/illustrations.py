@@ -109,14 +109,14 @@ def FillHoles():
 @drawing
 def LabelSurfaces():
     grid = Wavelet(WholeExtent=[-24, 24] * 3)
-    # A ball of two halves, with a smaller ball inside both.
-    ball = 'coordsX^2 + (coordsY%+d)^2 + (coordsZ%+d)^2 < %d'
-    labels = Calculator(Input=grid, ResultArrayName='Label', Function='if(%s, 3, if(%s, if(%s, 2, 1), 0))' % (
-        ball % (6, -4, 121), ball % (0, 0, 400), 'coordsX + 0.4 * coordsZ > 0'))
+    # A ball of two halves without a quarter, with a smaller ball inside.
+    ball, half = 'coordsX^2 + coordsY^2 + coordsZ^2 < %d', 'if(coordsX + 0.4 * coordsZ > 0, 2, 1)'
+    labels = Calculator(
+        Input=grid, ResultArrayName='Label', Function='if(%s, 3, if(%s, if(coordsY < 0, %s, %s), 0))' % (
+            ball % 81, ball % 400, 'if(coordsZ > 0, 0, %s)' % half, half))
     regions = ShapeLabelSurfaces(Input=labels, LabelArray='Label')
-    show(cut(regions, (0, -6, 0), (0, -1, 0)), array='Patch', kind='CELLS', preset='Turbo', limits=(0, 5), discrete=6,
-         edges=True)
-    return FRONT
+    show(regions, array='Patch', kind='CELLS', preset='Turbo', limits=(0, 5), discrete=6, edges=True)
+    return (0.4, -1.0, 0.7), FRONT[1]
 
 
 @drawing

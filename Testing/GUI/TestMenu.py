@@ -55,6 +55,7 @@ w.python('''
 w.picture('GUIParameterize.png')
 
 # What needs an image is offered when an image is selected.
-w.python('Wavelet()')
+w.python('Show(Wavelet())')
+w.wait(100)
 check(proxies['ShapeLabelSurfaces'])
 w.run()

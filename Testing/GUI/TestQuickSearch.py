@@ -43,7 +43,8 @@ w.open('BallSmall.vtu')
 for label in hints:
     if label != OF_AN_IMAGE:
         check(w, label, label if label in SOLID else '')
-w.python('Wavelet()')
+w.python('Show(Wavelet())')
+w.wait(100)
 for word in hints.pop(OF_AN_IMAGE).get('keywords').split(', '):
     check(w, word, OF_AN_IMAGE)
 w.open('DentedSphere600.vtp')
