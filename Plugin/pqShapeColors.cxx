@@ -32,7 +32,7 @@ namespace
 using pqShapeRepresentation::FindVisible;
 using pqShapeRepresentation::Set;
 
-/// More than these are not told apart by their colours.
+/// The maximum number of values whose colours can be distinguished.
 constexpr int MaximumCategories = 12;
 
 /// A colour map that belongs to an array: value, red, green and blue of each of its points. Values

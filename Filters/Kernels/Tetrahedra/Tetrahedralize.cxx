@@ -19,6 +19,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 #include <string>
 
 namespace shape
@@ -230,6 +231,17 @@ struct Solid
   double Scale;                  ///< the factor of the units
 };
 
+/// Returns the volume of all regions.
+double TotalVolume(const Solid& solid)
+{
+  double total = 0.0;
+  for (const auto& [id, volume] : solid.Volumes)
+  {
+    total += volume;
+  }
+  return total;
+}
+
 /// Finds the region of each tetrahedron. Tetrahedra of regions without a volume are outside. Throws
 /// if a region's volume is wrong.
 Eigen::VectorXi FindRegionIds(const TetGenOutput& mesh, const Eigen::MatrixXi& onSurfaces,
@@ -258,11 +270,7 @@ Eigen::VectorXi FindRegionIds(const TetGenOutput& mesh, const Eigen::MatrixXi& o
     region(i) = regionOfSet(set(i));
     found[region(i)] += volumes(i);
   }
-  double total = 0.0;
-  for (const auto& [id, volume] : solid.Volumes)
-  {
-    total += volume;
-  }
+  const double total = TotalVolume(solid);
   for (const auto& [id, volume] : solid.Volumes)
   {
     if (!(std::abs(found[id] - volume) <= 1e-9 * total))
@@ -277,7 +285,8 @@ Eigen::VectorXi FindRegionIds(const TetGenOutput& mesh, const Eigen::MatrixXi& o
 }
 
 /// Removes the tetrahedra outside, and the points after the first `given` that none uses then.
-void RemoveOutside(
+/// Returns whether there were any.
+bool RemoveOutside(
   TetGenOutput& mesh, Eigen::VectorXi& region, Eigen::Index given, const Solid& solid)
 {
   std::vector<int> inside;
@@ -290,7 +299,7 @@ void RemoveOutside(
   }
   if (static_cast<Eigen::Index>(inside.size()) == region.size())
   {
-    return;
+    return false;
   }
   mesh.Tetrahedra = mesh.Tetrahedra(inside, Eigen::all).eval();
   region = region(inside).eval();
@@ -301,17 +310,14 @@ void RemoveOutside(
   all.insert(all.end(), kept.begin(), kept.end());
   mesh.Tetrahedra = RenumberPoints(mesh.Tetrahedra, all, mesh.Points.rows());
   mesh.Points = mesh.Points(all, Eigen::all).eval();
+  return true;
 }
 
 /// Fills a solid. The provenance of the result is that of its surfaces' points.
 TetrahedralizeResult Fill(
   const Solid& solid, const TetrahedralizeOptions& options, const Progress& progress)
 {
-  double total = 0.0;
-  for (const auto& [id, volume] : solid.Volumes)
-  {
-    total += volume;
-  }
+  const double total = TotalVolume(solid);
   const double unit = solid.Scale * solid.Scale * solid.Scale;
   const double maximumVolume = options.MaximumVolume * unit;
   const double byVolume = maximumVolume > 0.0 ? total / maximumVolume : 0.0;
@@ -343,19 +349,17 @@ TetrahedralizeResult Fill(
       "MaximumRadiusEdgeRatio, or switch PreserveBoundary on");
   }
   MakePositive(mesh.Points, mesh.Tetrahedra, progress.Part(0.8, 0.84));
+  Measures measures = Measure(mesh.Points, mesh.Tetrahedra, progress.Part(0.84, 0.86));
   TetrahedralizeResult result;
   result.RegionId =
     FindRegionIds(mesh, options.PreserveBoundary ? solid.Surfaces.Triangles : mesh.Faces,
-      Measure(mesh.Points, mesh.Tetrahedra, progress.Part(0.84, 0.86)).Volumes, solid,
-      progress.Part(0.86, 0.96, "finding the regions of the tetrahedra"));
-  RemoveOutside(mesh, result.RegionId, given, solid);
-  const Measures measures = Measure(mesh.Points, mesh.Tetrahedra, progress.Part(0.96, 1.0));
-  std::map<int, int> used;
-  for (const int region : result.RegionId)
+      measures.Volumes, solid, progress.Part(0.86, 0.96, "finding the regions of the tetrahedra"));
+  if (RemoveOutside(mesh, result.RegionId, given, solid))
   {
-    ++used[region];
+    measures = Measure(mesh.Points, mesh.Tetrahedra, progress.Part(0.96, 1.0));
   }
-  result.Regions = static_cast<int>(used.size());
+  result.Regions =
+    static_cast<int>(std::set<int>(result.RegionId.begin(), result.RegionId.end()).size());
   result.SteinerPoints = static_cast<int>(mesh.Points.rows() - given);
   result.Volume = measures.Volumes.sum() / unit;
   result.MinimumScaledJacobian = measures.MinimumScaledJacobian;
