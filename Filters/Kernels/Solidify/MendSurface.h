@@ -1,0 +1,55 @@
+#pragma once
+
+#include "Base/Progress.h"
+#include "Mesh/Mesh.h"
+#include "Mesh/Provenance.h"
+#include "Solidify/SurfaceDefects.h"
+
+#include <Eigen/Core>
+
+namespace shape
+{
+
+/// Where a triangle of a mended surface comes from.
+enum class TriangleOrigin
+{
+  Kept,   ///< a triangle of the input: the same positions in the same order
+  Mended, ///< a triangle of the input that was reversed, split, or has a moved corner
+  Made    ///< a new triangle
+};
+
+struct MendedSurface
+{
+  Mesh Surface; ///< closed, see MendSurface; the triangles of the input come first, in order
+  Eigen::VectorXi Origin;       ///< for each triangle, its TriangleOrigin
+  shape::Provenance Provenance; ///< from the input
+  int SplitPoints = 0;          ///< number of copies of points, where sheets of the surface touched
+  int ReversedTriangles = 0;    ///< number of triangles whose orientation was changed
+  int RemovedTriangles = 0;     ///< number of degenerate, duplicate and redundant triangles removed
+  int RemovedPieces = 0;        ///< number of pieces smaller than SmallestPiece
+  int GapsClosed = 0;           ///< number of holes that were filled
+};
+
+/**
+ * Makes triangles bound a solid without a change to those that are right already. The result is
+ * closed, a manifold, oriented outwards (OrientByNesting), and does not intersect itself; all of
+ * this is checked exactly.
+ *
+ * 1. Points within the tolerance are joined (JoinSoup). Triangles without area are removed, and
+ *    their neighbours are split (SplitAtCollinearCorners). Only one of duplicate triangles is kept,
+ *    and none of a wall between two solids (RemoveSameTriangles).
+ * 2. At edges with three or more triangles, sheets that do not bound the solid are removed. Where
+ *    parts of the solid touch along an edge or at a point, they are separated (SheetPairing.h).
+ *    Copies of a point are moved apart by 1/1000 of their shortest edge.
+ * 3. Triangles are reversed until neighbours agree. Small pieces are removed.
+ * 4. Holes are filled (FillHoles). Pieces are oriented by nesting.
+ *
+ * surface: any triangles. Triangles that intersect elsewhere than at common points are not mended.
+ * Throws InvalidInput, with the number and first position of the defects, if the result does not
+ * bound a solid, or under the conditions of FindSurfaceDefects; SolveFailure if a hole cannot be
+ * filled; Aborted.
+ */
+MendedSurface MendSurface(
+  const Mesh& surface, const SurfaceDefectOptions& options = {}, const Progress& progress = {});
+
+} // namespace shape
