@@ -18,7 +18,8 @@ FALSE = 12345.0
 # What ShapeMap filters write that is no measure: maps, ids, labels, and what a feature stood on.
 CONTRACT = {'TargetPosition', 'TargetCell', 'TargetBarycentric', 'SourcePosition', 'OriginalPointId',
             'OriginalCellId', 'OutsideDomain', 'RegionId', 'Patch', 'Interface', 'Label', 'Filled', 'Part',
-            'ExponentialMap', 'LoopCoordinates', 'LoopNormal', 'Charge', 'Name', 'Number', 'MapColors', 'FacePatch'}
+            'ExponentialMap', 'LoopCoordinates', 'LoopNormal', 'Charge', 'Name', 'Number', 'MapColors', 'FacePatch',
+            'Origin', 'Defect'}
 # Measures of hexahedra that Shape Hex Remesh writes, by Verdict.
 VERDICT = {name[len('SetHexQualityMeasureTo'):]
            for name in dir(vtkMeshQuality) if name.startswith('SetHexQualityMeasureTo')}
