@@ -116,26 +116,133 @@ void MoveCopiesApart(Mesh& mesh)
   }
 }
 
-/// Throws InvalidInput if triangles are degenerate or intersect.
-void RequireNoIntersections(const Surface& surface, const Progress& progress)
+/// A draft whose holes are filled.
+struct ClosedDraft
 {
-  const std::vector<int> collinear = FindDegenerateTriangles(surface);
+  MendedDraft Draft;       ///< before
+  FilledSurface Filled;    ///< the draft and the fills
+  SplitSheets Split;       ///< without points where fans touch
+  std::vector<int> Points; ///< the points of Split that are used
+  Surface Result;          ///< with these points, and copies of a point apart
+};
+
+ClosedDraft CloseDraft(MendedDraft draft, const Progress& progress)
+{
+  ClosedDraft closed{ std::move(draft), {}, {}, {}, {} };
+  // Points keep their indices until the holes are filled, so that errors name those of the input.
+  closed.Filled = FillAllHoles(closed.Draft.Surface, progress);
+  closed.Split = SplitTouchingSheets(closed.Filled.Surface);
+  const Mesh& split = closed.Split.Surface;
+  closed.Points = FindUsedPoints(split.Triangles, split.Points.rows());
+  Mesh mesh{ split.Points(closed.Points, Eigen::all),
+    RenumberPoints(split.Triangles, closed.Points, split.Points.rows()) };
+  MoveCopiesApart(mesh);
+  closed.Result = Surface(std::move(mesh));
+  RequireClosedSurface(closed.Result, "the mended surface");
+  const std::vector<int> collinear = FindDegenerateTriangles(closed.Result);
   if (!collinear.empty())
   {
     throw InvalidInput("the mended surface has " + std::to_string(collinear.size()) +
       " triangles without area (first at " +
-      Describe(GetCorners(surface, collinear.front()).colwise().mean()) +
+      Describe(GetCorners(closed.Result, collinear.front()).colwise().mean()) +
       "); raise Tolerance, or repair the surface there");
   }
-  constexpr int most = 1000000;
-  const std::vector<Crossing> crossings = FindSelfIntersectionsFrom(surface, 0, most, progress);
-  if (!crossings.empty())
+  return closed;
+}
+
+/// Returns the triangles of a draft without those that intersect others, and without `rings` rings
+/// of triangles around these; nothing if they are too many to be a local defect.
+std::vector<int> FindApartFromCrossings(
+  const MendedDraft& draft, const std::vector<Crossing>& crossings, int rings)
+{
+  const auto count = static_cast<int>(draft.Triangles.size());
+  std::vector<char> isRemoved(count, 0);
+  for (const Crossing& crossing : crossings)
   {
-    throw InvalidInput("the mended surface intersects itself in " +
-      std::to_string(crossings.size()) + " pairs of triangles (first at " +
-      Describe(crossings.front().Position) +
-      "); find them with the method Report, and separate or unite the parts");
+    for (const int t : { crossing.First, crossing.Second })
+    {
+      if (t < count) // else it is a fill
+      {
+        isRemoved[t] = 1;
+      }
+    }
   }
+  const Eigen::MatrixXi& triangles = draft.Surface.Triangles;
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    std::vector<char> isNear(draft.Surface.Points.rows(), 0);
+    for (int t = 0; t < count; ++t)
+    {
+      for (int k = 0; k < 3 && isRemoved[t]; ++k)
+      {
+        isNear[triangles(t, k)] = 1;
+      }
+    }
+    for (int t = 0; t < count; ++t)
+    {
+      isRemoved[t] = isRemoved[t] || isNear[triangles(t, 0)] || isNear[triangles(t, 1)] ||
+        isNear[triangles(t, 2)];
+    }
+  }
+  std::vector<int> kept;
+  for (int t = 0; t < count; ++t)
+  {
+    if (!isRemoved[t])
+    {
+      kept.push_back(t);
+    }
+  }
+  constexpr double local = 0.1;
+  return static_cast<double>(kept.size()) < (1.0 - local) * count ? std::vector<int>() : kept;
+}
+
+/// Closes a draft. Triangles that intersect others are replaced by fills, if this changes neither
+/// the number of components nor the Euler number. Else it throws InvalidInput with the number of
+/// intersections. removed: is raised by the number of triangles that were replaced.
+ClosedDraft CloseWithoutCrossings(const MendedDraft& draft, int& removed, const Progress& progress)
+{
+  constexpr int most = 1000000;
+  ClosedDraft closed = CloseDraft(draft, progress.Part(0.0, 0.5));
+  const std::vector<Crossing> crossings = FindSelfIntersectionsFrom(
+    closed.Result, 0, most, progress.Part(0.5, 0.6, "looking for self-intersections"));
+  if (crossings.empty())
+  {
+    return closed;
+  }
+  const Topology& wanted = closed.Result.Topology();
+  constexpr int rounds = 3;
+  for (int rings = 0; rings < rounds; ++rings)
+  {
+    const std::vector<int> kept = FindApartFromCrossings(draft, crossings, rings);
+    if (kept.empty())
+    {
+      break;
+    }
+    const Progress part =
+      progress.Part(0.6 + 0.13 * rings, 0.73 + 0.13 * rings, "replacing intersections");
+    MendedDraft rest = draft;
+    rest.Keep(kept);
+    try
+    {
+      ClosedDraft replaced = CloseDraft(std::move(rest), part);
+      const Topology& topology = replaced.Result.Topology();
+      if (topology.Components == wanted.Components && topology.EulerNumber == wanted.EulerNumber &&
+        FindSelfIntersectionsFrom(replaced.Result, 0, 1, part).empty())
+      {
+        removed += static_cast<int>(draft.Triangles.size() - kept.size());
+        return replaced;
+      }
+    }
+    catch (const InvalidInput&) // its holes cannot be filled; more rings may help
+    {
+    }
+    catch (const SolveFailure&)
+    {
+    }
+  }
+  throw InvalidInput("the mended surface intersects itself in " + std::to_string(crossings.size()) +
+    " pairs of triangles (first at " + Describe(crossings.front().Position) +
+    "); find them with the method Report, and separate or unite the parts");
 }
 
 /// Compares the triangles with those of the input from which they come.
@@ -173,9 +280,9 @@ MendedSurface MendSurface(
   mended.RemovedTriangles += SplitAtCollinearCorners(draft);
   mended.RemovedTriangles += RemoveSameTriangles(draft);
   mended.RemovedTriangles +=
-    RemoveRedundantSheets(draft, progress.Part(0.05, 0.3, "removing redundant sheets"));
+    RemoveRedundantSheets(draft, progress.Part(0.05, 0.2, "removing redundant sheets"));
   const SeparatedSheets separated =
-    SeparateSheets(draft, progress.Part(0.3, 0.4, "separating sheets"));
+    SeparateSheets(draft, progress.Part(0.2, 0.3, "separating sheets"));
   mended.ReversedTriangles = separated.Reversed;
   mended.RemovedPieces = RemoveSmallPieces(draft, options.SmallestPiece);
   if (draft.Triangles.empty())
@@ -184,38 +291,31 @@ MendedSurface MendSurface(
                        "Tolerance and SmallestPiece");
   }
 
-  // Points and triangles keep their indices until the holes are filled, so that errors name them.
-  const FilledSurface filled = FillAllHoles(draft.Surface, progress.Part(0.4, 0.8));
-  const SplitSheets split = SplitTouchingSheets(filled.Surface);
-  const std::vector<int> used =
-    FindUsedPoints(split.Surface.Triangles, split.Surface.Points.rows());
-  Mesh closed{ split.Surface.Points(used, Eigen::all),
-    RenumberPoints(split.Surface.Triangles, used, split.Surface.Points.rows()) };
-  MoveCopiesApart(closed);
-  const Surface result(std::move(closed));
-  RequireClosedSurface(result, "the mended surface");
-  RequireNoIntersections(result, progress.Part(0.8, 0.9, "looking for self-intersections"));
-  const Surface oriented = OrientByNesting(result, "the mended surface", progress.Part(0.9, 1.0));
+  const ClosedDraft closed =
+    CloseWithoutCrossings(draft, mended.RemovedTriangles, progress.Part(0.3, 0.9));
+  const Surface oriented =
+    OrientByNesting(closed.Result, "the mended surface", progress.Part(0.9, 1.0));
   for (Eigen::Index t = 0; t < oriented.Triangles().rows(); ++t)
   {
-    mended.ReversedTriangles += oriented.Triangles().row(t) != result.Triangles().row(t);
+    mended.ReversedTriangles += oriented.Triangles().row(t) != closed.Result.Triangles().row(t);
   }
 
   const Provenance drafted =
-    TraceCopies(draft.Points, surface.Points.rows(), ToVector(draft.Triangles));
-  std::vector<int> copied(used.size());
-  std::transform(
-    used.begin(), used.end(), copied.begin(), [&](int point) { return split.Copied[point]; });
-  const auto triangles = static_cast<int>(filled.Surface.Triangles.rows());
-  mended.Provenance = Compose(Compose(drafted, filled.Provenance),
-    TraceCopies(copied, filled.Surface.Points.rows(),
-      Eigen::VectorXi::LinSpaced(triangles, 0, triangles - 1)));
+    TraceCopies(closed.Draft.Points, surface.Points.rows(), ToVector(closed.Draft.Triangles));
+  std::vector<int> copied(closed.Points.size());
+  std::transform(closed.Points.begin(), closed.Points.end(), copied.begin(),
+    [&](int point) { return closed.Split.Copied[point]; });
+  const Mesh& filled = closed.Filled.Surface;
+  const auto triangles = static_cast<int>(filled.Triangles.rows());
+  mended.Provenance = Compose(Compose(drafted, closed.Filled.Provenance),
+    TraceCopies(
+      copied, filled.Points.rows(), Eigen::VectorXi::LinSpaced(triangles, 0, triangles - 1)));
   mended.SplitPoints =
-    separated.SplitPoints + static_cast<int>(split.Copied.size() - filled.Surface.Points.rows());
-  mended.GapsClosed = static_cast<int>(filled.Holes.size());
+    separated.SplitPoints + static_cast<int>(closed.Split.Copied.size() - filled.Points.rows());
+  mended.GapsClosed = static_cast<int>(closed.Filled.Holes.size());
   mended.Surface = oriented;
   mended.Origin = FindOrigins(mended.Surface, surface, mended.Provenance.Cells,
-    static_cast<Eigen::Index>(draft.Triangles.size()));
+    static_cast<Eigen::Index>(closed.Draft.Triangles.size()));
   return mended;
 }
 

@@ -25,9 +25,9 @@ struct MendedSurface
   shape::Provenance Provenance; ///< from the input
   int SplitPoints = 0;          ///< number of copies of points, where sheets of the surface touched
   int ReversedTriangles = 0;    ///< number of triangles whose orientation was changed
-  int RemovedTriangles = 0;     ///< number of degenerate, duplicate and redundant triangles removed
+  int RemovedTriangles = 0;     ///< number of triangles that were removed or replaced
   int RemovedPieces = 0;        ///< number of pieces smaller than SmallestPiece
-  int GapsClosed = 0;           ///< number of holes that were filled
+  int GapsClosed = 0; ///< number of holes that were filled, also in place of intersections
 };
 
 /**
@@ -42,9 +42,12 @@ struct MendedSurface
  *    parts of the solid touch along an edge or at a point, they are separated (SheetPairing.h).
  *    Copies of a point are moved apart by 1/1000 of their shortest edge.
  * 3. Triangles are reversed until neighbours agree. Small pieces are removed.
- * 4. Holes are filled (FillHoles). Pieces are oriented by nesting.
+ * 4. Holes are filled (FillHoles). Triangles that intersect others are replaced by fills, with up
+ *    to two rings of triangles around them. They must be at most a tenth of all triangles, and the
+ *    number of components and the Euler number must stay the same.
+ * 5. Pieces are oriented by nesting.
  *
- * surface: any triangles. Triangles that intersect elsewhere than at common points are not mended.
+ * surface: any triangles. Parts that cross each other are not united.
  * Throws InvalidInput, with the number and first position of the defects, if the result does not
  * bound a solid, or under the conditions of FindSurfaceDefects; SolveFailure if a hole cannot be
  * filled; Aborted.

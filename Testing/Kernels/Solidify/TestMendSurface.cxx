@@ -255,6 +255,22 @@ TEST(MendSurface, PointsThatAreNotFiniteAndSmallPiecesGo)
   EXPECT_EQ(mended.GapsClosed, 1);
 }
 
+TEST(MendSurface, AFewTrianglesThatCrossAreReplaced)
+{
+  // One point is moved by two edges along the sphere: its triangles cross others.
+  shape::Mesh folded = shapetest::Sphere(4, 1.0);
+  const double volume = shape::ComputeEnclosedVolume(folded);
+  const double edge =
+    (folded.Points.row(folded.Triangles(0, 0)) - folded.Points.row(folded.Triangles(0, 1))).norm();
+  Eigen::RowVector3d moved = folded.Points.row(100);
+  moved += 2.0 * edge * moved.unitOrthogonal();
+  folded.Points.row(100) = moved.normalized();
+  ASSERT_FALSE(shape::FindSelfIntersections(folded).empty());
+  const shape::MendedSurface mended = ExpectSolid(folded, volume, 0.001, 2);
+  EXPECT_GT(CountOrigin(mended, TriangleOrigin::Kept), 0.95 * folded.Triangles.rows());
+  EXPECT_EQ(CountOrigin(mended, TriangleOrigin::Mended), 0);
+}
+
 TEST(MendSurface, RefusesWhatEnclosesNoSolid)
 {
   EXPECT_REFUSED(shape::MendSurface(shapetest::Joined(
