@@ -151,7 +151,7 @@ ClosedDraft CloseDraft(MendedDraft draft, const Progress& progress)
 }
 
 /// Returns the triangles of a draft without those that intersect others, and without `rings` rings
-/// of triangles around these; nothing if they are too many to be a local defect.
+/// of triangles around these.
 std::vector<int> FindApartFromCrossings(
   const MendedDraft& draft, const std::vector<Crossing>& crossings, int rings)
 {
@@ -192,8 +192,7 @@ std::vector<int> FindApartFromCrossings(
       kept.push_back(t);
     }
   }
-  constexpr double local = 0.1;
-  return static_cast<double>(kept.size()) < (1.0 - local) * count ? std::vector<int>() : kept;
+  return kept;
 }
 
 /// Closes a draft. Triangles that intersect others are replaced by fills, if this changes neither
@@ -210,27 +209,37 @@ ClosedDraft CloseWithoutCrossings(const MendedDraft& draft, int& removed, const 
     return closed;
   }
   const Topology& wanted = closed.Result.Topology();
-  constexpr int rounds = 3;
-  for (int rings = 0; rings < rounds; ++rings)
+  MendedDraft rest = draft;
+  std::vector<Crossing> remaining = crossings;
+  constexpr int rounds = 6;
+  for (int round = 0, rings = 0; round < rounds; ++round, ++rings)
   {
-    const std::vector<int> kept = FindApartFromCrossings(draft, crossings, rings);
-    if (kept.empty())
+    MendedDraft less = rest;
+    less.Keep(FindApartFromCrossings(rest, remaining, rings));
+    const auto replaced = static_cast<double>(draft.Triangles.size() - less.Triangles.size());
+    constexpr double local = 0.1;
+    if (replaced > local * static_cast<double>(draft.Triangles.size()))
     {
       break;
     }
     const Progress part =
-      progress.Part(0.6 + 0.13 * rings, 0.73 + 0.13 * rings, "replacing intersections");
-    MendedDraft rest = draft;
-    rest.Keep(kept);
+      progress.Part(0.6 + 0.06 * round, 0.66 + 0.06 * round, "replacing intersections");
     try
     {
-      ClosedDraft replaced = CloseDraft(std::move(rest), part);
-      const Topology& topology = replaced.Result.Topology();
-      if (topology.Components == wanted.Components && topology.EulerNumber == wanted.EulerNumber &&
-        FindSelfIntersectionsFrom(replaced.Result, 0, 1, part).empty())
+      ClosedDraft again = CloseDraft(less, part);
+      std::vector<Crossing> found = FindSelfIntersectionsFrom(again.Result, 0, most, part);
+      if (found.empty() && again.Result.Topology().Components == wanted.Components &&
+        again.Result.Topology().EulerNumber == wanted.EulerNumber)
       {
-        removed += static_cast<int>(draft.Triangles.size() - kept.size());
-        return replaced;
+        removed += static_cast<int>(replaced);
+        return again;
+      }
+      if (!found.empty() && found.size() < remaining.size())
+      {
+        // What the new fills intersect is replaced next.
+        rest = std::move(less);
+        remaining = std::move(found);
+        rings = -1;
       }
     }
     catch (const InvalidInput&) // its holes cannot be filled; more rings may help
