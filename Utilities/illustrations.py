@@ -96,6 +96,24 @@ def horned():
 
 
 @drawing
+def Solidify():
+    """A surface with holes, debris and a sheet, its defects as points, and the solid that it becomes."""
+    rest = shape('FigureA.vtp')
+    for centre in ((0, 0, 1.0), (0.03, -0.14, 0.68), (-0.15, -0.1, 0.2)):
+        rest = Clip(Input=rest, ClipType='Sphere', Crinkleclip=1, Invert=0)
+        rest.ClipType.Center, rest.ClipType.Radius = list(centre), 0.1
+    debris = [Sphere(Center=[0.3 * k, -0.1, 0.25], Radius=0.02) for k in (-1, 1)]
+    damaged = AppendDatasets(Input=[rest] + debris)
+    show(damaged, (-0.62, 0, 0))
+    defects = show(OutputPort(ShapeSolidify(Input=damaged, Method='Report', SmallestPiece=0.1), 1), (-0.62, 0, 0),
+                   colour=ACCENT)
+    defects.Representation, defects.PointSize, defects.RenderPointsAsSpheres = 'Points', 12, 1
+    solid = ShapeSolidify(Input=damaged, SmallestPiece=0.1)
+    show(solid, (0.62, 0, 0), array='Origin', kind='CELLS', preset='Cool to Warm')
+    return FRONT
+
+
+@drawing
 def FillHoles():
     opened = Clip(Input=shape('FigureA.vtp'), ClipType='Plane')
     opened.ClipType.Origin, opened.ClipType.Normal = [0, 0, 0.86], [0, 0, -1]

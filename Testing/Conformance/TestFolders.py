@@ -16,7 +16,7 @@ ORDER = [
     'Correspondence/Evaluate', 'Correspondence',
     'Fmm', 'Tetrahedra', 'Untangle', 'Harmonic',
     'Hex/Voxels', 'Hex/Features', 'Hex/Optimize', 'Hex/Fit', 'Hex/Grid', 'Hex/Polycube', 'Hex',
-    'Deform', 'Fill', 'CutPaste', 'IO']
+    'Deform', 'Fill', 'Solidify', 'CutPaste', 'IO']
 # The fast multipole method is a library of its own.
 LIBRARIES = {'Base': [], 'Linear': ['Base'], 'Fmm': ['Base', 'Linear']}
 USE_VTK = ['Search/CellLocator.cxx', 'Search/Private/CellInterpolation.cxx',

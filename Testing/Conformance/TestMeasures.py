@@ -19,7 +19,7 @@ FALSE = 12345.0
 CONTRACT = {'TargetPosition', 'TargetCell', 'TargetBarycentric', 'SourcePosition', 'OriginalPointId',
             'OriginalCellId', 'OutsideDomain', 'RegionId', 'Regions', 'SurfacePointId', 'Patch', 'Interface', 'Label',
             'Filled', 'Part', 'ExponentialMap', 'LoopCoordinates', 'LoopNormal', 'Charge', 'Name', 'Number',
-            'MapColors', 'FacePatch'}
+            'MapColors', 'FacePatch', 'Origin', 'Defect'}
 # Measures of hexahedra that Shape Hex Remesh writes, by Verdict.
 VERDICT = {name[len('SetHexQualityMeasureTo'):]
            for name in dir(vtkMeshQuality) if name.startswith('SetHexQualityMeasureTo')}

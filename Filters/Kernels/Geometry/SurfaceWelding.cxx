@@ -100,20 +100,30 @@ Eigen::MatrixXd WithUnusedAside(const Mesh& surface)
   return positions;
 }
 
-} // namespace
-
-std::vector<int> FindPointsWithinTolerance(const Eigen::MatrixXd& points, const Progress& progress)
+/// Points moved and scaled to size 1, so that squares of distances neither overflow nor vanish.
+struct NormalizedPoints
 {
-  const auto count = static_cast<int>(points.rows());
+  Eigen::MatrixXd Positions;
+  double Unit = 1.0; ///< the length that became 1
+};
+
+NormalizedPoints Normalize(const Eigen::MatrixXd& points)
+{
+  const double size = ComputeLongestBoxEdge(points);
+  const double unit = size > 0.0 ? size : 1.0;
+  return { points.rows() == 0 ? points : (points.rowwise() - points.row(0)) / unit, unit };
+}
+
+/// Returns, for each position, the first one within this distance of it.
+std::vector<int> FirstWithin(
+  const Eigen::MatrixXd& positions, double distance, const Progress& progress)
+{
+  const auto count = static_cast<int>(positions.rows());
   std::vector<int> first(count, -1);
   if (count == 0)
   {
     return first;
   }
-  // Of size 1, so that squares neither overflow nor vanish.
-  const double size = ComputeLongestBoxEdge(points);
-  const Eigen::MatrixXd positions = (points.rowwise() - points.row(0)) / (size > 0.0 ? size : 1.0);
-  const double within = WeldTolerance * ComputeBoxDiagonal(positions);
   const PointTree tree(positions);
   for (int i = 0; i < count; ++i)
   {
@@ -123,7 +133,7 @@ std::vector<int> FindPointsWithinTolerance(const Eigen::MatrixXd& points, const 
     }
     if (first[i] < 0)
     {
-      for (const int j : tree.Within(positions.row(i), within))
+      for (const int j : tree.Within(positions.row(i), distance))
       {
         first[j] = first[j] < 0 ? i : first[j];
       }
@@ -131,6 +141,21 @@ std::vector<int> FindPointsWithinTolerance(const Eigen::MatrixXd& points, const 
     }
   }
   return first;
+}
+
+} // namespace
+
+std::vector<int> FindPointsWithinTolerance(const Eigen::MatrixXd& points, const Progress& progress)
+{
+  const Eigen::MatrixXd positions = Normalize(points).Positions;
+  return FirstWithin(positions, WeldTolerance * ComputeBoxDiagonal(positions), progress);
+}
+
+std::vector<int> FindPointsWithinDistance(
+  const Eigen::MatrixXd& points, double distance, const Progress& progress)
+{
+  const NormalizedPoints normalized = Normalize(points);
+  return FirstWithin(normalized.Positions, distance / normalized.Unit, progress);
 }
 
 WeldedSurface::WeldedSurface(const Mesh& surface, const Progress& progress, const std::string& name)

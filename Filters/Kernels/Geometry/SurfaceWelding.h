@@ -19,6 +19,10 @@ constexpr double WeldTolerance = 1e-9;
 std::vector<int> FindPointsWithinTolerance(
   const Eigen::MatrixXd& points, const Progress& progress = {});
 
+/// The same, for points closer than `distance`, in the points' units.
+std::vector<int> FindPointsWithinDistance(
+  const Eigen::MatrixXd& points, double distance, const Progress& progress = {});
+
 /**
  * A surface whose seams are closed. Two boundary edges are welded if their ends are coincident. The
  * two ends of an edge without length are welded, too. A triangle soup thus becomes the connected
