@@ -3,6 +3,7 @@
 #include "Base/DisjointSets.h"
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
+#include "Mesh/Extent.h"
 #include "Search/ClosestPoint.h"
 #include "Solids/SolidRegions.h"
 #include "Solids/SurfaceComplex.h"
@@ -23,6 +24,9 @@ namespace
 {
 
 using Eigen::RowVector3d;
+
+/// A tetrahedron with a smaller scaled Jacobian is flat: its volume is rounding.
+constexpr double FlatJacobian = 1e-10;
 
 void CheckOptions(const TetrahedralizeOptions& options)
 {
@@ -180,6 +184,7 @@ struct Measures
 {
   Eigen::VectorXd Volumes;
   double MinimumScaledJacobian = std::numeric_limits<double>::infinity();
+  int Flat = 0; ///< number of tetrahedra with less than FlatJacobian
 };
 
 Measures Measure(
@@ -209,8 +214,9 @@ Measures Measure(
     const RowVector3d w = points.row(tetrahedra(i, 3)) - origin;
     const double jacobian = u.cross(v).dot(w);
     measures.Volumes(i) = jacobian / 6.0;
-    measures.MinimumScaledJacobian =
-      std::min(measures.MinimumScaledJacobian, std::sqrt(2.0) * jacobian / largest);
+    const double scaled = std::sqrt(2.0) * jacobian / largest;
+    measures.MinimumScaledJacobian = std::min(measures.MinimumScaledJacobian, scaled);
+    measures.Flat += scaled < FlatJacobian;
     ReportEvery(i, tetrahedra.rows(), progress);
   }
   return measures;
@@ -262,6 +268,15 @@ Eigen::VectorXi FindRegionIds(const TetGenOutput& mesh, const Eigen::MatrixXi& o
   return region;
 }
 
+/// Names the work, and its size before it begins if it may take long.
+const char* DescribeWork(double tetrahedra)
+{
+  return tetrahedra < 1e5 ? "tetrahedralizing with TetGen"
+    : tetrahedra < 1e6    ? "tetrahedralizing with TetGen: more than 100,000 tetrahedra"
+    : tetrahedra < 1e7    ? "tetrahedralizing with TetGen: more than a million tetrahedra"
+                          : "tetrahedralizing with TetGen: more than ten million tetrahedra";
+}
+
 } // namespace
 
 // 1. The surfaces are checked, scaled to a size of about 1 and joined.
@@ -285,7 +300,7 @@ TetrahedralizeResult Tetrahedralize(const Surface& surface,
     RequireClosed(surfaces[s], names[s]);
   }
   // TetGen's own tolerances suit a model of size 1; a power of two changes no bit of the mantissas.
-  const double size = ComputeLongestBoxEdge(surface.Points());
+  const double size = ComputeLongestBoxEdge(surface);
   const double scale = size > 0.0 ? std::exp2(-std::ilogb(size)) : 1.0;
   for (Surface& each : surfaces)
   {
@@ -310,7 +325,7 @@ TetrahedralizeResult Tetrahedralize(const Surface& surface,
   TetGenOutput mesh =
     RunTetGen({ complex.Surfaces, regions.FindPositionsInVoids(), options.MaximumRadiusEdgeRatio,
                 maximumVolume, options.PreserveBoundary, maximumNewPoints },
-      progress.Part(0.25, 0.85, "tetrahedralizing with TetGen"));
+      progress.Part(0.25, 0.85, DescribeWork(byVolume)));
   const Eigen::Index given = complex.Surfaces.Points.rows();
   if (mesh.Tetrahedra.rows() == 0 || mesh.Faces.rows() == 0 || mesh.Points.rows() < given ||
     mesh.Points.topRows(given) != complex.Surfaces.Points)
@@ -346,6 +361,7 @@ TetrahedralizeResult Tetrahedralize(const Surface& surface,
   result.SteinerPoints = static_cast<int>(mesh.Points.rows() - given);
   result.Volume = measures.Volumes.sum() / (scale * scale * scale);
   result.MinimumScaledJacobian = measures.MinimumScaledJacobian;
+  result.Flat = measures.Flat;
   result.Points = mesh.Points / scale;
   result.Tetrahedra = std::move(mesh.Tetrahedra);
   progress(1.0);
