@@ -1,7 +1,7 @@
 """Input that cannot be used gives an error that names the filter, empty outputs and no crash; and the
 same object works again once the input is mended."""
 import numpy
-from vtkmodules.vtkCommonCore import vtkDataArray
+from vtkmodules.vtkCommonCore import vtkDataArray, vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkTable
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -61,6 +61,19 @@ def with_flat_triangles(name, port):
     return data
 
 
+def with_short_array(data, attributes):
+    """The data with an array that has one tuple too few, which is invalid in VTK."""
+    result = shapetesting.copy(data)
+    group = result.GetPointData() if attributes == 'point' else result.GetCellData()
+    count = data.GetNumberOfPoints() if attributes == 'point' else data.GetNumberOfCells()
+    values = vtkDoubleArray()
+    values.SetName('Short')
+    values.SetNumberOfTuples(count - 1)
+    values.Fill(1.0)
+    group.AddArray(values)
+    return result
+
+
 def all_finite(data):
     """Whether every number of a data object is finite."""
     groups = [data.GetPointData(), data.GetCellData()] if hasattr(data, 'GetPointData') else []
@@ -85,6 +98,12 @@ for name in filters.names():
         wrong = filters.with_good_inputs(name)
         wrong.SetInputDataObject(port, vtkTable())
         refused(name, wrong, 'a table on port %d' % port, 'vtk' + name)
+
+        for attributes in ('point', 'cell'):
+            short = filters.with_good_inputs(name)
+            short.SetInputDataObject(port, with_short_array(filters.good_input(name, port), attributes))
+            refused(name, short, 'a short array', "the %s array 'Short' of the input '%s' has" % (
+                attributes, short.GetInputName(port)))
 
         # One object meets all of them, and works each time that the input is mended.
         bad = filters.with_good_inputs(name)

@@ -223,7 +223,7 @@ unsuited = {
     'NaN': (surface_of(broken, faces), ('not finite (first at point 17)', 'remove or repair')),
     'a size near nothing': (surface_of(1e-160 * places, faces), ('longest side', 'Transform')),
     'a size beyond all': (surface_of(1e160 * places, faces), ('longest side', 'Transform')),
-    'a line of triangles': (surface_of(places * [1, 0, 0], faces), ('has no area', 'scale it')),
+    'a line of triangles': (surface_of(places * [1, 0, 0], faces), ('has no area', 'check its coordinates')),
 }
 refused = [(what, data, pebble, None, METHODS, words) for what, (data, words) in unsuited.items()]
 refused += [

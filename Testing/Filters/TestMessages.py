@@ -1,5 +1,7 @@
 """What the filters say about bad input and doubtful sizes: one line that names the fact and the remedy."""
+import math
 import os
+import resource
 
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
@@ -72,6 +74,26 @@ for name in ('Map Error Curve', 'Map Difference', 'Correspondence', 'Boundary Di
 refused(["has no point array 'TargetPosition'; make it with Shape Correspondence"], 'Morph', plain)
 refused(["no point array 'TargetPosition'"], 'Map Quality', plain)
 refused(['press Draw Loop', 'Loop Points has 0 positions'], 'Cut Feature', dented)
+
+# Too little memory is said before BLAS asks for it, which would ask for ever.
+limit = resource.getrlimit(resource.RLIMIT_AS)
+used = int(open('/proc/self/statm').read().split()[0]) * resource.getpagesize()
+for name, remedy in (('Laplace Spectrum', 'or lower Number Of Eigenpairs'), ('Geodesic Distance', 'use a coarser input')):
+    resource.setrlimit(resource.RLIMIT_AS, (used + 100 * 2 ** 20, limit[1]))
+    try:
+        refused(['out of memory', remedy], name, dented, *([dented] if name == 'Geodesic Distance' else []))
+    finally:
+        resource.setrlimit(resource.RLIMIT_AS, limit)
+silent('Laplace Spectrum', dented)
+
+# Options: the value and the range.
+refused(['Compactness is 0; it must be positive'], 'Polycube', dented, Compactness=0.0)
+refused(['CollocationRatio is nan; it must be positive'], 'Harmonic Volume Map', dented, dented,
+        CollocationRatio=math.nan)
+refused(['Tolerance is -1; it must be at least 0'], 'Harmonic Volume Map', dented, dented, Tolerance=-1.0)
+refused(['Tolerance is nan; it must be at least 0'], 'Transfer Fields', dented, dented, Tolerance=math.nan)
+refused(['EdgeGrowth is inf; it must be at least 0 and at most 1'], 'Fill Holes', opened, EdgeGrowth=math.inf)
+refused(['Scale is nan'], 'Fill Holes', opened, FillMethod=3, Scale=math.nan)
 
 # What is not closed, or has handles.
 for name in ('Hex Remesh', 'Polycube', 'Tetrahedralize'):

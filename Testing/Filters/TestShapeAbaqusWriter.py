@@ -2,6 +2,7 @@
 
 As an example: a mesh is saved, and a deck that includes it pulls at one of its sides."""
 import os
+import resource
 import tempfile
 
 import numpy
@@ -192,6 +193,27 @@ writer.AddObserver('ErrorEvent', lambda *_: None)
 writer.SetInputData(nan)
 writer.SetFileName(kept)
 assert not writer.Write() and open(kept).read() == 'precious'
+# So does one where the disk is full, here by a limit on the size of files; nothing else is left in the folder.
+before = sorted(os.listdir(folder))
+open(kept, 'w').write('precious')
+limit = resource.getrlimit(resource.RLIMIT_FSIZE)
+resource.setrlimit(resource.RLIMIT_FSIZE, (1024, limit[1]))
+try:
+    writer = shapemap.vtkShapeAbaqusWriter()
+    writer.AddObserver('ErrorEvent', lambda *_: None)
+    writer.SetInputData(cube)
+    writer.SetFileName(kept)
+    written = writer.Write()
+finally:
+    resource.setrlimit(resource.RLIMIT_FSIZE, limit)
+assert not written and open(kept).read() == 'precious' and sorted(os.listdir(folder)) == before
+# A complete one replaces it, with its permissions, and behind a link.
+os.chmod(kept, 0o640)
+link = os.path.join(folder, 'link.inp')
+os.symlink(kept, link)
+writer.SetFileName(link)
+assert writer.Write() and os.path.islink(link) and open(kept).read().startswith('*')
+assert os.stat(kept).st_mode & 0o777 == 0o640
 # What the user stops half-way is not left behind, and is no error.
 errors = []
 writer = shapemap.vtkShapeAbaqusWriter()

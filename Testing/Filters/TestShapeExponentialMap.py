@@ -173,3 +173,9 @@ for options, words in ((dict(Radius=-1.0), 'Radius is -1'),
         options, messages)
     assert algorithm.GetOutputDataObject(0).GetNumberOfPoints() == 0
 print('directions and distances are kept, whatever the radius')
+# Radii whose circle has no area, and smoothing without an end, are refused.
+ball = read('DentedSphere600.vtp')
+seed = points(ball)[3]
+shapetesting.check_refused(new(ball, seed, 1e-300), 'Radius is 1e-300; it must be 0, or at least 1e-09 of the diagonal')
+shapetesting.check_refused(new(ball, seed, 0.3, NormalSmoothing=2147483647), 'NormalSmoothing is 2.14748e+09',
+                           'at most 1000')

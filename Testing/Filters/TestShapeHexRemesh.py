@@ -314,6 +314,20 @@ for data, expected in ((without, "no point array 'SourcePosition'"), (turned, 'p
 assert 'away from the Surface' in made(ball, polycube=given)[2]
 assert 'Polycube' in made(torus, polycube=given, Method=2)[2]
 
+# A point that no cell uses does not change the size of the cells.
+loose = shapetesting.copy(ball)
+shapetesting.set_points(loose, numpy.vstack([points(ball), [9.0, 9.0, 9.0]]))
+solids = [made(surface, Method=2, CellsOnLongestSide=7)[0] for surface in (ball, loose)]
+assert (hexahedra(solids[0]) == hexahedra(solids[1])).all() and (points(solids[0]) == points(solids[1])).all()
+
+# Neither does the unit of length change the measures: they are not cut off.
+large = shapetesting.copy(ball)
+shapetesting.set_points(large, 2.0 ** 40 * points(ball))
+scaled = made(large, Method=2, CellsOnLongestSide=7)[0]
+for name, power in (('Volume', 120), ('Jacobian', 120), ('Shape', 0), ('Skew', 0)):
+    one, other = (vtk_to_numpy(solid.GetCellData().GetArray(name)) for solid in (solids[0], scaled))
+    assert abs(other / 2.0 ** power - one).max() <= 1e-9 * abs(one).max(), name
+
 # What is wrong is named.
 for settings, expected in (({'CellSize': -1.0}, 'CellSize'), ({'PaddingLayers': 0}, 'PaddingLayers'),
                            ({'FeatureAngle': 0.0}, 'FeatureAngle')):

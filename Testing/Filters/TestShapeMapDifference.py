@@ -100,4 +100,13 @@ for first, change, words in (
     message = ' '.join(shapetesting.run(algorithm))
     assert 'Shape Map Difference: ' in message and words in message, message
     assert algorithm.GetOutputDataObject(0).GetNumberOfPoints() == 0
+# A product A' A has no negative eigenvalue, also where the map is far from SurfaceB.
+far = shapetesting.copy(larger)
+shapetesting.set_points(far, 1e12 * points(larger))
+bare_of_cells = shapetesting.copy(surface)
+for name in ('TargetCell', 'TargetBarycentric'):
+    bare_of_cells.GetPointData().RemoveArray(name)
+table = shapetesting.outputs(shapetesting.new(shapemap.vtkShapeMapDifference, bare_of_cells, far))
+for name in ('AreaEigenvalues', 'ConformalEigenvalues'):
+    assert vtk_to_numpy(table[0].GetFieldData().GetArray('MapDifference.' + name)).min() >= 0.0, name
 print('a bump shows where it is, and scale in areas alone')

@@ -8,7 +8,8 @@ import sys
 import numpy
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkFiltersGeneral import vtkCellValidator
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 import shapemap
@@ -130,6 +131,40 @@ outside = scaled(dented, 0.1)
 shapetesting.set_points(outside, points(outside) + [5.0, 0.0, 0.0])
 assert 'inner surface 0 lies outside the solid' in made(dented, outside)[1]
 assert 'MaximumRadiusEdgeRatio is 0.5' in made(dented, MaximumRadiusEdgeRatio=0.5)[1]
+
+# With points added on its triangles, a torus may get tetrahedra without a volume: they are counted in a warning.
+across, around = numpy.meshgrid(2 * numpy.pi * numpy.arange(20) / 20, 2 * numpy.pi * numpy.arange(40) / 40)
+ring = (1.0 + 0.4 * numpy.cos(across)).ravel()
+places = numpy.column_stack([ring * numpy.cos(around).ravel(), ring * numpy.sin(around).ravel(),
+                             0.4 * numpy.sin(across).ravel()])
+corner = [[(20 * ((i + a) % 40) + (j + b) % 20) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
+          for i in range(40) for j in range(20)]
+torus = vtkPolyData()
+torus.SetPoints(vtkPoints())
+shapetesting.set_points(torus, places)
+torus.SetPolys(vtkCellArray())
+for a, b, c, d in corner:
+    torus.GetPolys().InsertNextCell(3, [a, b, c])
+    torus.GetPolys().InsertNextCell(3, [a, c, d])
+for bound in (0.005, 0.01, 0.02):
+    solid, messages = made(torus, PreserveBoundary=False, MaximumVolume=bound)
+    assert not messages and volumes(solid).max() < 1.1 * bound, (bound, messages)
+    flat, warning = (volumes(solid) < 1e-12).sum(), 'Tetrahedralize.Warning'
+    assert shapetesting.facts(solid).HasArray(warning) == (flat > 0), (bound, flat)
+    assert flat == 0 or fact(solid, warning).startswith('%d tetrahedra are flat' % flat), fact(solid, warning)
+# Millions of cells are announced before they are made.
+stages = []
+algorithm = shapetesting.new(shapemap.vtkShapeTetrahedralize, dented, MaximumVolume=1e-6)
+
+
+def stop_at_work(*_):
+    stages.append(algorithm.GetProgressText() or '')
+    algorithm.SetAbortExecute('million' in stages[-1])
+
+
+algorithm.AddObserver('ProgressEvent', stop_at_work)
+assert not shapetesting.run(algorithm)
+assert any('more than a million tetrahedra' in stage for stage in stages), stages
 
 # Real models, where they are unpacked: one that crosses itself is refused, with the place.
 models = os.environ.get('SHAPEMAP_MODELS', os.path.join(shapetesting.BUILD, 'models'))

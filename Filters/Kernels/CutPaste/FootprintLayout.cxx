@@ -6,6 +6,7 @@
 #include "ExponentialMap/ExponentialMap.h"
 #include "Fill/FillHoles.h"
 #include "Geometry/VertexNormals.h"
+#include "Mesh/Extent.h"
 #include "Search/ClosestPoint.h"
 #include "Search/TriangleWalk.h"
 
@@ -54,7 +55,7 @@ bool StaysInPlace(PasteTarget& home, const FeatureFootprint& base, const std::ve
     const LoopOnTarget landing = home.Land(base, { seed, 0.0, 1.0 }, false, progress);
     return IsSimplePolygon(base.LoopPositions) &&
       (landing.Positions - surface.Points()(loop, Eigen::all)).rowwise().norm().maxCoeff() <=
-      tolerance * ComputeBoxDiagonal(surface.Points());
+      tolerance * ComputeBoxDiagonal(surface);
   }
   catch (const InvalidInput&) // it does not fit
   {

@@ -83,6 +83,7 @@ HandlePose PoseHandleAt(const BoundaryHandle& handle, const HandleTarget& target
   {
     AddPrescribedRotations(handle, target.Turns, pose);
   }
+  RequireOptions(options);
   if (options.BiasWeight != 0.0)
   {
     BiasFrames(handle, ComputeHandleNormals(handle, graph), options, pose);

@@ -72,8 +72,10 @@ bool operator==(const DeformOptions& a, const DeformOptions& b)
 
 void RequireOptions(const DeformOptions& options)
 {
-  const auto positive = [](const char* name, double value)
-  { RequireOption(value > 0.0 && std::isfinite(value), name, value, "positive"); };
+  // Larger factors would overflow in powers and products.
+  constexpr double maximum = 1e6;
+  const auto positive = [&](const char* name, double value)
+  { RequireOption(value > 0.0 && value <= maximum, name, value, "positive and at most 1e+06"); };
   positive("Rigidity", options.Rigidity);
   positive("RigidityContrast", options.RigidityContrast);
   positive("Scale", options.Scale);

@@ -8,8 +8,8 @@
 namespace shape
 {
 
-/// The options of a deformation. Sections, equations and figures are those of Schmidt and Singh,
-/// "Drag-and-drop surface composition" (Graphics Interface 2010).
+/// The options of a deformation. Numbers are at most 1e6. Sections, equations and figures are those
+/// of Schmidt and Singh, "Drag-and-drop surface composition" (Graphics Interface 2010).
 struct DeformOptions
 {
   enum class MethodType

@@ -115,19 +115,26 @@ void AddPrescribedRotations(
   }
 }
 
+void RequireOptions(const PoseOptions& options)
+{
+  RequireOption(options.BiasWeight >= 0.0 && options.BiasWeight <= 1.0, "BiasWeight",
+    options.BiasWeight, "at least 0 and at most 1");
+  const double length = Eigen::Map<const Eigen::Vector3d>(options.BiasFrame.data()).norm();
+  // Without a weight, the direction has no effect, and its length may be 0.
+  RequireOption(std::isfinite(length) && (length > 0.0 || options.BiasWeight == 0.0),
+    "the length of BiasFrame", length, "positive and finite");
+}
+
 /// Section 2.2: interpolation between the original frame and the bias frame by alpha.
 void BiasFrames(const BoundaryHandle& handle, const Eigen::MatrixXd& normals,
   const PoseOptions& options, HandlePose& pose)
 {
-  RequireOption(options.BiasWeight >= 0.0 && options.BiasWeight <= 1.0, "BiasWeight",
-    options.BiasWeight, "at least 0 and at most 1");
+  RequireOptions(options);
   if (options.BiasWeight == 0.0)
   {
     return;
   }
   const Eigen::Vector3d given = Eigen::Map<const Eigen::Vector3d>(options.BiasFrame.data());
-  RequireOption(given.allFinite() && given.norm() > 0.0, "the length of BiasFrame", given.norm(),
-    "positive and finite");
   const Eigen::Vector3d direction = given.normalized();
   const Eigen::MatrixXd tangents = ComputeHandleTangents(handle, pose.Positions);
   for (Eigen::Index i = 0; i < normals.rows(); ++i)

@@ -35,6 +35,9 @@ struct PrescribedRotations
 void AddPrescribedRotations(
   const BoundaryHandle& handle, const PrescribedRotations& turns, HandlePose& pose);
 
+/// Throws InvalidInput if an option is out of range.
+void RequireOptions(const PoseOptions& options);
+
 /**
  * Rotates each frame to bring the shape's posed normal closer to the direction BiasFrame. The angle
  * is BiasWeight times the angle between the two directions (the bias frame F_B and alpha of section

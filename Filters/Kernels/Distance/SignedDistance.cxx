@@ -1,6 +1,7 @@
 #include "Distance/SignedDistance.h"
 
 #include "Base/Parallel.h"
+#include "Mesh/Extent.h"
 
 #include <Eigen/Geometry>
 
@@ -133,7 +134,7 @@ SignedDistance::Result SignedDistance::Evaluate(
 Eigen::VectorXd ComputeDomainTolerances(
   const Surface& surface, const ClosestPoints& closest, double farthest)
 {
-  const double minimum = 1e-6 * ComputeLongestBoxEdge(surface.Points());
+  const double minimum = 1e-6 * ComputeLongestBoxEdge(surface);
   Eigen::VectorXd tolerances(closest.Triangles.size());
   for (Eigen::Index i = 0; i < tolerances.size(); ++i)
   {

@@ -1,6 +1,7 @@
 #include "Distance/TargetDistance.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Extent.h"
 #include "Search/ClosestPoint.h"
 
 #include <algorithm>
@@ -68,8 +69,7 @@ double ComputeTargetDistance(const Surface& boundary, const Eigen::MatrixXd& tar
       "close handles that are noise first");
   }
   const Eigen::VectorXd distances = SurfaceLocator(target).Find(targets, progress).Distances;
-  return std::sqrt(distances.squaredNorm() / distances.size()) /
-    ComputeLongestBoxEdge(target.Points());
+  return std::sqrt(distances.squaredNorm() / distances.size()) / ComputeLongestBoxEdge(target);
 }
 
 } // namespace shape

@@ -23,6 +23,9 @@ using Eigen::RowVector3d;
 namespace
 {
 
+/// The normals of most surfaces are equal after fewer rounds.
+constexpr int MaximumNormalSmoothing = 1000;
+
 void RequireTriangles(const Surface& surface, const ExponentialMapOptions& options)
 {
   if (surface.Triangles().rows() == 0)
@@ -30,8 +33,8 @@ void RequireTriangles(const Surface& surface, const ExponentialMapOptions& optio
     throw InvalidInput("the surface has no triangles; give a triangulated surface");
   }
   RequireFinite(surface.Points(), "the surface");
-  RequireOption(
-    options.NormalSmoothing >= 0, "NormalSmoothing", options.NormalSmoothing, "0 or more");
+  RequireOption(options.NormalSmoothing >= 0 && options.NormalSmoothing <= MaximumNormalSmoothing,
+    "NormalSmoothing", options.NormalSmoothing, "at least 0 and at most 1000");
 }
 
 /// Marks the nodes that are ends of an edge with one triangle. Half-edges are sorted by their

@@ -19,7 +19,7 @@ struct ExponentialMapOptions
   /// (equation 11). These are the neighbours that the front reached before the point. If false, the
   /// image is the prediction of the one neighbour from which the front came (equation 10).
   bool UpwindAverage = true;
-  /// Number of rounds of SmoothNormals; >= 0.
+  /// Number of rounds of SmoothNormals, from 0 to 1000.
   int NormalSmoothing = 2;
 };
 

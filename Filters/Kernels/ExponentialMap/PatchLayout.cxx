@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
+#include "Mesh/Extent.h"
 #include "Mesh/HalfEdges.h"
 #include "Mesh/Topology.h"
 #include "Parameterize/FlipRepair.h"
@@ -79,7 +80,11 @@ PatchLayout FlattenPatch(ExponentialMap& map, const Eigen::RowVector3d& seed,
     "positive, or 0 for a tenth of the diagonal");
   constexpr double share = 0.1;
   PatchLayout layout;
-  const double diagonal = ComputeBoxDiagonal(map.Surface().Points());
+  const double diagonal = ComputeBoxDiagonal(map.Surface());
+  // A circle of a smaller radius has no area in double precision.
+  constexpr double minimum = 1e-9;
+  RequireOption(options.Radius == 0.0 || options.Radius >= minimum * diagonal, "Radius",
+    options.Radius, "0, or at least 1e-09 of the diagonal of the surface");
   layout.Radius = options.Radius > 0.0 ? options.Radius : share * diagonal;
   const ClosestPoint position = map.Locator().FindOne(seed);
   layout.SeedDistance = position.Distance;

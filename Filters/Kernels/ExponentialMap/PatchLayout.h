@@ -47,7 +47,8 @@ Mesh BuildPatchSurface(const Surface& surface, const ExponentialPatch& patch);
 
 struct PatchLayoutOptions : ExponentialMapOptions
 {
-  double Radius = 0.0;    ///< >= 0; if 0, a tenth of the diagonal of the surface's bounding box
+  /// At least 1e-9 of the diagonal of the surface's bounding box; if 0, a tenth of the diagonal.
+  double Radius = 0.0;
   bool MendFlips = false; ///< whether RepairFlips moves the points around flipped triangles
 };
 

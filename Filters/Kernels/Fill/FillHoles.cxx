@@ -323,6 +323,9 @@ std::vector<bool> SurfaceFiller::FillEach(const FillHolesOptions& options, const
 // 4. Report the intersections that remain.
 FilledSurface SurfaceFiller::Fill(const FillHolesOptions& options, const Progress& progress)
 {
+  // Whether or not a method uses them.
+  RequireOptions(options.Deformation);
+  RequireOptions(options.Frames);
   std::vector<bool> fails = this->FillEach(options, progress.Part(0.0, 0.7, "filling the holes"));
   FilledSurface filled = this->Joined(nullptr);
   const auto first = static_cast<int>(this->Surface.Triangles().rows());

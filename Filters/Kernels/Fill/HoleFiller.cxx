@@ -33,7 +33,8 @@ HoleFiller::HoleFiller(BoundaryLoop loop, const HoleFillerOptions& options)
   : Border(std::move(loop))
   , Options(options)
 {
-  RequireOption(options.EdgeGrowth >= 0.0, "EdgeGrowth", options.EdgeGrowth, "at least 0");
+  RequireOption(options.EdgeGrowth >= 0.0 && options.EdgeGrowth <= 1.0, "EdgeGrowth",
+    options.EdgeGrowth, "at least 0 and at most 1");
   RequireOption(options.MaximumPoints >= 1, "MaximumPoints", options.MaximumPoints, "at least 1");
   this->Sizes = { ComputeBoundarySizes(this->Border.Points), options.EdgeGrowth,
     options.MaximumPoints, options.IsTaken, FindOuterChords(this->Border) };

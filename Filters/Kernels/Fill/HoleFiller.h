@@ -74,8 +74,8 @@ enum class FillMethod
 struct HoleFillerOptions
 {
   bool OptimizeNormals = true; ///< Deformation only: see HoleDeformation
-  /// Increase of the edge length per unit of distance from the loop; >= 0. If it is 0, edges are as
-  /// long as on the loop.
+  /// Increase of the edge length per unit of distance from the loop, in [0, 1]. If it is 0, edges
+  /// are as long as on the loop.
   double EdgeGrowth = 0.0;
   /// The approximate maximum number of new points in a hole; >= 1. If more would be needed,
   /// EdgeGrowth is raised.

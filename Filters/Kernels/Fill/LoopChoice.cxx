@@ -6,6 +6,7 @@
 #include <Eigen/SVD>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <string>
 
@@ -25,7 +26,8 @@ double ComputeLoopLength(const Eigen::MatrixXd& points, const std::vector<int>& 
 std::vector<int> ChooseLoops(const Eigen::MatrixXd& points,
   const std::vector<std::vector<int>>& loops, const LoopChoice& choice)
 {
-  RequireOption(choice.MaximumLength >= 0.0, "MaximumLength", choice.MaximumLength, "at least 0");
+  RequireOption(choice.MaximumLength >= 0.0 && std::isfinite(choice.MaximumLength), "MaximumLength",
+    choice.MaximumLength, "at least 0 and finite");
   std::vector<int> chosen(loops.size());
   std::iota(chosen.begin(), chosen.end(), 0);
   if (choice.Loops == LoopChoice::LoopsType::Longest && chosen.size() > 1)

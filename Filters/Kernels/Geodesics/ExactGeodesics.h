@@ -23,8 +23,9 @@ namespace shape
  * turn at points with a total angle of more than 2 pi and on the boundary.
  *
  * surface: a consistently oriented 2-manifold, open or closed. seeds: positions on its triangles,
- * at least one. Returns n distances in the model's units, infinite if there is no path. Throws
- * Aborted.
+ * at least one. Returns n distances in the model's units, infinite if there is no path. Points that
+ * edges of length 0 join have the same distance. Throws SolveFailure if triangles are too thin for
+ * double precision; Aborted.
  */
 Eigen::VectorXd ComputeExactGeodesics(
   const Surface& surface, const ClosestPoints& seeds, const Progress& progress = {});
@@ -32,7 +33,8 @@ Eigen::VectorXd ComputeExactGeodesics(
 /**
  * Computes the length of the shortest path between each of n pairs of positions, exact up to
  * rounding. Returns n lengths, infinite if there is no path. The time for a pair grows with the
- * part of the surface that its path could cross. Throws Aborted.
+ * part of the surface that its path could cross. Throws SolveFailure if triangles are too thin for
+ * double precision; Aborted.
  */
 Eigen::VectorXd ComputeExactGeodesicsBetween(const Surface& surface, const SurfacePoints& from,
   const SurfacePoints& to, const Progress& progress = {});

@@ -2,15 +2,18 @@
 
 #include "Mesh/Graph.h"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
 
 namespace shape
 {
 
-std::vector<int> SampleFarthestPoints(const Surface& surface, int count, const Progress& progress)
+std::vector<int> SampleFarthestPoints(
+  const Surface& surface, int count, const Progress& progress, int start)
 {
-  std::vector<int> samples = { surface.Triangles().minCoeff() };
+  std::vector<int> samples = { start >= 0 ? start : surface.Triangles().minCoeff() };
   Eigen::VectorXd nearest = Eigen::VectorXd::Constant(surface.Points().rows(), -1.0);
   for (const int point : surface.Triangles().reshaped())
   {
@@ -30,6 +33,36 @@ std::vector<int> SampleFarthestPoints(const Surface& surface, int count, const P
     progress(static_cast<double>(samples.size()) / count);
   }
   return samples;
+}
+
+int FindRemotestPoint(const Surface& surface)
+{
+  const Eigen::VectorXd areas = ComputePointAreas(surface);
+  const Eigen::RowVector3d centroid =
+    areas.transpose() * surface.Points() / std::max(areas.sum(), 1e-300);
+  const Eigen::VectorXd distances = (surface.Points().rowwise() - centroid).rowwise().norm();
+  double farthest = 0.0;
+  for (const int point : surface.Triangles().reshaped())
+  {
+    farthest = std::max(farthest, distances(point));
+  }
+  // Far above rounding, which depends on the order of the sums.
+  constexpr double equal = 1.0 - 1e-9;
+  const auto position = [&](int i)
+  {
+    return std::array<double, 3>{ surface.Points()(i, 0), surface.Points()(i, 1),
+      surface.Points()(i, 2) };
+  };
+  int remotest = -1;
+  for (const int point : surface.Triangles().reshaped())
+  {
+    if (distances(point) >= equal * farthest &&
+      (remotest < 0 || position(point) > position(remotest)))
+    {
+      remotest = point;
+    }
+  }
+  return remotest;
 }
 
 } // namespace shape

@@ -2,6 +2,7 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/Errors.h"
+#include "Mesh/Extent.h"
 #include "Mesh/HalfEdges.h"
 #include "Mesh/Topology.h"
 #include "Search/PointTree.h"
@@ -172,6 +173,7 @@ WeldedSurface::WeldedSurface(const Mesh& surface, const Progress& progress, cons
   }
   const Eigen::MatrixXd positions = WithUnusedAside(surface);
   RequireFinite(positions, name);
+  RequireExtent(surface, name);
   this->First = FirstOfEach(surface, FindPointsWithinTolerance(positions, progress));
   for (int t = 0; t < static_cast<int>(surface.Triangles.rows()); ++t)
   {

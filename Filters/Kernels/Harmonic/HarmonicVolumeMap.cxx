@@ -20,12 +20,7 @@ namespace
 void RequireValidInput(const VolumeFeatures& features, const HarmonicVolumeMapOptions& options)
 {
   const auto positive = [](double value, const char* name)
-  {
-    if (!(value > 0.0) || !std::isfinite(value))
-    {
-      throw InvalidInput(std::string(name) + " must be a finite number greater than 0");
-    }
-  };
+  { RequireOption(value > 0.0 && std::isfinite(value), name, value, "positive and finite"); };
   positive(options.FeatureWeight, "FeatureWeight");
   positive(options.MostRefined, "MostRefined");
   positive(options.CollocationRatio, "CollocationRatio");
@@ -35,15 +30,11 @@ void RequireValidInput(const VolumeFeatures& features, const HarmonicVolumeMapOp
   positive(options.MaximumLevels, "MaximumLevels");
   positive(options.SourceSubsets, "SourceSubsets");
   const auto notNegative = [](double value, const char* name)
-  {
-    if (!(value >= 0.0) || !std::isfinite(value))
-    {
-      throw InvalidInput(std::string(name) + " must be a finite number not less than 0");
-    }
-  };
+  { RequireOption(value >= 0.0 && std::isfinite(value), name, value, "at least 0 and finite"); };
   notNegative(options.Tolerance, "Tolerance");
   notNegative(options.OffsetDistance, "OffsetDistance");
-  notNegative(options.LeastGain, "LeastGain");
+  RequireOption(options.LeastGain >= 0.0 && options.LeastGain <= 1.0, "LeastGain",
+    options.LeastGain, "at least 0 and at most 1");
   const Eigen::Index count = features.Points.rows();
   if (features.Targets.rows() != count || features.Points.cols() != 3 ||
     features.Targets.cols() != 3 ||

@@ -3,6 +3,7 @@
 #include "Base/Errors.h"
 #include "Base/Parallel.h"
 #include "Harmonic/Private/InverseSearch.h"
+#include "Mesh/Extent.h"
 #include "Solids/Nesting.h"
 
 #include <Eigen/LU>
@@ -57,9 +58,9 @@ Eigen::MatrixXi Nearest(const Eigen::MatrixXd& positions, const Eigen::MatrixXd&
 /// Returns the points of a lattice over the domain's box that lie inside the domain.
 Eigen::MatrixXd SeedsIn(const SignedDistance& domain, int across, const Progress& progress)
 {
-  const Eigen::MatrixXd& points = domain.GetSurface().Points();
-  const Eigen::RowVector3d low = points.colwise().minCoeff(), high = points.colwise().maxCoeff();
-  const double spacing = ComputeLongestBoxEdge(points) / across;
+  const Eigen::AlignedBox3d box = ComputeBox(domain.GetSurface());
+  const Eigen::RowVector3d low = box.min(), high = box.max();
+  const double spacing = box.sizes().maxCoeff() / across;
   const Eigen::RowVector3i counts = ((high - low) / spacing).array().ceil().max(1.0).cast<int>();
   Eigen::MatrixXd lattice(counts.prod(), 3);
   for (int i = 0; i < lattice.rows(); ++i)
@@ -204,9 +205,8 @@ InverseMap::Result InverseMap::Find(const Eigen::MatrixXd& points, const Progres
 
   // Near a fold the derivative is almost singular and Newton's step almost unbounded: it is cut to
   // a quarter of the domain's longest side.
-  const Limits limits{ this->Options.Tolerance * ComputeLongestBoxEdge(image.Points()),
-    0.25 * ComputeLongestBoxEdge(this->Domain.GetSurface().Points()),
-    this->Options.MaximumIterations };
+  const Limits limits{ this->Options.Tolerance * ComputeLongestBoxEdge(image),
+    0.25 * ComputeLongestBoxEdge(this->Domain.GetSurface()), this->Options.MaximumIterations };
   // Step 3. Attempt 0 starts at the nearest start. Attempts 1 and 2 walk from the boundary and from
   // the nearest seed. The others start at further seeds, which may lie on the right side of a fold.
   const int attempts = 2 + static_cast<int>(nearest.cols());

@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Harmonic/HarmonicVolumeMap.h"
+#include "Mesh/Extent.h"
 #include "Mesh/Topology.h"
 #include "Mesh/UsedPoints.h"
 #include "Search/ClosestPoint.h"
@@ -276,8 +277,7 @@ PiecewiseVolumeMapResult ComputePiecewiseVolumeMap(const Surface& boundary,
   const PiecewiseHarmonicMap positions(result.Charges, progress.Part(0.05, 0.1));
   // Step 2: features.
   const Eigen::VectorXi featureRegions = positions.RegionsAt(features.Points);
-  const double size = ComputeLongestBoxEdge(boundary.Points()),
-               targetSize = ComputeLongestBoxEdge(targets);
+  const double size = ComputeLongestBoxEdge(boundary), targetSize = ComputeLongestBoxEdge(targets);
   // offsets of the nearest charges, in the order of the layers
   std::vector<double> offsets(count, 0.0);
   double featureSquares = 0.0;

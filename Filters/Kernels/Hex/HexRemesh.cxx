@@ -4,9 +4,11 @@
 #include "Hex/Grid/GridHexes.h"
 #include "Hex/Grid/SizedHexes.h"
 #include "Hex/Polycube/PolycubeHexes.h"
+#include "Mesh/Extent.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Solids/SolidBoundary.h"
+#include "Solids/SolidVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,8 +67,7 @@ PolycubeHexesResult WithNearCreases(const Surface& surface, PolycubeHexesOptions
   PolycubeHexesResult coarse, const Progress& progress)
 {
   const HexFit& fit = coarse.Fit;
-  const double wanted =
-    GridHexesOptions().WantedCreaseDistance * ComputeBoxDiagonal(surface.Points());
+  const double wanted = GridHexesOptions().WantedCreaseDistance * ComputeBoxDiagonal(surface);
   if (!fit.CreasesKept || fit.MinimumScaledJacobian < MinimumScaledJacobian ||
     fit.Creases.Distance <= wanted)
   {
@@ -98,7 +99,7 @@ PolycubeHexesResult WithNearCreases(const Surface& surface, PolycubeHexesOptions
 void SnapIfFar(HexFit& fit, const Surface& surface, const Progress& progress)
 {
   SnappingOptions options;
-  options.WantedDistance = GridHexesOptions().WantedDistance * ComputeBoxDiagonal(surface.Points());
+  options.WantedDistance = GridHexesOptions().WantedDistance * ComputeBoxDiagonal(surface);
   if (fit.Inverted == 0 && fit.Distance > options.WantedDistance)
   {
     SnapToSurface(fit, surface, options, progress);
@@ -166,7 +167,7 @@ bool IsBetter(const HexFit& one, const HexFit& other)
 HexRemeshResult ByTheBetter(
   const Surface& surface, const HexRemeshOptions& options, const Progress& progress)
 {
-  const double diagonal = ComputeBoxDiagonal(surface.Points());
+  const double diagonal = ComputeBoxDiagonal(surface);
   std::optional<HexRemeshResult> polycube;
   std::string why;
   // Whether a grid follows is known only after the polycube: either way, progress is not far off.
@@ -302,11 +303,12 @@ HexRemeshResult RemeshHexahedra(const Surface& surface, const HexRemeshOptions& 
   RequireInRange(given);
   RequireOneSize(given);
   RequireClosedSurface(surface, "the surface");
+  RequireVolume(surface, "the surface");
   RequireAgreement(surface, given, guides);
   HexRemeshOptions options = given;
   if (given.CellsOnLongestSide > 0)
   {
-    options.CellSize = ComputeLongestBoxEdge(surface.Points()) / given.CellsOnLongestSide;
+    options.CellSize = ComputeLongestBoxEdge(surface) / given.CellsOnLongestSide;
   }
   HexRemeshResult result = Made(surface, options, guides, progress);
   if (result.Fit.Released > 0)

@@ -24,7 +24,7 @@ struct KeptAreaVectors
 {
   Eigen::MatrixXd OfTriangles;
 };
-/// Throws unless the coordinates are finite and of a usable size.
+/// Throws unless the coordinates are finite and of a usable size, and there is an area.
 struct KeptSoundness
 {
 };
@@ -37,14 +37,22 @@ std::string Found(const std::string& name, int count, const std::string& singula
     " (first at point " + std::to_string(first) + "); ";
 }
 
-void RequireSize(const Eigen::MatrixXd& points, const std::string& name)
+void RequireSize(const Surface& surface, const std::string& name)
 {
-  if (ComputeLongestBoxEdge(points) == 0.0)
+  const double size = ComputeLongestBoxEdge(surface);
+  if (size == 0.0)
   {
     throw InvalidInput(
       name + " has no area, because all its points coincide; check its coordinates");
   }
-  RequireExtent(points, name);
+  RequireExtent(surface, name);
+  // Far above the rounding of points on a line, and far below the area of any sliver in use.
+  constexpr double minimumShare = 1e-14;
+  if (!(surface.AreaVectors().rowwise().norm().maxCoeff() > minimumShare * size * size))
+  {
+    throw InvalidInput(
+      name + " has no area, because its points lie on lines; check its coordinates");
+  }
 }
 
 /// The topology of a surface that has triangles and finite coordinates.
@@ -59,7 +67,8 @@ const Topology& TopologyOfSound(
         throw InvalidInput(name + " has no triangles; give " + needed);
       }
       RequireFinite(surface.Points(), name);
-      RequireSize(surface.Points(), name);
+      RequireIndices(surface);
+      RequireSize(surface, name);
       return KeptSoundness();
     });
   return surface.Topology();

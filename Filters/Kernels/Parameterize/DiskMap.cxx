@@ -3,6 +3,7 @@
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
 #include "Mesh/BoundaryLoops.h"
+#include "Mesh/Extent.h"
 
 #include <algorithm>
 #include <array>
@@ -215,7 +216,7 @@ DiskMapResult MapToDisk(
   // Step 1: the loop.
   result.Loop = FindManifoldBoundaryLoops(surface).front();
   StartAtGreatest(result.Loop, surface.Points());
-  const double size = ComputeLongestBoxEdge(surface.Points());
+  const double size = ComputeLongestBoxEdge(surface);
   Mesh scaled = surface;
   scaled.Points.rowwise() -= surface.Points().row(result.Loop[0]);
   scaled.Points /= size > 0.0 ? size : 1.0;

@@ -37,7 +37,7 @@ const char* Word(SphereMapMethod method)
 
 SphereMapOptions ForSphere(const ParameterizeOptions& options)
 {
-  if (!(options.AreaWeight >= 0.0))
+  if (!(options.AreaWeight >= 0.0) || std::isinf(options.AreaWeight))
   {
     throw InvalidInput("AreaWeight is " + std::to_string(options.AreaWeight) +
       "; give 0 to preserve angles, or a positive number to balance areas as well");

@@ -360,10 +360,9 @@ private:
 Mesh RemeshIsotropically(
   const Surface& surface, const IsotropicRemeshOptions& options, const Progress& progress)
 {
-  if (!std::isfinite(options.EdgeLength) || options.EdgeLength <= 0.0 || options.Rounds < 1)
-  {
-    throw InvalidInput("EdgeLength must be positive and Rounds at least 1");
-  }
+  RequireOption(std::isfinite(options.EdgeLength) && options.EdgeLength > 0.0, "the edge length",
+    options.EdgeLength, "positive and finite");
+  RequireOption(options.Rounds >= 1, "Rounds", options.Rounds, "at least 1");
   Remesher remesher(surface, options);
   for (int round = 0; round < options.Rounds; ++round)
   {

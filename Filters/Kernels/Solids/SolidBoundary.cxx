@@ -1,6 +1,7 @@
 #include "Solids/SolidBoundary.h"
 
 #include "Geometry/SelfIntersections.h"
+#include "Mesh/Extent.h"
 
 #include <Eigen/Geometry>
 
@@ -80,7 +81,7 @@ KeptBoundary FindBoundary(const Surface& surface, const Progress& progress)
   }
   // Triangles connected without crossings are all inside or all outside.
   const std::vector<std::vector<int>> neighbours = Neighbours(surface);
-  const double step = 1e-6 * ComputeLongestBoxEdge(mesh.Points);
+  const double step = 1e-6 * ComputeLongestBoxEdge(mesh);
   std::vector<int> kept;
   std::vector<char> seen = apart;
   for (int first = 0; first < count; ++first)

@@ -3,6 +3,7 @@
 #include "Base/DisjointSets.h"
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
+#include "Mesh/Extent.h"
 #include "Mesh/UsedPoints.h"
 #include "Search/ClosestPoint.h"
 #include "Solids/ConformingRegions.h"
@@ -28,6 +29,9 @@ namespace
 {
 
 using Eigen::RowVector3d;
+
+/// A tetrahedron with a smaller scaled Jacobian is flat: its volume is rounding.
+constexpr double FlatJacobian = 1e-10;
 
 void CheckOptions(const TetrahedralizeOptions& options)
 {
@@ -185,6 +189,7 @@ struct Measures
 {
   Eigen::VectorXd Volumes;
   double MinimumScaledJacobian = std::numeric_limits<double>::infinity();
+  int Flat = 0; ///< number of tetrahedra with less than FlatJacobian
 };
 
 Measures Measure(
@@ -214,8 +219,9 @@ Measures Measure(
     const RowVector3d w = points.row(tetrahedra(i, 3)) - origin;
     const double jacobian = u.cross(v).dot(w);
     measures.Volumes(i) = jacobian / 6.0;
-    measures.MinimumScaledJacobian =
-      std::min(measures.MinimumScaledJacobian, std::sqrt(2.0) * jacobian / largest);
+    const double scaled = std::sqrt(2.0) * jacobian / largest;
+    measures.MinimumScaledJacobian = std::min(measures.MinimumScaledJacobian, scaled);
+    measures.Flat += scaled < FlatJacobian;
     ReportEvery(i, tetrahedra.rows(), progress);
   }
   return measures;
@@ -313,6 +319,15 @@ bool RemoveOutside(
   return true;
 }
 
+/// Names the work, and its size before it begins if it may take long.
+const char* DescribeWork(double tetrahedra)
+{
+  return tetrahedra < 1e5 ? "tetrahedralizing with TetGen"
+    : tetrahedra < 1e6    ? "tetrahedralizing with TetGen: more than 100,000 tetrahedra"
+    : tetrahedra < 1e7    ? "tetrahedralizing with TetGen: more than a million tetrahedra"
+                          : "tetrahedralizing with TetGen: more than ten million tetrahedra";
+}
+
 /// Fills a solid. The provenance of the result is that of its surfaces' points.
 TetrahedralizeResult Fill(
   const Solid& solid, const TetrahedralizeOptions& options, const Progress& progress)
@@ -333,7 +348,7 @@ TetrahedralizeResult Fill(
     1000000 + static_cast<int>(std::min(1e9, 50.0 * static_cast<double>(given) + byVolume));
   TetGenOutput mesh = RunTetGen({ solid.Surfaces, solid.Holes, options.MaximumRadiusEdgeRatio,
                                   maximumVolume, options.PreserveBoundary, maximumNewPoints },
-    progress.Part(0.0, 0.8, "tetrahedralizing with TetGen"));
+    progress.Part(0.0, 0.8, DescribeWork(byVolume)));
   if (mesh.Tetrahedra.rows() == 0 || mesh.Faces.rows() == 0 || mesh.Points.rows() < given ||
     mesh.Points.topRows(given) != solid.Surfaces.Points)
   {
@@ -363,6 +378,7 @@ TetrahedralizeResult Fill(
   result.SteinerPoints = static_cast<int>(mesh.Points.rows() - given);
   result.Volume = measures.Volumes.sum() / unit;
   result.MinimumScaledJacobian = measures.MinimumScaledJacobian;
+  result.Flat = measures.Flat;
   result.Points = mesh.Points / solid.Scale;
   result.Tetrahedra = std::move(mesh.Tetrahedra);
   return result;
@@ -383,9 +399,9 @@ void SetProvenance(
 
 /// Returns the factor, a power of two, that makes the size about 1: TetGen's own tolerances suit a
 /// model of size 1, and a power of two changes no bit of the mantissas.
-double ScaleOf(const Eigen::MatrixXd& points)
+double ScaleOf(const Mesh& surface)
 {
-  const double size = ComputeLongestBoxEdge(points);
+  const double size = ComputeLongestBoxEdge(surface);
   return size > 0.0 ? std::exp2(-std::ilogb(size)) : 1.0;
 }
 
@@ -411,7 +427,7 @@ TetrahedralizeResult Tetrahedralize(const Surface& surface,
   {
     RequireClosed(surfaces[s], names[s]);
   }
-  const double scale = ScaleOf(surface.Points());
+  const double scale = ScaleOf(surface);
   for (Surface& each : surfaces)
   {
     each = scale == 1.0 ? each : each.WithPoints(scale * each.Points());
@@ -447,7 +463,7 @@ TetrahedralizeResult TetrahedralizeRegions(const Mesh& surfaces, const Eigen::Ma
   const TetrahedralizeOptions& options, const Progress& progress)
 {
   CheckOptions(options);
-  const double scale = ScaleOf(surfaces.Points);
+  const double scale = ScaleOf(surfaces);
   const Surface scaled(Mesh{ scale * surfaces.Points, surfaces.Triangles });
   // Duplicate points would separate regions that touch, so they are merged before the check.
   const SurfaceComplex complex = JoinSurfaces({ scaled });

@@ -43,6 +43,8 @@ struct TetrahedralizeResult
   /// and P the largest product of the three edge lengths at a corner. It is 1 for a regular
   /// tetrahedron and near 0 for a flat one.
   double MinimumScaledJacobian = 0.0;
+  /// Number of tetrahedra with a scaled Jacobian below 1e-10: positive, but by rounding only.
+  int Flat = 0;
 };
 
 /**

@@ -1,5 +1,6 @@
 #include "Transfer/PreciseArrays.h"
 
+#include "Mesh/Extent.h"
 #include "Mesh/Provenance.h"
 #include "Mesh/Topology.h"
 
@@ -77,7 +78,7 @@ SurfacePoints RequirePreciseMap(const PreciseArrays& arrays, const NumberedSurfa
       .rowwise()
       .norm();
   // Single precision rounds relative to the coordinates, not to the size of the shape.
-  const double farthest = tolerance * ComputeLongestBoxEdge(target.Surface.Points) +
+  const double farthest = tolerance * ComputeLongestBoxEdge(target.Surface) +
     SingleRounding * target.Surface.Points.cwiseAbs().maxCoeff();
   RequireAll<MapOfAnotherSurface>(
     n, [&](Eigen::Index i) { return apart(i) <= farthest; }, pointsName,

@@ -4,6 +4,9 @@
 #include "Mesh/Mesh.h"
 #include "Mesh/Topology.h"
 
+#include <Eigen/Geometry>
+
+#include <cmath>
 #include <utility>
 
 namespace shape
@@ -12,13 +15,26 @@ namespace shape
 namespace
 {
 
+/// The longest edge of the box of the points that cells use. The locator refuses corners that are
+/// no points.
+double ComputeLongestEdge(const Cells& cells)
+{
+  Eigen::AlignedBox3d box;
+  for (const int point : cells.Corners)
+  {
+    if (point >= 0 && point < cells.Points.rows())
+    {
+      box.extend(Eigen::Vector3d(cells.Points.row(point)));
+    }
+  }
+  return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
+}
+
 /// The giver in the space in which positions are located.
 Cells InPlace(Cells giver, const Eigen::MatrixXd& map, const TransferFieldsOptions& options)
 {
-  if (!(options.Tolerance >= 0.0))
-  {
-    throw InvalidInput("Tolerance must be 0 or more");
-  }
+  RequireOption(options.Tolerance >= 0.0 && std::isfinite(options.Tolerance), "Tolerance",
+    options.Tolerance, "at least 0 and finite");
   RequireFinite(giver.Points, "the Source");
   if (options.Direction == TransferFieldsOptions::DirectionType::Push)
   {
@@ -52,7 +68,7 @@ TransferFields::TransferFields(Cells giver, const Eigen::MatrixXd& map,
 TransferFields::TransferFields(
   const Cells& giver, const TransferFieldsOptions& options, const Progress& progress)
   : Direction(options.Direction)
-  , Farthest(options.Tolerance * ComputeLongestBoxEdge(giver.Points))
+  , Farthest(options.Tolerance * ComputeLongestEdge(giver))
   , Locator(LocatorOf(giver, progress))
 {
 }

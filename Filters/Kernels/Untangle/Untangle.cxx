@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
+#include "Mesh/Extent.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
 #include "Untangle/MinimizeEnergy.h"
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -47,10 +49,42 @@ struct Untangling
   }
 };
 
+/// Throws unless lengths can be computed with, and the boundary encloses a volume. Inner points do
+/// not change that volume, so no cells can be positive in a negative one.
+void RequireSolid(const Cells& cells, const SolidCells& solid)
+{
+  Mesh boundary{ cells.Points,
+    Eigen::MatrixXi(static_cast<Eigen::Index>(solid.BoundaryTriangles().size()), 3) };
+  for (Eigen::Index t = 0; t < boundary.Triangles.rows(); ++t)
+  {
+    const std::array<int, 3>& corners = solid.BoundaryTriangles()[t];
+    boundary.Triangles.row(t) << corners[0], corners[1], corners[2];
+  }
+  RequireExtent(boundary, "the Input");
+  // Wedges may be numbered in both orientations, so their faces may be turned inwards.
+  const bool hasWedges = (cells.Kinds.array() == cell_kind::Wedge).any();
+  const double volume = ComputeEnclosedVolume(boundary);
+  // Far above the rounding of points in a plane.
+  const double minimum = 1e-15 * std::pow(ComputeLongestBoxEdge(boundary), 3);
+  if (!(std::abs(volume) > minimum) && (!hasWedges || !(ComputeBox(boundary).volume() > minimum)))
+  {
+    throw InvalidInput("the Input has no volume: its points lie in a plane, on a line or at one "
+                       "position; check its coordinates");
+  }
+  if (volume < 0.0 && !hasWedges)
+  {
+    std::ostringstream words;
+    words << "the boundary of the Input is inverted (it encloses a volume of " << volume
+          << "), so that no cells in it can be positive; mirror it with Reflect";
+    throw InvalidInput(words.str());
+  }
+}
+
 Untangling BeginUntangling(
   const Cells& cells, const Eigen::MatrixXd& rest, const UntangleOptions& options)
 {
   Untangling begun{ SolidCells(cells, rest, "the Input"), nullptr, 0 };
+  RequireSolid(cells, begun.Solid);
   if (!options.FixBoundary)
   {
     begun.Sliding =
@@ -321,6 +355,7 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
         " points, but the Input has " + std::to_string(cells.Points.rows()) +
         "; give the cells of the Input before they were moved");
     }
+    RequireExtent(rest, "the RestShape");
   }
   // If inverted cells remain, they may need more iterations, or another start.
   const int steps = options.MaximumIterations;
@@ -381,7 +416,7 @@ UntangleResult ComputeFoldFreeMap(const Cells& domain, const Eigen::MatrixXd& mo
   // The user asks for the cells that the map inverts, not for those left by the exact boundary.
   solid.Points = moved;
   const auto invertedBefore = static_cast<int>(FindInvertedCells(solid).size());
-  const double farthest = OnSurface * ComputeLongestBoxEdge(boundary.Points);
+  const double farthest = OnSurface * ComputeLongestBoxEdge(boundary);
   for (std::size_t i = 0; i < outer.size(); ++i)
   {
     const auto row = static_cast<Eigen::Index>(i);

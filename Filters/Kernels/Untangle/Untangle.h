@@ -60,7 +60,8 @@ struct UntangleResult
  *
  * Throws InvalidInput if a cell is of another kind, repeats a point or uses a point that does not
  * exist. Throws it also if there is no cell, a coordinate is not finite, an option is out of range,
- * or `rest` has another number of points. Throws Aborted.
+ * or `rest` has another number of points. Throws it if the boundary encloses no volume or a
+ * negative one, since then no cells can be positive, or if RequireExtent does. Throws Aborted.
  */
 UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest = {},
   const UntangleOptions& options = {}, const Progress& progress = {});

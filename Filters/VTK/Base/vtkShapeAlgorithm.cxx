@@ -1,5 +1,6 @@
 #include "vtkShapeAlgorithm.h"
 
+#include "vtkShapeComplete.h"
 #include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeFacts.h"
@@ -20,6 +21,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include "Base/Errors.h"
+#include "Base/Memory.h"
 
 #include <cctype>
 #include <cstring>
@@ -131,6 +133,11 @@ void vtkShapeAlgorithm::DeclareFacts(const std::map<int, std::set<std::string>>&
 void vtkShapeAlgorithm::DeclareShown(int port, const std::vector<std::string>& names)
 {
   this->Shown[port] = names;
+}
+
+void vtkShapeAlgorithm::DeclareMemoryRemedy(const std::string& remedy)
+{
+  this->MemoryRemedy = remedy;
 }
 
 void vtkShapeAlgorithm::Warn(const std::string& text)
@@ -247,6 +254,7 @@ void vtkShapeAlgorithm::PrepareInputs()
         throw shape::InvalidInput(
           "the input '" + declared.Name + "' has no points; connect data with points");
       }
+      vtkShapeComplete::RequireArrays(input, declared.Name);
       if (declared.Data == PortData::WholeGrid)
       {
         this->GatheredInputs[port].push_back(
@@ -258,6 +266,11 @@ void vtkShapeAlgorithm::PrepareInputs()
         whole.Data = vtkShapeGather::Gather(input, declared.Name,
           declared.Data == PortData::WholeSurface, this->Controller, whole.OwnPoints);
         this->GatheredInputs[port].push_back(whole);
+        const std::string warning = vtkShapeComplete::DescribeShortSides(whole.Data, declared.Name);
+        if (!warning.empty())
+        {
+          this->Warn(warning);
+        }
       }
     }
   }
@@ -384,6 +397,7 @@ int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
   try
   {
     this->UpdateProgress(0.0);
+    shape::RequireThreadMemory();
     this->Counts.clear();
     this->Warnings.clear();
     this->PrepareInputs();
@@ -396,8 +410,8 @@ int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
   }
   catch (const std::bad_alloc&)
   {
-    message = "out of memory; use a coarser input, or lower properties that take memory, such as "
-              "Collocation Ratio";
+    message = "out of memory; use a coarser input" +
+      (this->MemoryRemedy.empty() ? "" : ", or " + this->MemoryRemedy);
   }
   catch (const std::exception& error)
   {

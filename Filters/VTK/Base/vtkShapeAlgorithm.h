@@ -174,6 +174,10 @@ protected:
   /// output has becomes its active scalars.
   void DeclareShown(int port, const std::vector<std::string>& names);
 
+  /// Declares the remedy, such as "lower Collocation Ratio", that is said in addition to a coarser
+  /// input if the memory is not sufficient.
+  void DeclareMemoryRemedy(const std::string& remedy);
+
   /// Tells the user in one line about a doubtful input or result. `text` names the fact and the
   /// remedy. The fact `Warning` has all warnings of a run. In parallel, only those of the first
   /// process are shown.
@@ -243,6 +247,7 @@ private:
   std::map<int, std::set<std::string>> KeptFacts;
   std::map<int, std::vector<std::string>> Shown;
   std::vector<std::string> Warnings;
+  std::string MemoryRemedy;
   std::vector<std::vector<GatheredInput>> GatheredInputs;
   std::vector<Count> Counts;
   vtkMultiProcessController* Controller = nullptr;

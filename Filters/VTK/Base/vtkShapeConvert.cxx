@@ -1,5 +1,7 @@
 #include "vtkShapeConvert.h"
 
+#include "vtkShapeTriangulation.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -14,7 +16,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
-#include "vtkTriangleFilter.h"
 #include "vtkUnstructuredGrid.h"
 
 #include "Base/Errors.h"
@@ -26,22 +27,6 @@
 
 namespace
 {
-
-/// A polygon or strip of n points gives n - 2 triangles.
-/// vtkTriangleFilter drops polygons that it cannot triangulate without an error; the count reveals
-/// them.
-vtkIdType CountTriangles(vtkPolyData* surface)
-{
-  vtkIdType count = 0;
-  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
-  {
-    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
-    {
-      count += std::max<vtkIdType>(cells->GetCellSize(cell) - 2, 0);
-    }
-  }
-  return count;
-}
 
 /// Finds the shape of a type of cell. A voxel has the corners of a hexahedron, in another order.
 /// Returns false for other types, which have no such shape.
@@ -94,29 +79,22 @@ void AddTriangulated(vtkCell* cell, shape::CellSimplices& cells)
 
 } // namespace
 
-shape::Mesh vtkShapeConvert::ToMesh(vtkPolyData* surface, const std::string& name)
+shape::Mesh vtkShapeConvert::ToMesh(
+  vtkPolyData* surface, const std::string& name, std::vector<int>* cellOf)
 {
-  vtkNew<vtkTriangleFilter> triangulate;
-  triangulate->SetInputData(surface);
-  triangulate->PassVertsOff();
-  triangulate->PassLinesOff();
-  triangulate->Update();
-  vtkCellArray* polys = triangulate->GetOutput()->GetPolys();
-  if (polys->GetNumberOfCells() != CountTriangles(surface))
+  vtkShapeTriangulation triangulation = vtkShapeTriangulation::Of(surface, name);
+  const auto count = static_cast<Eigen::Index>(triangulation.Triangles.size());
+  shape::Mesh mesh{ ToPoints(surface), Eigen::MatrixXi(count, 3) };
+  for (Eigen::Index t = 0; t < count; ++t)
   {
-    throw shape::InvalidInput(name +
-      " has a polygon that cannot be triangulated; find it with Triangulate, which omits it, "
-      "and repair it");
-  }
-  shape::Mesh mesh{ ToPoints(surface), Eigen::MatrixXi(polys->GetNumberOfCells(), 3) };
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType t = 0; t < polys->GetNumberOfCells(); ++t)
-  {
-    polys->GetCellAtId(t, corners);
     for (int corner = 0; corner < 3; ++corner)
     {
-      mesh.Triangles(t, corner) = static_cast<int>(corners->GetId(corner));
+      mesh.Triangles(t, corner) = static_cast<int>(triangulation.Triangles[t][corner]);
     }
+  }
+  if (cellOf)
+  {
+    *cellOf = std::move(triangulation.CellOf);
   }
   return mesh;
 }

@@ -24,9 +24,12 @@ class vtkUnstructuredGrid;
 namespace vtkShapeConvert
 {
 
-/// Converts the surface's polygons and strips to triangles over the same points. Throws
-/// shape::InvalidInput if a polygon cannot be triangulated.
-shape::Mesh ToMesh(vtkPolyData* surface, const std::string& name);
+/// Converts the surface's polygons and strips to triangles over the same points. cellOf: if given,
+/// becomes the polygon, or the strip after the polygons, of each triangle. A polygon may have sides
+/// of length 0: its repeated corners are left out, and become corners of triangles without area, so
+/// that neighbours stay connected. Throws shape::InvalidInput if a polygon cannot be triangulated.
+shape::Mesh ToMesh(
+  vtkPolyData* surface, const std::string& name, std::vector<int>* cellOf = nullptr);
 
 /// Returns the point indices of each line and polyline.
 std::vector<std::vector<int>> ToLines(vtkPolyData* data);

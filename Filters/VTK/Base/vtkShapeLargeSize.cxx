@@ -1,7 +1,7 @@
 #include "vtkShapeLargeSize.h"
 
 #include "vtkBoundingBox.h"
-#include "vtkDataSet.h"
+#include "vtkPolyData.h"
 
 #include <sstream>
 
@@ -21,19 +21,27 @@ std::string Check(const std::string& property, double value, double maximum,
   return text.str();
 }
 
+/// Points that no cell uses do not count.
+vtkBoundingBox BoxOfCells(vtkPolyData* surface)
+{
+  double bounds[6];
+  surface->GetCellsBounds(bounds);
+  return vtkBoundingBox(bounds);
+}
+
 } // namespace
 
 std::string vtkShapeLargeSize::CheckCellSize(
-  const std::string& property, double value, vtkDataSet* surface)
+  const std::string& property, double value, vtkPolyData* surface)
 {
-  return Check(property, value, vtkBoundingBox(surface->GetBounds()).GetMaxLength() / 4.0,
+  return Check(property, value, BoxOfCells(surface).GetMaxLength() / 4.0,
     "a quarter of the longest side of the surface", "0 for an automatic one");
 }
 
 std::string vtkShapeLargeSize::CheckRadius(
-  const std::string& property, double value, vtkDataSet* surface)
+  const std::string& property, double value, vtkPolyData* surface)
 {
-  return Check(property, value, vtkBoundingBox(surface->GetBounds()).GetDiagonalLength(),
+  return Check(property, value, BoxOfCells(surface).GetDiagonalLength(),
     "the diagonal of the surface", "0 for an automatic one");
 }
 

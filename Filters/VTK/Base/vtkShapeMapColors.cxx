@@ -8,19 +8,22 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include "Mesh/Extent.h"
+
 #include <algorithm>
 
 void vtkShapeMapColors::Add(
-  vtkDataObject* output, const std::string& positions, const Eigen::MatrixXd& points)
+  vtkDataObject* output, const std::string& positions, const shape::Mesh& mesh)
 {
-  if (points.rows() == 0)
+  if (mesh.Points.rows() == 0)
   {
     return;
   }
-  const Eigen::RowVector3d low = points.colwise().minCoeff();
+  const Eigen::AlignedBox3d box = shape::ComputeBox(mesh);
+  const Eigen::RowVector3d low = box.min();
   // Flat shapes have no extent along one axis.
   const Eigen::RowVector3d extent =
-    (points.colwise().maxCoeff() - low).unaryExpr([](double e) { return e > 0.0 ? e : 1.0; });
+    Eigen::RowVector3d(box.sizes()).unaryExpr([](double e) { return e > 0.0 ? e : 1.0; });
   // Neither black nor white, so that shading remains visible.
   constexpr double darkest = 40.0, lightest = 245.0;
   for (vtkDataSet* leaf : vtkShapeComposite::Of(output))

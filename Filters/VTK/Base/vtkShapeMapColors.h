@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include "Mesh/Mesh.h"
 
 #include <string>
 
@@ -13,7 +13,7 @@ namespace vtkShapeMapColors
 /// Adds the point array `MapColors` (red, green and blue, unsigned char) to a data set or to each
 /// block. The colour of a point is its position in a box.
 /// positions: the name of a point array with 3 components, or empty for the points themselves.
-/// points: n x 3, they span the box.
-void Add(vtkDataObject* output, const std::string& positions, const Eigen::MatrixXd& points);
+/// mesh: the points that its triangles use span the box.
+void Add(vtkDataObject* output, const std::string& positions, const shape::Mesh& mesh);
 
 } // namespace vtkShapeMapColors

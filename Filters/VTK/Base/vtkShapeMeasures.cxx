@@ -3,6 +3,7 @@
 #include "vtkShapeComposite.h"
 
 #include "vtkAbstractArray.h"
+#include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
@@ -16,6 +17,7 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -174,6 +176,20 @@ void RemoveFacts(const vtkShapeMeasures::Filter& filter, const Parts& inherited,
   }
 }
 
+vtkSmartPointer<vtkPoints> Scaled(vtkPoints* points, double factor)
+{
+  auto scaled = vtkSmartPointer<vtkPoints>::New();
+  scaled->SetDataTypeToDouble();
+  scaled->SetNumberOfPoints(points->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double position[3];
+    points->GetPoint(i, position);
+    scaled->SetPoint(i, factor * position[0], factor * position[1], factor * position[2]);
+  }
+  return scaled;
+}
+
 bool AreHexahedra(vtkDataSet* data)
 {
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
@@ -202,11 +218,20 @@ const std::vector<std::string>& vtkShapeMeasures::NamesOfHexahedra()
   return names;
 }
 
-void vtkShapeMeasures::AddToHexahedra(const std::vector<std::string>& names, vtkDataSet* hexahedra)
+/// Verdict's measures are at most 1e30, and it takes numbers below 1e-30 for 0. It therefore gets
+/// very large and very small cells at a size of about 1.
+void vtkShapeMeasures::AddToHexahedra(const std::vector<std::string>& names, vtkPointSet* hexahedra)
 {
-  auto cells = vtkSmartPointer<vtkDataSet>::Take(hexahedra->NewInstance());
+  auto cells = vtkSmartPointer<vtkPointSet>::Take(hexahedra->NewInstance());
   // Without arrays, so that vtkMeshQuality copies none.
   cells->CopyStructure(hexahedra);
+  const double size = vtkBoundingBox(hexahedra->GetBounds()).GetMaxLength();
+  const bool isNearLimits = size > 0.0 && std::isfinite(size) && (size < 1e-6 || size > 1e6);
+  const double scale = isNearLimits ? std::exp2(std::ilogb(size)) : 1.0;
+  if (isNearLimits)
+  {
+    cells->SetPoints(Scaled(hexahedra->GetPoints(), 1.0 / scale));
+  }
   for (const auto& [name, set] : OfHexahedra)
   {
     if (std::find(names.begin(), names.end(), name) == names.end())
@@ -219,6 +244,11 @@ void vtkShapeMeasures::AddToHexahedra(const std::vector<std::string>& names, vtk
     quality->Update();
     vtkDataArray* values = quality->GetOutput()->GetCellData()->GetArray("Quality");
     values->SetName(name);
+    const bool isVolume = std::string(name) == "Volume" || std::string(name) == "Jacobian";
+    for (vtkIdType cell = 0; isVolume && cell < values->GetNumberOfTuples(); ++cell)
+    {
+      values->SetComponent(cell, 0, values->GetComponent(cell, 0) * scale * scale * scale);
+    }
     hexahedra->GetCellData()->AddArray(values);
   }
 }
@@ -243,7 +273,7 @@ void vtkShapeMeasures::Renew(const Filter& filter, vtkDataObject* output)
     RemoveFacts(filter, inherited, leaf->GetFieldData());
     if (AreHexahedra(leaf))
     {
-      AddToHexahedra(ofCells, leaf);
+      AddToHexahedra(ofCells, points);
     }
   }
   if (isMoved)

@@ -5,7 +5,7 @@
 #include <vector>
 
 class vtkDataObject;
-class vtkDataSet;
+class vtkPointSet;
 
 /**
  * A measure is an array that describes the geometry on which it was computed. Measures are the
@@ -22,8 +22,8 @@ namespace vtkShapeMeasures
 const std::vector<std::string>& NamesOfHexahedra();
 
 /// Computes these measures with vtkMeshQuality and adds them as cell arrays to a data set of
-/// hexahedra.
-void AddToHexahedra(const std::vector<std::string>& names, vtkDataSet* hexahedra);
+/// hexahedra. They do not depend on the unit of length: Volume and Jacobian may exceed 1e30.
+void AddToHexahedra(const std::vector<std::string>& names, vtkPointSet* hexahedra);
 
 /// An executed filter: its name, its inputs and the measures that it computed.
 struct Filter

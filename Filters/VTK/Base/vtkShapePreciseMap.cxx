@@ -24,22 +24,12 @@ bool vtkShapePreciseMap::Has(vtkDataSet* data, const std::string& mapArray)
 
 shape::NumberedSurface vtkShapePreciseMap::ToSurface(vtkPolyData* surface, const std::string& name)
 {
-  shape::NumberedSurface numbered{ vtkShapeConvert::ToMesh(surface, name),
+  std::vector<int> cellOf;
+  shape::NumberedSurface numbered{ vtkShapeConvert::ToMesh(surface, name, &cellOf),
     static_cast<int>(surface->GetNumberOfVerts() + surface->GetNumberOfLines()), {} };
-  numbered.Cells.resize(numbered.Surface.Triangles.rows());
-  int triangle = 0, cell = numbered.First;
   // The order of vtkPolyData's cell ids: vertices, lines, polygons, strips.
-  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
-  {
-    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i, ++cell)
-    {
-      // A cell of n points gives n - 2 triangles.
-      for (vtkIdType k = 2; k < cells->GetCellSize(i); ++k)
-      {
-        numbered.Cells(triangle++) = cell;
-      }
-    }
-  }
+  numbered.Cells = numbered.First +
+    Eigen::Map<const Eigen::ArrayXi>(cellOf.data(), static_cast<Eigen::Index>(cellOf.size()));
   return numbered;
 }
 

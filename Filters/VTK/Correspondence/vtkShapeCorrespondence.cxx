@@ -147,8 +147,8 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
   }
   this->WriteMap(0, result.Maps.AToB, b, 1);
   this->WriteMap(1, result.Maps.BToA, a, 0);
-  vtkShapeMapColors::Add(this->GetOutputDataObject(0), "TargetPosition", b.Points());
-  vtkShapeMapColors::Add(this->GetOutputDataObject(1), "", b.Points());
+  vtkShapeMapColors::Add(this->GetOutputDataObject(0), "TargetPosition", b);
+  vtkShapeMapColors::Add(this->GetOutputDataObject(1), "", b);
   for (const int port : { 0, 1 })
   {
     const auto add = [&](const std::string& fact, double value)

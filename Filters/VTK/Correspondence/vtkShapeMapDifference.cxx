@@ -25,6 +25,7 @@ vtkShapeMapDifference::vtkShapeMapDifference()
   this->DeclareOutput("vtkTable");
   this->DeclareFacts({ { 0, { "AreaEigenvalues", "ConformalEigenvalues" } } });
   this->DeclareShown(0, { "AreaDifference" });
+  this->DeclareMemoryRemedy("lower Number Of Eigenpairs");
 }
 
 namespace

@@ -12,6 +12,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include "Base/Errors.h"
 #include "Mesh/Topology.h"
 
 #include <stdexcept>
@@ -70,6 +71,8 @@ void vtkShapePasteFeature::Execute(const shape::Progress& progress)
   {
     return;
   }
+  shape::RequireOption(this->BlendWidth >= 0.0 && this->BlendWidth <= 1.0, "BlendWidth",
+    this->BlendWidth, "at least 0 and at most 1");
   this->PrepareFeature(progress.Part(0.0, 0.2, "preparing the feature"));
   this->PrepareTarget(progress.Part(0.2, 0.3, "preparing the target"));
   this->Placement.Seed << this->Seed[0], this->Seed[1], this->Seed[2];

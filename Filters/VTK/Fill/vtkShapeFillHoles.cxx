@@ -13,6 +13,7 @@
 #include "Base/Errors.h"
 #include "Fill/CurveNetwork.h"
 #include "Mesh/BoundaryLoops.h"
+#include "Mesh/Extent.h"
 #include "Mesh/Topology.h"
 
 #include <algorithm>
@@ -123,6 +124,7 @@ void vtkShapeFillHoles::Prepare(const shape::Progress& progress)
   fresh.Surface = vtkShapePreciseMap::ToSurface(data, "the Input");
   const shape::Mesh& surface = fresh.Surface.Surface;
   shape::RequireFinite(surface.Points, "the Input");
+  shape::RequireExtent(surface, "the Input");
   progress(0.2);
   if (surface.Triangles.rows() == 0)
   {

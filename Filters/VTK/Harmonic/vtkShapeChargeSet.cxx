@@ -16,6 +16,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Extent.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
@@ -85,7 +86,7 @@ double MeasuredMaximum(const Eigen::MatrixXd& charges, const shape::Surface& sur
 {
   return charges.rows() > 0
     ? 0.5 * shape::SurfaceLocator(surface).Find(charges).Distances.minCoeff()
-    : shape::ComputeLongestBoxEdge(surface.Points());
+    : shape::ComputeLongestBoxEdge(surface);
 }
 
 /// Returns the rows of a charge set that have a charge.

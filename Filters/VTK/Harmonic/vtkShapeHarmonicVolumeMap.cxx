@@ -19,6 +19,7 @@
 #include "Base/Errors.h"
 #include "Harmonic/ApplyVolumeMap.h"
 #include "Harmonic/NearSurfaceCharges.h"
+#include "Mesh/Extent.h"
 #include "Mesh/Topology.h"
 
 #include <string>
@@ -42,6 +43,7 @@ vtkShapeHarmonicVolumeMap::vtkShapeHarmonicVolumeMap()
   this->DeclareOutput("vtkPolyData");
   this->DeclareOutput("vtkTable");
   this->DeclareFacts({ { 1, { "OffsetDistance" } } });
+  this->DeclareMemoryRemedy("lower Collocation Ratio");
   this->DeclareMeasures({ "Inverted" });
 }
 
@@ -106,8 +108,7 @@ shape::VolumeMapResult vtkShapeHarmonicVolumeMap::Solve(
   }
   conditions.Surfaces = given.Surfaces;
   conditions.Features = vtkShapeFeatures::Read(given.Features, given.Targets, this->MapArray,
-    this->Options.FeatureWeight,
-    LongestStep * shape::ComputeLongestBoxEdge(conditions.Boundary.Points()));
+    this->Options.FeatureWeight, LongestStep * shape::ComputeLongestBoxEdge(conditions.Boundary));
 
   const shape::VolumeMapOptions options{ this->Options, this->Exact, this->FreeBoundary };
   shape::VolumeMapResult result =

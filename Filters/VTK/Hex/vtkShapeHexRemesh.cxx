@@ -15,8 +15,10 @@
 #include "vtkUnstructuredGrid.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Extent.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/Topology.h"
+#include "Mesh/UsedPoints.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +37,7 @@ vtkShapeHexRemesh::vtkShapeHexRemesh()
   this->DeclareFacts();
   this->DeclareShown(0, { "ScaledJacobian" });
   this->DeclareShown(1, { "Patch" });
+  this->DeclareMemoryRemedy("raise Cell Size");
   // These are new: they belong to the hexahedra, not to the input.
   std::set<std::string> measures = { "Distance" };
   measures.insert(
@@ -55,6 +58,20 @@ void vtkShapeHexRemesh::RemoveAllInnerSurfaces()
 namespace
 {
 
+///@{
+/// Points that no triangle uses must not change the size of the solid.
+std::vector<int> FindUsed(const shape::Mesh& surface)
+{
+  return shape::FindUsedPoints(surface.Triangles, surface.Points.rows());
+}
+
+shape::Mesh WithPoints(const shape::Mesh& surface, const std::vector<int>& used)
+{
+  return { surface.Points(used, Eigen::all),
+    shape::RenumberPoints(surface.Triangles, used, surface.Points.rows()) };
+}
+///@}
+
 /// Polygons are triangulated by their positions on the surface, as by Shape Polycube: on the
 /// polycube a polygon may be bent around an edge.
 shape::GivenPolycube ToPolycube(vtkPolyData* data)
@@ -69,7 +86,8 @@ shape::GivenPolycube ToPolycube(vtkPolyData* data)
   unfolded->SetPoints(positions);
   shape::Mesh surface = vtkShapeConvert::ToMesh(unfolded, "the Polycube");
   surface.Points = vtkShapeConvert::ToPoints(data);
-  return { std::move(surface), sources };
+  const std::vector<int> used = FindUsed(surface);
+  return { WithPoints(surface, used), sources(used, Eigen::all) };
 }
 
 } // namespace
@@ -87,7 +105,7 @@ double* vtkShapeHexRemesh::GetSurfaceSize()
       const shape::Mesh mesh = vtkShapeConvert::ToMesh(surface, "the Surface");
       this->SurfaceSize[0] = std::abs(shape::ComputeEnclosedVolume(mesh));
       this->SurfaceSize[1] = shape::ComputeArea(mesh);
-      this->SurfaceSize[2] = shape::ComputeLongestBoxEdge(mesh.Points);
+      this->SurfaceSize[2] = shape::ComputeLongestBoxEdge(mesh);
     }
     catch (const shape::InvalidInput&)
     {
@@ -97,13 +115,13 @@ double* vtkShapeHexRemesh::GetSurfaceSize()
   return this->SurfaceSize;
 }
 
-shape::HexRemeshGuides vtkShapeHexRemesh::ReadGuides()
+shape::HexRemeshGuides vtkShapeHexRemesh::ReadGuides(const std::vector<int>& used)
 {
   shape::HexRemeshGuides guides;
   if (!this->SizeArray.empty() && this->SizeArray != "None")
   {
     guides.Sizes = vtkShapeConvert::ToPointArray(
-      this->GetGatheredInput(0).Data, this->SizeArray, 1, "the Surface");
+      this->GetGatheredInput(0).Data, this->SizeArray, 1, "the Surface")(used, 0);
   }
   if (this->GetNumberOfInputConnections(1) > 0)
   {
@@ -111,8 +129,9 @@ shape::HexRemeshGuides vtkShapeHexRemesh::ReadGuides()
   }
   for (int i = 0; i < this->GetNumberOfInputConnections(2); ++i)
   {
-    guides.InnerSurfaces.emplace_back(vtkShapeConvert::ToMesh(
-      this->GetGatheredInput(2, i).Data, "inner surface " + std::to_string(i)));
+    const shape::Mesh inner = vtkShapeConvert::ToMesh(
+      this->GetGatheredInput(2, i).Data, "inner surface " + std::to_string(i));
+    guides.InnerSurfaces.emplace_back(WithPoints(inner, FindUsed(inner)));
   }
   return guides;
 }
@@ -125,14 +144,16 @@ void vtkShapeHexRemesh::Execute(const shape::Progress& progress)
     return;
   }
   vtkPolyData* input = this->GetGatheredInput(0).Data;
-  const shape::Surface surface = vtkShapeConvert::ToMesh(input, "the Surface");
+  const shape::Mesh given = vtkShapeConvert::ToMesh(input, "the Surface");
+  const std::vector<int> used = FindUsed(given);
+  const shape::Surface surface = WithPoints(given, used);
   const std::string warning =
     vtkShapeLargeSize::CheckCellSize("Cell Size", this->Options.CellSize, input);
   if (!warning.empty())
   {
     this->Warn(warning);
   }
-  const shape::HexRemeshGuides guides = this->ReadGuides();
+  const shape::HexRemeshGuides guides = this->ReadGuides(used);
   const shape::HexRemeshResult result =
     shape::RemeshHexahedra(surface, this->Options, progress.Part(0.0, 0.98), guides);
   auto* hexahedra = vtkUnstructuredGrid::SafeDownCast(this->GetOutputDataObject(0));

@@ -70,6 +70,8 @@
 
 #include "Hex/HexRemesh.h" // for the options
 
+#include <vector> // for points
+
 class VTKSHAPEFILTERS_EXPORT vtkShapeHexRemesh : public vtkShapeAlgorithm
 {
 public:
@@ -109,7 +111,7 @@ private:
   vtkShapeHexRemesh(const vtkShapeHexRemesh&) = delete;
   void operator=(const vtkShapeHexRemesh&) = delete;
 
-  shape::HexRemeshGuides ReadGuides();
+  shape::HexRemeshGuides ReadGuides(const std::vector<int>& used);
 
   shape::HexRemeshOptions Options;
   std::string SizeArray = "None";

@@ -14,6 +14,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include <unistd.h>
+
 namespace
 {
 
@@ -36,39 +38,70 @@ std::string vtkShapeFileWriter::GetLabel()
   return vtkShapeAlgorithm::LabelOf(this->GetClassName());
 }
 
-void vtkShapeFileWriter::WriteWhole(const Content& content, const shape::Progress& progress)
+void vtkShapeFileWriter::WriteTo(
+  const std::string& path, const Content& content, const shape::Progress& progress)
 {
   const auto why = [] { return " (" + std::generic_category().message(errno) + "); "; };
   // Streams do not report why they failed, but the system calls that they use set errno.
   errno = 0;
-  std::ofstream file(this->FileName);
+  std::ofstream file(path);
   if (!file)
   {
     throw FileError("cannot open the file '" + this->FileName + "'" + why() +
         "choose an existing folder with write permission",
       vtkErrorCode::CannotOpenFileError);
   }
+  file.imbue(std::locale::classic()); // otherwise digits may be grouped
+  content(file, progress);
+  file.close();
+  if (!file)
+  {
+    throw FileError("the file '" + this->FileName + "' could not be written completely" + why() +
+        "free some space, or choose another disk",
+      vtkErrorCode::OutOfDiskSpaceError);
+  }
+}
+
+/// A regular file is written under another name in its folder, and then renamed: an older file is
+/// replaced only by a complete one. A device or a pipe is written directly.
+void vtkShapeFileWriter::WriteWhole(const Content& content, const shape::Progress& progress)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  // The target of a symbolic link is replaced, and not the link.
+  const fs::path resolved = fs::canonical(this->FileName, error);
+  const fs::path path = error ? fs::path(this->FileName) : resolved;
+  const fs::file_status old = fs::status(path, error);
+  if (fs::exists(old) && !fs::is_regular_file(old))
+  {
+    this->WriteTo(this->FileName, content, progress);
+    return;
+  }
+  if (fs::exists(old) && access(path.c_str(), W_OK) != 0)
+  {
+    // Renaming would replace a file that is protected from writing: the error says so.
+    this->WriteTo(path, content, progress);
+    return;
+  }
+  const fs::path part = path.parent_path() / (".shapemap-" + std::to_string(getpid()) + ".part");
   try
   {
-    file.imbue(std::locale::classic()); // otherwise digits may be grouped
-    content(file, progress);
-    file.close();
-    if (!file)
+    this->WriteTo(part, content, progress);
+    if (fs::exists(old))
     {
-      throw FileError("the file '" + this->FileName + "' could not be written completely" + why() +
-          "free some space, or choose another disk",
-        vtkErrorCode::OutOfDiskSpaceError);
+      fs::permissions(part, old.permissions(), error);
+    }
+    fs::rename(part, path, error);
+    if (error)
+    {
+      throw FileError("the file '" + this->FileName + "' could not be replaced (" +
+          error.message() + "); choose another name",
+        vtkErrorCode::CannotOpenFileError);
     }
   }
   catch (...)
   {
-    file.close();
-    std::error_code ignored;
-    // A partial file is removed, but never a device or a pipe.
-    if (std::filesystem::is_regular_file(this->FileName, ignored))
-    {
-      std::filesystem::remove(this->FileName, ignored);
-    }
+    fs::remove(part, error);
     throw;
   }
 }

@@ -5,8 +5,8 @@
  * The writer writes only the data of this process. In ParaView, the pieces of all processes are
  * first gathered on one process, and coincident points of different pieces are merged.
  *
- * The input is read before the file is opened, so that a wrong input leaves an existing file
- * unchanged. After another error or an abort, the incomplete file is removed.
+ * An existing file of the same name is replaced only by a complete one: after an error or an abort,
+ * it is unchanged, and no incomplete file is left.
  */
 #ifndef vtkShapeFileWriter_h
 #define vtkShapeFileWriter_h
@@ -53,6 +53,7 @@ private:
   void operator=(const vtkShapeFileWriter&) = delete;
 
   void WriteWhole(const Content& content, const shape::Progress& progress);
+  void WriteTo(const std::string& path, const Content& content, const shape::Progress& progress);
 };
 
 #endif

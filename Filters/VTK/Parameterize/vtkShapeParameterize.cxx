@@ -62,8 +62,8 @@ void vtkShapeParameterize::Execute(const shape::Progress& progress)
     });
 
   progress(0.96);
-  vtkShapeMapColors::Add(surface, "", mesh.Points());
-  vtkShapeMapColors::Add(image, "SourcePosition", mesh.Points());
+  vtkShapeMapColors::Add(surface, "", mesh);
+  vtkShapeMapColors::Add(image, "SourcePosition", mesh);
   for (vtkDataObject* output : { surface, image })
   {
     vtkShapeConvert::AddFact(output, "Parameterize.Method", map.Method);

@@ -16,6 +16,7 @@ vtkShapeLaplaceSpectrum::vtkShapeLaplaceSpectrum()
 {
   this->DeclareInput("Input", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
   this->DeclareOutputLikeInput();
+  this->DeclareMemoryRemedy("lower Number Of Eigenpairs");
 }
 
 void vtkShapeLaplaceSpectrum::Execute(const shape::Progress& progress)

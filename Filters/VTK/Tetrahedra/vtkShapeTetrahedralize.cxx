@@ -30,6 +30,7 @@ vtkShapeTetrahedralize::vtkShapeTetrahedralize()
   this->DeclareOutput("vtkUnstructuredGrid");
   this->DeclareFacts();
   this->DeclareShown(0, { "RegionId" });
+  this->DeclareMemoryRemedy("raise Maximum Volume");
 }
 
 void vtkShapeTetrahedralize::AddInnerSurfaces(vtkAlgorithmOutput* surface)
@@ -124,6 +125,12 @@ void vtkShapeTetrahedralize::Execute(const shape::Progress& progress)
   if (!warning.empty())
   {
     this->Warn(warning);
+  }
+  if (solid.Flat > 0)
+  {
+    this->Warn(std::to_string(solid.Flat) +
+      " tetrahedra are flat: their scaled Jacobian is below 1e-10; try another Maximum Volume, or "
+      "switch Preserve Boundary on or off");
   }
   auto* output = vtkUnstructuredGrid::SafeDownCast(this->GetOutputDataObject(0));
   WriteTetrahedra(solid, output);

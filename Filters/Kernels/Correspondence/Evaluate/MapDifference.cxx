@@ -123,7 +123,8 @@ FunctionalMapFit FitFunctionalMap(const EdgeSamples& samples, const Eigen::Matri
 void Order(const Eigen::MatrixXd& matrix, DifferenceOperator& result, Eigen::MatrixXd& vectors)
 {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
-  const Eigen::VectorXd& values = solver.eigenvalues();
+  // Both operators are products A' A, so that a negative eigenvalue is rounding.
+  const Eigen::VectorXd values = solver.eigenvalues().cwiseMax(0.0);
   std::vector<int> order(values.size());
   std::iota(order.begin(), order.end(), 0);
   const auto change = [&](int i) { return std::abs(std::log(std::max(values(i), 1e-300))); };

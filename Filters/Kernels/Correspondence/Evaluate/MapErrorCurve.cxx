@@ -102,7 +102,8 @@ MapErrorCurveResult ComputeMapErrorCurve(const Surface& input, const Eigen::Matr
   RequireManifold(target, "the Target");
   RequireMap(input, map, "the Input");
   RequireTruth(truth);
-  RequireOption(options.LargestError > 0.0, "LargestError", options.LargestError, "positive");
+  RequireOption(options.LargestError > 0.0 && std::isfinite(options.LargestError), "LargestError",
+    options.LargestError, "positive and finite");
 
   MapErrorCurveResult result;
   result.Unit = UnitOf(target, options.Normalisation, progress.Part(0.0, 0.1));

@@ -1,6 +1,7 @@
 #include "Correspondence/Landmarks/LandmarkPairs.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Extent.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
 
@@ -22,7 +23,7 @@ Eigen::VectorXi NearestPoints(const Surface& surface, const Eigen::MatrixXd& pos
 {
   const ClosestPoints closest = SurfaceLocator(surface).Find(positions, progress);
   const auto isFar =
-    closest.Distances.array() > MaximumDistanceShare * ComputeLongestBoxEdge(surface.Points());
+    closest.Distances.array() > MaximumDistanceShare * ComputeLongestBoxEdge(surface);
   const auto count = isFar.count();
   if (count > 0)
   {

@@ -1,10 +1,12 @@
 #include "Correspondence/Landmarks/Landmarks.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Extent.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
 
 #include <array>
+#include <cmath>
 #include <map>
 #include <sstream>
 
@@ -49,6 +51,8 @@ LandmarksResult ProjectLandmarks(const Surface& surface, const Eigen::MatrixXd& 
 {
   RequireFinite(surface.Points(), name);
   RequireFinite(positions, "the landmarks on " + name);
+  RequireOption(options.MaximumDistance >= 0.0 && std::isfinite(options.MaximumDistance),
+    "MaximumDistance", options.MaximumDistance, "at least 0 and finite");
   progress(0.1);
   const SurfaceLocator locator(surface);
   progress(0.3);
@@ -57,9 +61,8 @@ LandmarksResult ProjectLandmarks(const Surface& surface, const Eigen::MatrixXd& 
   if (positions.rows() > 0)
   {
     const ClosestPoints closest = locator.Find(positions, progress.Part(0.3, 0.9));
-    const Eigen::RowVector3d size =
-      surface.Points().colwise().maxCoeff() - surface.Points().colwise().minCoeff();
-    RequireNearSurface(closest.Distances, options.MaximumDistance * size.norm(), name);
+    RequireNearSurface(
+      closest.Distances, options.MaximumDistance * ComputeBoxDiagonal(surface), name);
     RequireDistinct(closest.Positions, name);
     result.Positions = closest.Positions;
     result.LargestDistance = closest.Distances.maxCoeff();

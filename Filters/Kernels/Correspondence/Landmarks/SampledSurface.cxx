@@ -35,14 +35,14 @@ Eigen::MatrixXd SampledSurface::Between() const
   return 0.5 * (one + one.transpose());
 }
 
-SampledSurface SampleSurface(
-  const Surface& surface, int count, const Progress& progress, const std::vector<int>& first)
+SampledSurface SampleSurface(const Surface& surface, int count, const Progress& progress,
+  const std::vector<int>& first, int start)
 {
   SampledSurface sampled;
   const Eigen::VectorXd areas = ComputePointAreas(surface);
   sampled.Length = std::sqrt(areas.sum());
   sampled.Points = first;
-  for (const int point : SampleFarthestPoints(surface, count, progress.Part(0.0, 0.3)))
+  for (const int point : SampleFarthestPoints(surface, count, progress.Part(0.0, 0.3), start))
   {
     if (std::find(first.begin(), first.end(), point) == first.end())
     {

@@ -24,11 +24,11 @@ struct SampledSurface
 };
 
 /// Samples a surface at the distinct points `first`, then at those of its `count` farthest points
-/// (SampleFarthestPoints) that are not in `first`. Computes the distances of all points from the
-/// samples (ComputeHeatDistances). surface: one that RequireConnected accepts. Throws SolveFailure,
-/// Aborted.
+/// (SampleFarthestPoints, from `start`) that are not in `first`. Computes the distances of all
+/// points from the samples (ComputeHeatDistances). surface: one that RequireConnected accepts.
+/// Throws SolveFailure, Aborted.
 SampledSurface SampleSurface(const Surface& surface, int count, const Progress& progress = {},
-  const std::vector<int>& first = {});
+  const std::vector<int>& first = {}, int start = -1);
 
 /// Returns the first `count` samples only, with their weights computed again. areas: n values, the
 /// areas of the surface's points (ComputePointAreas).

@@ -1,9 +1,13 @@
 #include "Geodesics/Private/WindowPropagation.h"
 
+#include "Base/DisjointSets.h"
+#include "Base/Errors.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace shape
 {
@@ -14,6 +18,35 @@ namespace
 constexpr double Rounding = 1e-10;
 /// Paths may turn at points whose angle is less than 2 pi by at most this.
 constexpr double AngleRounding = 1e-6;
+
+/// A surface of good triangles has about 10 windows for each half-edge, one of slivers up to 100.
+constexpr long long MaximumStepsPerSide = 1000, MinimumOfMaximumSteps = 1000000;
+
+/// Returns, for each point, the first of the points to which edges of length 0 join it.
+std::vector<int> FindPlaces(const Mesh& mesh)
+{
+  const auto count = static_cast<int>(mesh.Points.rows());
+  DisjointSets joined(count);
+  for (const auto& corners : mesh.Triangles.rowwise())
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int begin = corners(k), end = corners((k + 1) % 3);
+      if (mesh.Points.row(begin) == mesh.Points.row(end))
+      {
+        joined.Merge(begin, end);
+      }
+    }
+  }
+  std::vector<int> first(count, -1), places(count);
+  for (int point = 0; point < count; ++point)
+  {
+    int& known = first[joined.Find(point)];
+    known = known == -1 ? point : known;
+    places[point] = known;
+  }
+  return places;
+}
 
 /// Returns the distance from `from` at which the ray from `eye` through (x, 0) crosses the segment
 /// to `to`.
@@ -37,7 +70,8 @@ Eigen::Vector2d InFrame(
 } // namespace
 
 HalfEdgeFrames::HalfEdgeFrames(const Surface& surface)
-  : Begins(surface.Triangles().size())
+  : Places(FindPlaces(surface))
+  , Begins(surface.Triangles().size())
   , Twins(surface.Twins())
   , Lengths(surface.Triangles().size())
   , Opposites(surface.Triangles().size())
@@ -55,15 +89,16 @@ HalfEdgeFrames::HalfEdgeFrames(const Surface& surface)
       const Eigen::RowVector3d along = corners.row((k + 1) % 3) - corners.row(k),
                                there = corners.row((k + 2) % 3) - corners.row(k);
       const double length = along.norm();
-      this->Begins[side] = mesh.Triangles(t, k);
+      const int begin = this->Places[mesh.Triangles(t, k)];
+      this->Begins[side] = begin;
       this->Lengths[side] = length;
       const double x = length > 0.0 ? along.dot(there) / length : 0.0;
       const double y = length > 0.0 ? along.cross(there).norm() / length : there.norm();
       this->Opposites[side] = { x, y };
       // The total angle decides whether paths may turn at the point: less than 2 pi, and a path
-      // beside it is shorter.
-      this->Angles[mesh.Triangles(t, k)] += std::atan2(y, x);
-      this->From[mesh.Triangles(t, k)].push_back(side);
+      // beside it is shorter. An edge of length 0 has no direction.
+      this->Angles[begin] += length > 0.0 ? std::atan2(y, x) : 0.0;
+      this->From[begin].push_back(side);
     }
   }
   for (int side = 0; side < static_cast<int>(this->Twins.size()); ++side)
@@ -108,6 +143,17 @@ void WindowPropagation::Clear()
   this->ReachedCorners.clear();
   this->Queue = {};
   this->Goal = {};
+  this->Steps = 0;
+}
+
+Eigen::VectorXd WindowPropagation::Distances() const
+{
+  Eigen::VectorXd distances(this->Lengths.size());
+  for (int point = 0; point < distances.size(); ++point)
+  {
+    distances(point) = this->Lengths(this->Frames.Place(point));
+  }
+  return distances;
 }
 
 void WindowPropagation::SetGoal(int triangle, const Eigen::RowVector3d& weights)
@@ -123,9 +169,15 @@ void WindowPropagation::AddSeed(int triangle, const Eigen::RowVector3d& weights)
 {
   for (int k = 0; k < 3; ++k)
   {
-    if (weights(k) >= 1.0 - Rounding)
+    const int place = this->Frames.Begin(3 * triangle + k);
+    double weight = 0.0; // of all corners that are at this place
+    for (int other = 0; other < 3; ++other)
     {
-      this->Reach(this->Frames.Begin(3 * triangle + k), 0.0, true);
+      weight += this->Frames.Begin(3 * triangle + other) == place ? weights(other) : 0.0;
+    }
+    if (weight >= 1.0 - Rounding)
+    {
+      this->Reach(place, 0.0, true);
       return;
     }
   }
@@ -147,6 +199,14 @@ void WindowPropagation::AddSeed(int triangle, const Eigen::RowVector3d& weights)
 /// Continuous Dijkstra: the window or point that may give the shortest path is processed first.
 bool WindowPropagation::Run(int steps)
 {
+  this->Steps += steps;
+  if (this->Steps >
+    MinimumOfMaximumSteps + MaximumStepsPerSide * this->Triangulation.Triangles.size())
+  {
+    throw SolveFailure("exact distances need more than " + std::to_string(this->Steps) +
+      " windows, because triangles are too thin for double precision; check for points that are "
+      "far away, or remesh");
+  }
   for (int step = 0; step < steps; ++step)
   {
     // Keys are lower bounds: no later event can give a shorter path.

@@ -15,14 +15,16 @@ namespace shape
 
 /// The half-edges of a surface as coordinate frames in the plane. Half-edge 3 t + k runs from
 /// corner k of triangle t, at the origin, to the next corner, on the x axis. Its triangle lies
-/// above the x axis.
+/// above the x axis. Points that edges of length 0 join are one place, and the first of them stands
+/// for all: a path turns around all of their triangles.
 class HalfEdgeFrames
 {
 public:
   /// surface: a consistently oriented 2-manifold, open or closed.
   explicit HalfEdgeFrames(const Surface& surface);
 
-  int Begin(int side) const { return this->Begins[side]; } ///< start point
+  int Place(int point) const { return this->Places[point]; } ///< the first point of its place
+  int Begin(int side) const { return this->Begins[side]; } ///< start point, the first of its place
   int End(int side) const { return this->Begins[NextHalfEdge(side)]; }
   /// the opposite half-edge, in the adjacent triangle; -1 on the boundary
   int Twin(int side) const { return this->Twins[side]; }
@@ -35,7 +37,7 @@ public:
   const std::vector<int>& HalfEdgesFrom(int point) const { return this->From[point]; }
 
 private:
-  std::vector<int> Begins, Twins;
+  std::vector<int> Places, Begins, Twins;
   std::vector<double> Lengths;
   std::vector<Eigen::Vector2d> Opposites;
   std::vector<double> Angles;
@@ -62,6 +64,8 @@ public:
   void SetGoal(int triangle, const Eigen::RowVector3d& weights);
 
   /// Processes at most `steps` windows and points. Returns whether the computation is complete.
+  /// Throws SolveFailure if there are far more windows than on any surface whose triangles double
+  /// precision resolves.
   bool Run(int steps);
 
   /// Returns the share of the surface's points that have been reached.
@@ -69,7 +73,7 @@ public:
 
   /// Returns the n distances of the points, infinite at points that were not reached. With a goal,
   /// not all points are reached.
-  const Eigen::VectorXd& Distances() const { return this->Lengths; }
+  Eigen::VectorXd Distances() const;
 
   /// Returns the distance of the goal, infinite if there is no path.
   double GoalDistance() const { return this->Goal.Nearest; }
@@ -130,6 +134,7 @@ private:
   std::vector<double> CornerDistances, CornerEntries;
   std::vector<int> ReachedPoints, ReachedCorners; ///< points and corners that have a distance
   std::priority_queue<Event> Queue;
+  long long Steps = 0; ///< processed since the last Clear
   GoalPoint Goal;
 };
 

@@ -299,6 +299,9 @@ PolycubeResult BuildPolycube(
   const Surface& given, const PolycubeOptions& options, const Progress& progress)
 {
   const Surface surface = OrientOutwards(given);
+  RequireOption(options.TargetEdgeLength >= 0.0 && std::isfinite(options.TargetEdgeLength),
+    "TargetEdgeLength", options.TargetEdgeLength,
+    "positive and finite, or 0 for an automatic length");
   PolycubeMapOptions mapOptions;
   mapOptions.CellSize = options.TargetEdgeLength;
   mapOptions.Facing = true;

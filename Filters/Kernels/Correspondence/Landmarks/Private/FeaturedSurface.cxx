@@ -3,6 +3,7 @@
 #include "Correspondence/Landmarks/LandmarkEmbedding.h"
 #include "Correspondence/Landmarks/Private/PersistentMaxima.h"
 #include "Geodesics/EdgeGeodesics.h"
+#include "Geodesics/FarthestPoints.h"
 #include "Geodesics/HeatGeodesics.h"
 #include "Mesh/HalfEdges.h"
 
@@ -58,7 +59,10 @@ FeaturedSurface FindFeatures(
   // Relative to the root of the area.
   constexpr double minimum = 0.02; // persistence; less is noise
   constexpr int fewest = 6;
-  const SampledSurface sampled = SampleSurface(surface, samples, progress.Part(0.0, 0.9));
+  // Candidates may be about equally good, so that the samples decide between them: these do not
+  // depend on the numbers of the points.
+  const SampledSurface sampled =
+    SampleSurface(surface, samples, progress.Part(0.0, 0.9), {}, FindRemotestPoint(surface));
   // Hilaga et al., section 3.1: the integral of geodesic distance, here the mean over area-weighted
   // samples. It is largest at the tips of extremities.
   const Eigen::VectorXd remoteness = sampled.Distances * sampled.Weights;

@@ -6,6 +6,7 @@
 #include "Hex/Polycube/Private/IntegerCharts.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
+#include "Solids/SolidVolume.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -305,15 +306,12 @@ std::vector<char> FindInvertedTriangles(const Mesh& polycube, const Eigen::Vecto
 PolycubeMap FindPolycubeMap(const Surface& surface, double compactness,
   const PolycubeMapOptions& options, const Progress& progress)
 {
-  if (!(compactness > 0.0) || !std::isfinite(compactness))
-  {
-    throw InvalidInput("Compactness must be positive");
-  }
-  if (!(options.CellSize >= 0.0) || !std::isfinite(options.CellSize))
-  {
-    throw InvalidInput("the cell size must be positive, or 0 for an automatic size");
-  }
+  RequireOption(compactness > 0.0 && std::isfinite(compactness), "Compactness", compactness,
+    "positive and finite");
+  RequireOption(options.CellSize >= 0.0 && std::isfinite(options.CellSize), "the cell size",
+    options.CellSize, "positive and finite, or 0 for an automatic size");
   RequireClosedSurface(surface, "the surface");
+  RequireVolume(surface, "the surface");
   // 1. BuildWorkingSolid: a coarse tetrahedralisation, rotated to the axes.
   // 2. AlignWithAxes: the normals are turned towards the axes (Gregson et al. 2011).
   // 3. TryCompactness: labels (PolyCut), flattening and one coordinate for each chart, with repairs
