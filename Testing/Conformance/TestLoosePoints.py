@@ -9,6 +9,8 @@ import shapetesting
 # In these inputs, every point counts, whether or not a cell uses it.
 POINTS_COUNT = {('ShapeDeform', 'Input'), ('ShapeGeodesicDistance', 'Seeds'), ('ShapeMapErrorCurve', 'Truth'),
                 ('ShapeApplyVolumeMap', 'Map'), ('ShapeHarmonicVolumeMap', 'Domain'), ('ShapeDeform', 'Boundary')}
+# Outputs that have a point for each defect, and a loose point is one.
+DEFECTS = {('ShapeSolidify', 1)}
 
 
 def with_loose_point(data):
@@ -58,7 +60,7 @@ for name in filters.names():
     for port in filters.required_ports(filters.new(name)):
         key = name, filters.new(name).GetInputName(port)
         good = filters.good_input(name, port)
-        if key in POINTS_COUNT or good.GetNumberOfCells() == 0:
+        if key in POINTS_COUNT or good.GetNumberOfCells() == 0 or not good.IsA('vtkPointSet'):
             continue
         algorithm = filters.with_good_inputs(name)
         clean = [shapetesting.copy(output) for output in shapetesting.outputs(algorithm)]
@@ -71,5 +73,7 @@ for name in filters.names():
             print(*key, 'refuses', messages[0])
             continue
         for number, output in enumerate(clean):
+            if (name, number) in DEFECTS:
+                continue
             compare('%s, %s, output %d' % (*key, number), output, algorithm.GetOutputDataObject(number))
         print(*key, 'does not count a loose point')

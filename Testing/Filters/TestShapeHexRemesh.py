@@ -316,6 +316,7 @@ assert 'Polycube' in made(torus, polycube=given, Method=2)[2]
 
 # A point that no cell uses does not change the size of the cells.
 loose = shapetesting.copy(ball)
+loose.GetPointData().Initialize()
 shapetesting.set_points(loose, numpy.vstack([points(ball), [9.0, 9.0, 9.0]]))
 solids = [made(surface, Method=2, CellsOnLongestSide=7)[0] for surface in (ball, loose)]
 assert (hexahedra(solids[0]) == hexahedra(solids[1])).all() and (points(solids[0]) == points(solids[1])).all()

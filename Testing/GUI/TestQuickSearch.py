@@ -8,8 +8,9 @@ import shapetesting
 import window
 
 DIALOG = 'QuickLaunchDialog'
-# What a solid without a map can be an input of.
-SOLID = ['Shape Apply Volume Map', 'Shape Boundary Distance', 'Shape Deform', 'Shape Harmonic Volume Map', 'Shape Transfer Fields', 'Shape Untangle']
+# What a solid without a map can be an input of, or a grid of polygons, which has the same type.
+SOLID = ['Shape Apply Volume Map', 'Shape Boundary Distance', 'Shape Deform', 'Shape Harmonic Volume Map',
+         'Shape Solidify', 'Shape Transfer Fields', 'Shape Untangle']
 OF_AN_IMAGE = 'Shape Label Surfaces'
 hints = {}
 for path in glob.glob(os.path.join(shapetesting.ROOT, 'Filters', 'VTK', '*', '*.xml')):

@@ -266,7 +266,10 @@ HolePatch RemeshPatch(const HolePatch& patch, const PatchSizes& sizes,
   const Eigen::Index loop = sizes.Loop.size();
   const Eigen::VectorXd wanted = WantedSizes(patch.Surface, sizes);
   progress(0.2);
-  const Eigen::MatrixXd flat = FlattenConformally(patch.Surface, progress.Part(0.2, 0.4));
+  // Without an area, angles are not defined: the rim lies on a line.
+  const Eigen::MatrixXd flat = HasArea(patch.Surface)
+    ? FlattenConformally(patch.Surface, progress.Part(0.2, 0.4))
+    : patch.Flat;
   Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(patch.Flat.rows(), 3);
   if (loopNormals.rows() > 0)
   {

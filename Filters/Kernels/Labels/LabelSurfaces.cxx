@@ -226,8 +226,8 @@ Mesh SurfaceOf(int label, const LabelSurfacesResult& all)
 LabelSurfacesResult ExtractLabelSurfaces(
   LabelImage image, const LabelSurfacesOptions& options, const Progress& progress)
 {
-  RequireOption(options.Smoothing >= 0.0 && std::isfinite(options.Smoothing), "Smoothing",
-    options.Smoothing, "a finite number of voxels, 0 or more");
+  RequireOption(options.Smoothing >= 0.0 && options.Smoothing <= 40.0, "Smoothing",
+    options.Smoothing, "a number of voxels from 0 to 40");
   RequireOption(
     options.SmallestIsland >= 0, "SmallestIsland", options.SmallestIsland, "0 or more voxels");
   RequireImage(image);

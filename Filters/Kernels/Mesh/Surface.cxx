@@ -46,9 +46,7 @@ void RequireSize(const Surface& surface, const std::string& name)
       name + " has no area, because all its points coincide; check its coordinates");
   }
   RequireExtent(surface, name);
-  // Far above the rounding of points on a line, and far below the area of any sliver in use.
-  constexpr double minimumShare = 1e-14;
-  if (!(surface.AreaVectors().rowwise().norm().maxCoeff() > minimumShare * size * size))
+  if (!HasArea(surface))
   {
     throw InvalidInput(
       name + " has no area, because its points lie on lines; check its coordinates");
@@ -267,6 +265,14 @@ std::vector<Mesh> SplitComponents(const Surface& surface)
       mesh.Triangles(triangles[c], Eigen::all).unaryExpr([&](int i) { return newId[i]; }) });
   }
   return components;
+}
+
+bool HasArea(const Surface& surface)
+{
+  // Far above the rounding of points on a line, and far below the area of any sliver in use.
+  constexpr double minimumShare = 1e-14;
+  const double size = ComputeLongestBoxEdge(surface);
+  return surface.AreaVectors().rowwise().norm().maxCoeff() > minimumShare * size * size;
 }
 
 Topology RequireManifold(const Surface& surface, const std::string& name)

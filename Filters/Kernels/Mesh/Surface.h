@@ -84,6 +84,10 @@ private:
 /// uses, in their original order.
 std::vector<Mesh> SplitComponents(const Surface& surface);
 
+/// Whether a triangle has an area. Points on a line have none: areas below 1e-14 of the squared
+/// longest edge of the box are rounding.
+bool HasArea(const Surface& surface);
+
 /// Throws InvalidInput unless `surface` has triangles and is a consistently oriented 2-manifold,
 /// open or closed. Every coordinate must be finite, and the longest edge of the bounding box must
 /// be between 1e-50 and 1e50. `name` denotes the surface in the message. Returns the topology.
