@@ -37,7 +37,7 @@ struct vtkShapeFillHoles::Kept
 vtkShapeFillHoles::vtkShapeFillHoles()
   : Cache(std::make_unique<Kept>())
 {
-  this->DeclareInput("Input", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareInput("Input", PortData::WholePolygons, PortUse::Required, { "vtkPolyData" });
   this->DeclareOutput("vtkPolyData");
   this->DeclareFacts();
   this->DeclareShown(0, { "Filled" });

@@ -1,0 +1,154 @@
+#include "vtkShapeRepair.h"
+
+#include "vtkShapeConvert.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include "Geometry/SheetRepair.h"
+
+#include <utility>
+
+namespace
+{
+
+std::string Count(int count, const std::string& one, const std::string& several)
+{
+  return std::to_string(count) + " " + (count == 1 ? one : several);
+}
+
+/// "3 edges with three or more triangles (first at point 17), ..."
+std::string Describe(const shape::RepairedSheets& repaired, const std::string& name)
+{
+  std::vector<std::string> parts;
+  const auto first = [](const char* what, int id)
+  { return std::string(" (first ") + what + " " + std::to_string(id) + ")"; };
+  if (repaired.NonManifoldEdges > 0)
+  {
+    parts.push_back(Count(repaired.NonManifoldEdges, "edge", "edges") +
+      " with three or more triangles" + first("at point", repaired.FirstNonManifold));
+  }
+  if (repaired.SplitPoints > 0)
+  {
+    parts.push_back("sheets that touch, separated by " +
+      Count(repaired.SplitPoints, "copy of a point", "copies of points") +
+      first("of point", repaired.FirstSplit));
+  }
+  const std::pair<int, const char*> removed[] = { { repaired.DegenerateTriangles,
+                                                    " without three different positions" },
+    { repaired.DuplicateTriangles, " equal to another" }, { repaired.FinTriangles, " of fins" } };
+  for (const auto& [count, what] : removed)
+  {
+    if (count > 0)
+    {
+      parts.push_back(Count(count, "triangle", "triangles") + what);
+    }
+  }
+  std::string all;
+  for (const std::string& part : parts)
+  {
+    all += (all.empty() ? "" : ", ") + part;
+  }
+  if (repaired.RemovedTriangles() > 0)
+  {
+    all += "; triangles left out: " + std::to_string(repaired.RemovedTriangles()) +
+      first("triangle", repaired.FirstRemoved);
+  }
+  return name + " was repaired for the computation, and its own points and cells are kept. It has " +
+    all + ". Shape Solidify or Clean repairs the surface itself";
+}
+
+/// Builds the repaired surface with the arrays of the given one. cellOf: see
+/// vtkShapeTriangulation::CellOf.
+vtkShapeRepaired Build(
+  vtkPolyData* data, shape::RepairedSheets repaired, const std::vector<int>& cellOf)
+{
+  vtkShapeRepaired result;
+  result.Data = vtkSmartPointer<vtkPolyData>::New();
+  vtkShapeConvert::FromMesh(repaired.Surface, result.Data);
+  result.Data->SetVerts(data->GetVerts());
+  result.Data->SetLines(data->GetLines());
+  result.Data->GetFieldData()->ShallowCopy(data->GetFieldData());
+
+  const auto points = static_cast<vtkIdType>(repaired.Points.size());
+  vtkPointData* ofPoints = result.Data->GetPointData();
+  ofPoints->CopyAllocate(data->GetPointData(), points);
+  for (vtkIdType i = 0; i < points; ++i)
+  {
+    ofPoints->CopyData(data->GetPointData(), repaired.Points[i], i);
+  }
+  // The order of vtkPolyData's cell ids: vertices, lines, polygons.
+  const auto before = static_cast<int>(data->GetNumberOfVerts() + data->GetNumberOfLines());
+  for (int cell = 0; cell < before; ++cell)
+  {
+    result.Cells.push_back(cell);
+  }
+  for (const int triangle : repaired.Triangles)
+  {
+    result.Cells.push_back(before + cellOf[triangle]);
+  }
+  vtkCellData* ofCells = result.Data->GetCellData();
+  ofCells->CopyAllocate(data->GetCellData(), static_cast<vtkIdType>(result.Cells.size()));
+  for (std::size_t cell = 0; cell < result.Cells.size(); ++cell)
+  {
+    ofCells->CopyData(data->GetCellData(), result.Cells[cell], static_cast<vtkIdType>(cell));
+  }
+  result.Points = std::move(repaired.Points);
+  result.Triangles = std::move(repaired.Triangles);
+  result.Places = std::move(repaired.Places);
+  return result;
+}
+
+} // namespace
+
+Eigen::VectorXi vtkShapeRepaired::ToGiven(
+  const std::vector<int>& list, const Eigen::VectorXi& indices)
+{
+  return list.empty() ? indices
+                      : Eigen::VectorXi(indices.unaryExpr(
+                          [&](int index) { return index < 0 ? index : list[index]; }));
+}
+
+vtkShapeRepaired vtkShapeRepair::Apply(vtkPolyData* data, const std::string& name)
+{
+  vtkShapeRepaired result;
+  result.Data = data;
+  if (!data->GetPoints() || data->GetNumberOfPolys() + data->GetNumberOfStrips() == 0)
+  {
+    return result;
+  }
+  const std::array<vtkMTimeType, 3> times = { data->GetPoints()->GetMTime(),
+    data->GetPolys()->GetMTime(), data->GetStrips()->GetMTime() };
+  if (this->SoundPoints == data->GetPoints() && this->SoundPolys == data->GetPolys() &&
+    this->SoundStrips == data->GetStrips() && this->Times == times)
+  {
+    return result;
+  }
+  std::vector<int> cellOf;
+  const shape::Mesh mesh = vtkShapeConvert::ToMesh(data, name, &cellOf);
+  if (!mesh.Points.allFinite())
+  {
+    return result;
+  }
+  shape::RepairedSheets repaired = shape::RepairSheets(mesh);
+  if (!repaired.IsChanged())
+  {
+    this->SoundPoints = data->GetPoints();
+    this->SoundPolys = data->GetPolys();
+    this->SoundStrips = data->GetStrips();
+    this->Times = times;
+    return result;
+  }
+  std::string description = Describe(repaired, name);
+  const int split = repaired.SplitPoints, removed = repaired.RemovedTriangles();
+  result = Build(data, std::move(repaired), cellOf);
+  result.SplitPoints = split;
+  result.RemovedTriangles = removed;
+  result.Description = std::move(description);
+  return result;
+}
