@@ -196,7 +196,16 @@ private:
       }
       this->Add(sides, boundary);
     }
-    boundary.UnclosedSides += static_cast<int>(open.size());
+    this->AddUnclosed(open, boundary);
+  }
+
+  void AddUnclosed(const std::vector<int>& sides, BoundaryLoops& boundary) const
+  {
+    boundary.UnclosedSides += static_cast<int>(sides.size());
+    if (boundary.FirstUnclosed == -1 && !sides.empty())
+    {
+      boundary.FirstUnclosed = this->Begin(sides.front());
+    }
   }
 
   /// Adds half-edges that form a closed loop; both of two duplicated points are part of it.
@@ -215,7 +224,7 @@ private:
     }
     if (positions.size() < 3)
     {
-      boundary.UnclosedSides += static_cast<int>(sides.size());
+      this->AddUnclosed(sides, boundary);
       return;
     }
     std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());

@@ -17,50 +17,36 @@
 namespace
 {
 
-std::string Count(int count, const std::string& one, const std::string& several)
+std::string Count(int count, const char* one, const char* several)
 {
   return std::to_string(count) + " " + (count == 1 ? one : several);
 }
 
-/// "3 edges with three or more triangles (first at point 17), ..."
 std::string Describe(const shape::RepairedSheets& repaired, const std::string& name)
 {
   std::vector<std::string> parts;
-  const auto first = [](const char* what, int id)
-  { return std::string(" (first ") + what + " " + std::to_string(id) + ")"; };
   if (repaired.NonManifoldEdges > 0)
   {
     parts.push_back(Count(repaired.NonManifoldEdges, "edge", "edges") +
-      " with three or more triangles" + first("at point", repaired.FirstNonManifold));
+      " with three or more triangles (first at point " +
+      std::to_string(repaired.FirstNonManifold) + ")");
   }
   if (repaired.SplitPoints > 0)
   {
-    parts.push_back("sheets that touch, separated by " +
-      Count(repaired.SplitPoints, "copy of a point", "copies of points") +
-      first("of point", repaired.FirstSplit));
+    parts.push_back(Count(repaired.SplitPoints, "copy of a point", "copies of points") +
+      " added (first of " + std::to_string(repaired.FirstSplit) + ")");
   }
-  const std::pair<int, const char*> removed[] = { { repaired.DegenerateTriangles,
-                                                    " without three different positions" },
-    { repaired.DuplicateTriangles, " equal to another" }, { repaired.FinTriangles, " of fins" } };
-  for (const auto& [count, what] : removed)
+  if (repaired.RemovedTriangles() > 0)
   {
-    if (count > 0)
-    {
-      parts.push_back(Count(count, "triangle", "triangles") + what);
-    }
+    parts.push_back(Count(repaired.RemovedTriangles(), "triangle", "triangles") +
+      " left out (first " + std::to_string(repaired.FirstRemoved) + ")");
   }
   std::string all;
   for (const std::string& part : parts)
   {
     all += (all.empty() ? "" : ", ") + part;
   }
-  if (repaired.RemovedTriangles() > 0)
-  {
-    all += "; triangles left out: " + std::to_string(repaired.RemovedTriangles()) +
-      first("triangle", repaired.FirstRemoved);
-  }
-  return name + " was repaired for the computation, and its own points and cells are kept. It has " +
-    all + ". Shape Solidify or Clean repairs the surface itself";
+  return name + " was repaired to compute: " + all + "; Shape Solidify or Clean repairs the data";
 }
 
 /// Builds the repaired surface with the arrays of the given one. cellOf: see

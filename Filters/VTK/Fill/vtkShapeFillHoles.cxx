@@ -192,6 +192,13 @@ void vtkShapeFillHoles::Execute(const shape::Progress& progress)
       " copies of points were added where sheets of the surface touch: each sheet has its own now; "
       "see Split Sheets");
   }
+  if (kept.Border.UnclosedSides > 0)
+  {
+    this->Warn(std::to_string(kept.Border.UnclosedSides) +
+      " boundary edges are in no closed loop and stay open (first at point " +
+      std::to_string(kept.Border.FirstUnclosed) +
+      "); repair the surface with Shape Solidify, or remove the triangles there");
+  }
   progress(0.95);
   const bool areCurves = kept.Surface.Surface.Triangles.rows() == 0;
   const std::pair<const char*, double> facts[] = {

@@ -76,6 +76,12 @@ void vtkShapeGeodesicDistance::Execute(const shape::Progress& progress)
   const shape::GeodesicDistanceResult result =
     shape::ComputeGeodesicDistance(*this->Cache->Mesh, this->FindSeeds(), this->Options, progress);
 
+  if (result.Unreached > 0)
+  {
+    this->Warn(std::to_string(result.Unreached) +
+      " points are connected to no seed: their GeodesicDistance is -1; add a seed on each component, "
+      "or remove them with Connectivity");
+  }
   vtkDataObject* output = this->GetOutputDataObject(0);
   vtkShapeComposite::AddPointFields(this->GetInputDataObject(0, 0), output,
     { { "GeodesicDistance", vtkShapeConvert::Rows(result.Distances, whole.OwnPoints) } });
