@@ -54,7 +54,14 @@ Eigen::VectorXd Distances(
 GeodesicDistanceResult ComputeGeodesicDistance(const Surface& surface, const Eigen::MatrixXd& seeds,
   const GeodesicDistanceOptions& options, const Progress& progress)
 {
-  RequireManifold(surface, "the surface");
+  if (options.Method == MethodType::Exact)
+  {
+    RequireManifold(surface, "the surface");
+  }
+  else
+  {
+    RequireTriangles(surface, "the surface");
+  }
   RequireFinite(seeds, "the Seeds");
   if (seeds.rows() == 0)
   {

@@ -366,7 +366,7 @@ void SplitFans(const SheetSeparation& sheets, RepairedSheets& repaired)
 
 } // namespace
 
-RepairedSheets RepairSheets(const Mesh& mesh)
+RepairedSheets RepairSheets(const Mesh& mesh, const SheetRepairOptions& options)
 {
   RepairedSheets repaired;
   repaired.Points.resize(mesh.Points.rows());
@@ -393,7 +393,14 @@ RepairedSheets RepairSheets(const Mesh& mesh)
       sheets = std::make_unique<SheetSeparation>(repaired.Surface, sorted);
     }
   }
-  SplitFans(*sheets, repaired);
+  if (options.Separate)
+  {
+    SplitFans(*sheets, repaired);
+  }
+  else
+  {
+    repaired.SharedEdges = static_cast<int>(sheets->NonManifold.size());
+  }
   repaired.Surface.Points = mesh.Points(repaired.Points, Eigen::all);
   return repaired;
 }

@@ -7,7 +7,14 @@
 namespace shape
 {
 
-/// A surface that is a manifold except for its orientation. Unless a sheet is left out, it has the
+struct SheetRepairOptions
+{
+  /// Whether steps 2 and 4 separate sheets. Otherwise they stay connected, for a computation that
+  /// needs no manifold.
+  bool Separate = true;
+};
+
+/// A surface that is a manifold except for its orientation, if sheets are separated. Unless a sheet is left out, it has the
 /// shape of the given one.
 struct RepairedSheets
 {
@@ -19,8 +26,9 @@ struct RepairedSheets
   /// an edge without length, it is the first of them.
   std::vector<int> Places;
 
-  int NonManifoldEdges = 0;    ///< edges with three or more triangles where sheets were separated
+  int NonManifoldEdges = 0;    ///< edges with three or more triangles
   int FirstNonManifold = -1;   ///< a point of the first of them, or -1
+  int SharedEdges = 0;         ///< such edges that remain, because sheets are not separated
   int SplitPoints = 0;         ///< copies of points
   int FirstSplit = -1;         ///< the first point that was copied, or -1
   int JoinedPoints = 0;        ///< ends of edges without length that another end replaces
@@ -56,6 +64,6 @@ struct RepairedSheets
  *
  * mesh: indices must be in range, and points finite where triangles use them.
  */
-RepairedSheets RepairSheets(const Mesh& mesh);
+RepairedSheets RepairSheets(const Mesh& mesh, const SheetRepairOptions& options = {});
 
 } // namespace shape

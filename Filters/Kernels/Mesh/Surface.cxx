@@ -269,6 +269,11 @@ std::vector<Mesh> SplitComponents(const Surface& surface)
   return components;
 }
 
+Topology RequireTriangles(const Surface& surface, const std::string& name)
+{
+  return TopologyOfSound(surface, name, "a surface");
+}
+
 Topology RequireManifold(const Surface& surface, const std::string& name)
 {
   const Topology& topology = TopologyOfSound(surface, name, "a surface");

@@ -264,11 +264,12 @@ void vtkShapeAlgorithm::GatherInput(int port, int connection)
   }
 }
 
-void vtkShapeAlgorithm::RepairInput(int port, int connection)
+void vtkShapeAlgorithm::RepairInput(int port, int connection, bool separate)
 {
   GatheredInput& whole = this->GatheredInputs[port][connection];
   vtkShapeRepaired repaired =
-    this->Repairs[{ port, connection }].Apply(whole.Data, "the input '" + this->GetInputName(port) + "'");
+    this->Repairs[{ port, connection }].Apply(
+      whole.Data, "the input '" + this->GetInputName(port) + "'", separate);
   if (repaired.Description.empty())
   {
     return;
@@ -278,7 +279,7 @@ void vtkShapeAlgorithm::RepairInput(int port, int connection)
   this->RemovedTriangles += repaired.RemovedTriangles;
   for (int& point : whole.OwnPoints)
   {
-    point = repaired.Places[point];
+    point = repaired.Places.empty() ? point : repaired.Places[point];
   }
   whole.Data = repaired.Data;
   whole.GivenPoints = std::move(repaired.Points);

@@ -46,6 +46,11 @@ std::string Describe(const shape::RepairedSheets& repaired, const std::string& n
   {
     all += (all.empty() ? "" : ", ") + part;
   }
+  if (!repaired.IsChanged())
+  {
+    return name + " has " + all +
+      ": sheets are connected there as by a covering surface; Shape Solidify repairs the data";
+  }
   return name + " was repaired to compute: " + all + "; Shape Solidify or Clean repairs the data";
 }
 
@@ -100,7 +105,8 @@ Eigen::VectorXi vtkShapeRepaired::ToGiven(
                           [&](int index) { return index < 0 ? index : list[index]; }));
 }
 
-vtkShapeRepaired vtkShapeRepair::Apply(vtkPolyData* data, const std::string& name)
+vtkShapeRepaired vtkShapeRepair::Apply(
+  vtkPolyData* data, const std::string& name, bool separate)
 {
   vtkShapeRepaired result;
   result.Data = data;
@@ -111,7 +117,8 @@ vtkShapeRepaired vtkShapeRepair::Apply(vtkPolyData* data, const std::string& nam
   const std::array<vtkMTimeType, 3> times = { data->GetPoints()->GetMTime(),
     data->GetPolys()->GetMTime(), data->GetStrips()->GetMTime() };
   if (this->SoundPoints == data->GetPoints() && this->SoundPolys == data->GetPolys() &&
-    this->SoundStrips == data->GetStrips() && this->Times == times)
+    this->SoundStrips == data->GetStrips() && this->Times == times &&
+    this->IsSeparated == separate)
   {
     return result;
   }
@@ -121,9 +128,10 @@ vtkShapeRepaired vtkShapeRepair::Apply(vtkPolyData* data, const std::string& nam
   {
     return result;
   }
-  shape::RepairedSheets repaired = shape::RepairSheets(mesh);
-  if (!repaired.IsChanged())
+  shape::RepairedSheets repaired = shape::RepairSheets(mesh, { separate });
+  if (!repaired.IsChanged() && repaired.SharedEdges == 0)
   {
+    this->IsSeparated = separate;
     this->SoundPoints = data->GetPoints();
     this->SoundPolys = data->GetPolys();
     this->SoundStrips = data->GetStrips();
@@ -132,7 +140,10 @@ vtkShapeRepaired vtkShapeRepair::Apply(vtkPolyData* data, const std::string& nam
   }
   std::string description = Describe(repaired, name);
   const int split = repaired.SplitPoints, removed = repaired.RemovedTriangles();
-  result = Build(data, std::move(repaired), cellOf);
+  if (repaired.IsChanged())
+  {
+    result = Build(data, std::move(repaired), cellOf);
+  }
   result.SplitPoints = split;
   result.RemovedTriangles = removed;
   result.Description = std::move(description);

@@ -39,10 +39,12 @@ public:
   /// name: denotes the surface in texts. Surfaces without polygons, and with coordinates that are
   /// not finite, are returned as they are. Throws shape::InvalidInput if a polygon cannot be
   /// triangulated.
-  vtkShapeRepaired Apply(vtkPolyData* data, const std::string& name);
+  /// separate: see shape::SheetRepairOptions.
+  vtkShapeRepaired Apply(vtkPolyData* data, const std::string& name, bool separate);
 
 private:
   vtkSmartPointer<vtkPoints> SoundPoints;
   vtkSmartPointer<vtkCellArray> SoundPolys, SoundStrips;
   std::array<vtkMTimeType, 3> Times{};
+  bool IsSeparated = false;
 };

@@ -18,12 +18,13 @@ struct vtkShapeGeodesicDistance::Kept
 {
   vtkShapeSeenInput Input;
   std::unique_ptr<shape::Surface> Mesh;
+  bool IsSeparated = false; ///< see RepairInput
 };
 
 vtkShapeGeodesicDistance::vtkShapeGeodesicDistance()
   : Cache(std::make_unique<Kept>())
 {
-  this->DeclareInput("Input", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareInput("Input", PortData::WholePolygons, PortUse::Required, { "vtkPolyData" });
   this->DeclareInput("Seeds", PortData::WholeGrid, PortUse::Optional, { "vtkDataSet" });
   this->DeclareOutputLikeInput();
   this->DeclareFacts();
@@ -66,9 +67,14 @@ Eigen::MatrixXd vtkShapeGeodesicDistance::FindSeeds()
 
 void vtkShapeGeodesicDistance::Execute(const shape::Progress& progress)
 {
+  const bool isSeparated =
+    this->Options.Method == shape::GeodesicDistanceOptions::MethodType::Exact;
+  this->RepairInput(0, 0, isSeparated);
   const GatheredInput& whole = this->GetGatheredInput(0);
-  if (this->Cache->Input.IsNew(*this, 0, whole.Data) || !this->Cache->Mesh)
+  if (this->Cache->Input.IsNew(*this, 0, whole.Data) || !this->Cache->Mesh ||
+    this->Cache->IsSeparated != isSeparated)
   {
+    this->Cache->IsSeparated = isSeparated;
     this->Cache->Mesh.reset(); // an error below must not leave the last surface
     this->Cache->Mesh =
       std::make_unique<shape::Surface>(vtkShapeConvert::ToMesh(whole.Data, "the surface"));

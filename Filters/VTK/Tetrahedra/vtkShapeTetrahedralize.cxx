@@ -100,7 +100,7 @@ void vtkShapeTetrahedralize::Execute(const shape::Progress& progress)
   // A surface with Regions has edges with three triangles where regions meet.
   if (!this->GetGatheredInput(0).Data->GetCellData()->HasArray("Regions"))
   {
-    this->RepairInput(0, 0);
+    this->RepairInput(0);
   }
   // Every process has the complete input, and one of them computes the result.
   if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
