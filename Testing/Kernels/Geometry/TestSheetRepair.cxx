@@ -1,5 +1,6 @@
 #include "Geometry/SheetRepair.h"
 
+#include "Mesh/CoincidentPoints.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Support/SimpleSurfaces.h"
@@ -9,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 #include <vector>
 
 namespace
@@ -27,6 +30,14 @@ void AddTriangle(shape::Mesh& mesh, int a, int b, int c)
 {
   mesh.Triangles.conservativeResize(mesh.Triangles.rows() + 1, 3);
   mesh.Triangles.bottomRows(1) << a, b, c;
+}
+
+/// The mesh with the first of several points at one position in place of the others.
+shape::Mesh MergePoints(shape::Mesh mesh)
+{
+  const std::vector<int> first = shape::FindCoincidentPoints(mesh.Points);
+  mesh.Triangles = mesh.Triangles.unaryExpr([&](int point) { return first[point]; }).eval();
+  return mesh;
 }
 
 /// The result must be the surface alone, over the same points.
@@ -147,19 +158,7 @@ TEST(SheetRepair, SolidsThatShareAnEdgeAreSeparated)
 {
   const shape::Mesh one = shapetest::Box({ 0, 0, 0 }, { 1, 1, 1 });
   const shape::Mesh other = shapetest::Box({ 1, 1, 0 }, { 2, 3, 1 });
-  const shape::Mesh apart = shapetest::Joined({ one, other });
-  shape::Mesh mesh = apart;
-  for (int i = 0; i < mesh.Points.rows(); ++i)
-  {
-    for (int j = 0; j < i; ++j)
-    {
-      if (mesh.Points.row(i) == mesh.Points.row(j))
-      {
-        mesh.Triangles =
-          mesh.Triangles.unaryExpr([&](int point) { return point == i ? j : point; }).eval();
-      }
-    }
-  }
+  const shape::Mesh mesh = MergePoints(shapetest::Joined({ one, other }));
   ASSERT_EQ(shape::ComputeTopology(mesh).NonManifoldEdges, 1);
   const shape::RepairedSheets repaired = shape::RepairSheets(mesh);
   EXPECT_EQ(repaired.SplitPoints, 2);
@@ -196,33 +195,41 @@ TEST(SheetRepair, ASurfaceThatTouchesItselfIsSplit)
   EXPECT_EQ(shape::RequireClosedSurface(repaired.Surface, "the torus").EulerNumber, 0);
 }
 
-// One sheet meets itself at the edge, and the solid's wedges decide which triangles stay connected.
+// A chain of five cubes whose ends touch along an edge: one sheet meets itself there, and the wedges
+// of the solid decide which triangles stay connected.
 TEST(SheetRepair, ASolidThatTouchesItselfAlongAnEdgeIsSeparatedOutside)
 {
-  // The outline of a C whose two ends touch at the position (1, 1).
-  const std::vector<Eigen::RowVector2d> outline = { { 0, 0 }, { 3, 0 }, { 3, 2 }, { 1, 1 },
-    { 2, 0.5 }, { 0.5, 0.5 }, { 0.5, 2.0 }, { 1, 1 }, { 1.5, 3.0 }, { 0, 3 } };
-  const shape::Mesh apart = shapetest::Prism(outline);
-  shape::Mesh mesh = apart;
-  for (int i = 0; i < mesh.Points.rows(); ++i)
+  std::vector<shape::Mesh> cubes;
+  for (const RowVector3d& low : { RowVector3d(0, 0, 0), RowVector3d(0, 0, 1), RowVector3d(1, 0, 1),
+         RowVector3d(1, 1, 1), RowVector3d(1, 1, 0) })
   {
-    for (int j = 0; j < i; ++j)
+    cubes.push_back(shapetest::Box(low, low + RowVector3d::Ones()));
+  }
+  shape::Mesh mesh = MergePoints(shapetest::Joined(cubes));
+  // Walls between cubes are two triangles on the same points.
+  std::map<std::set<int>, std::vector<int>> sides;
+  for (int t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    const auto corners = mesh.Triangles.row(t);
+    sides[{ corners(0), corners(1), corners(2) }].push_back(t);
+  }
+  std::vector<int> outer;
+  for (const auto& [corners, triangles] : sides)
+  {
+    if (triangles.size() == 1)
     {
-      if (mesh.Points.row(i) == mesh.Points.row(j))
-      {
-        mesh.Triangles =
-          mesh.Triangles.unaryExpr([&](int point) { return point == i ? j : point; }).eval();
-      }
+      outer.push_back(triangles.front());
     }
   }
+  mesh.Triangles = mesh.Triangles(outer, Eigen::all).eval();
+  ASSERT_EQ(outer.size(), 5 * 12 - 4 * 4);
   ASSERT_EQ(shape::ComputeTopology(mesh).NonManifoldEdges, 1);
   const shape::RepairedSheets repaired = shape::RepairSheets(mesh);
-  EXPECT_EQ(repaired.SplitPoints, 2);
+  EXPECT_EQ(repaired.SplitPoints, 1);
   const shape::Topology topology = shape::RequireClosedSurface(repaired.Surface, "the solid");
   EXPECT_EQ(topology.Components, 1);
-  EXPECT_EQ(topology.EulerNumber, shape::ComputeTopology(apart).EulerNumber);
-  EXPECT_NEAR(
-    shape::ComputeEnclosedVolume(repaired.Surface), shape::ComputeEnclosedVolume(apart), 1e-12);
+  EXPECT_EQ(topology.EulerNumber, 2);
+  EXPECT_NEAR(shape::ComputeEnclosedVolume(repaired.Surface), 5.0, 1e-14);
 }
 
 // A wall across a sphere is no fin: it is larger than 1%. The hemispheres stay connected.
@@ -243,7 +250,7 @@ TEST(SheetRepair, AWallIsSeparated)
   mesh.Triangles = parts.Triangles
                      .unaryExpr(
                        [&](int point)
-                       { return boundary(parts.Points.row(point % n)) && point >= n &&
+                       { return boundary(disk.Points.row(point % n)) && point >= n &&
                            std::abs(parts.Points(point, 2)) < 1e-9
                            ? point % n
                            : point; })
