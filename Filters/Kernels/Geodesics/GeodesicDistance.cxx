@@ -4,6 +4,7 @@
 #include "Geodesics/EdgeGeodesics.h"
 #include "Geodesics/ExactGeodesics.h"
 #include "Geodesics/HeatGeodesics.h"
+#include "Mesh/SoundTriangles.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 

@@ -196,16 +196,7 @@ private:
       }
       this->Add(sides, boundary);
     }
-    this->AddUnclosed(open, boundary);
-  }
-
-  void AddUnclosed(const std::vector<int>& sides, BoundaryLoops& boundary) const
-  {
-    boundary.UnclosedSides += static_cast<int>(sides.size());
-    if (boundary.FirstUnclosed == -1 && !sides.empty())
-    {
-      boundary.FirstUnclosed = this->Begin(sides.front());
-    }
+    boundary.UnclosedSides += static_cast<int>(open.size());
   }
 
   /// Adds half-edges that form a closed loop; both of two duplicated points are part of it.
@@ -224,7 +215,7 @@ private:
     }
     if (positions.size() < 3)
     {
-      this->AddUnclosed(sides, boundary);
+      boundary.UnclosedSides += static_cast<int>(sides.size());
       return;
     }
     std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());

@@ -16,7 +16,6 @@ struct BoundaryLoops
   /// comes first; loops of equal length are ordered by their first points.
   std::vector<std::vector<int>> Loops;
   int UnclosedSides = 0; ///< number of boundary edges that belong to no closed loop
-  int FirstUnclosed = -1; ///< a point of the first of them, or -1
 };
 
 /**

@@ -3,6 +3,7 @@
 #include "Base/DisjointSets.h"
 #include "Base/Errors.h"
 #include "Mesh/Extent.h"
+#include "Mesh/SoundTriangles.h"
 
 #include <mutex>
 

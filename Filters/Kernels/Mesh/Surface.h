@@ -84,11 +84,6 @@ private:
 /// uses, in their original order.
 std::vector<Mesh> SplitComponents(const Surface& surface);
 
-/// Throws InvalidInput unless `surface` has triangles, each with three different points. Every
-/// coordinate must be finite, and the longest edge of the bounding box must be between 1e-50 and
-/// 1e50. `name` denotes the surface in the message. Returns the topology.
-Topology RequireTriangles(const Surface& surface, const std::string& name);
-
 /// Throws InvalidInput unless `surface` has triangles and is a consistently oriented 2-manifold,
 /// open or closed. Every coordinate must be finite, and the longest edge of the bounding box must
 /// be between 1e-50 and 1e50. `name` denotes the surface in the message. Returns the topology.

@@ -5,6 +5,7 @@
 #include "Linear/BlockLanczos.h"
 #include "Linear/SparseSolve.h"
 #include "Linear/SymmetricEigen.h"
+#include "Mesh/SoundTriangles.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 

@@ -129,6 +129,10 @@ vtkShapeRepaired vtkShapeRepair::Apply(
     return result;
   }
   shape::RepairedSheets repaired = shape::RepairSheets(mesh, { separate });
+  if (repaired.Triangles.empty())
+  {
+    return result; // nothing would be left: the kernel says why
+  }
   if (!repaired.IsChanged() && repaired.SharedEdges == 0)
   {
     this->IsSeparated = separate;
