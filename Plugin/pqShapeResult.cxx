@@ -190,9 +190,10 @@ void pqShapeResult::Update()
   pqPipelineSource* filter = pqActiveObjects::instance().activeSource();
   vtkPVXMLElement* hints = filter ? filter->getProxy()->GetHints() : nullptr;
   vtkPVXMLElement* result = hints ? hints->FindNestedElementByName("Result") : nullptr;
-  const bool there = result && filter->modifiedState() != pqProxy::UNINITIALIZED &&
+  const bool there = filter && filter->modifiedState() != pqProxy::UNINITIALIZED &&
     std::strncmp(filter->getProxy()->GetXMLName(), "Shape", 5) == 0 &&
-    !pqShapeFacts::GetNames(filter->getProxy()).empty();
+    (result ? !pqShapeFacts::GetNames(filter->getProxy()).empty()
+            : !pqShapeFacts::GetText(filter->getProxy(), "Warning").empty());
   if (!there || (!this->Frame && !this->MakeFrame()))
   {
     if (this->Frame)
@@ -202,7 +203,7 @@ void pqShapeResult::Update()
     return;
   }
   QStringList lines, warnings;
-  for (unsigned int i = 0; i < result->GetNumberOfNestedElements(); ++i)
+  for (unsigned int i = 0; result && i < result->GetNumberOfNestedElements(); ++i)
   {
     vtkPVXMLElement* element = result->GetNestedElement(i);
     const bool isWarning = std::strcmp(element->GetName(), "Warning") == 0;
@@ -212,6 +213,9 @@ void pqShapeResult::Update()
       (isWarning ? warnings : lines) << line;
     }
   }
+  // What the filter itself said.
+  warnings << GetValue(filter->getProxy(), "Warning");
+  warnings.removeAll(QString());
   lines.removeAll(QString());
   this->Lines->setText(lines.join('\n'));
   this->Warnings->setText(warnings.join('\n'));

@@ -140,6 +140,20 @@ applied.SetInputDataObject(0, shapetesting.copy(back.GetOutputDataObject(0)))
 assert not shapetesting.run(applied)
 assert abs(points(applied.GetOutputDataObject(0)) - points(carried)).max() < 1e-10
 
+# A charge set in pieces, which share points, is the same map.
+charges_file = os.path.join(folder, 'charges.vtp')
+if processes == 1:
+    shapetesting.write(volume.GetOutputDataObject(1), charges_file)
+charges = shapetesting.read(charges_file)
+mine = [cell for cell in range(charges.GetNumberOfCells()) if cell % processes == rank]
+others = [cell for cell in range(charges.GetNumberOfCells()) if cell % processes != rank]
+applied.SetInputDataObject(0, ball)
+applied.SetInputDataObject(1, shapetesting.without_cells(charges, others) if rank == 0 else
+                           shapetesting.with_cells(charges, mine))
+assert not shapetesting.run(applied)
+assert abs(points(applied.GetOutputDataObject(0)) - points(carried)).max() < 1e-12
+applied.SetInputConnection(1, volume.GetOutputPort(1))
+
 # The quality of maps of pieces is that of the whole.
 facts = []
 for data in (mapped, flat, piece(read('TwistedBarSmall.vtu'))):
@@ -179,6 +193,11 @@ for algorithm, names in ((applied, ['ApplyVolumeMap.OutsidePoints']), (back, [
         'TransferFields.OutsidePoints'])):
     assert not shapetesting.run(algorithm)
     counts += [shapetesting.fact(algorithm.GetOutputDataObject(0), name) for name in names]
+
+# Points that two processes share count once.
+transfer.SetInputDataObject(0, receiver)
+assert not shapetesting.run(transfer)
+counts.append(shapetesting.fact(transfer.GetOutputDataObject(0), 'TransferFields.OutsidePoints'))
 
 # Curves stay curves when they are gathered: some of them on each process, their targets on one.
 def curves(mine):
@@ -225,6 +244,8 @@ if rank == 0:
     counts += [shapetesting.fact(untangled, 'Untangle.Inverted' + when)
                for when in ('Before', 'After')]
     assert counts[-2] > 0 == counts[-1], counts[-2:]
+    # Where pieces touch, their points are one: the cells are connected.
+    assert untangled.GetNumberOfPoints() == tangled.GetNumberOfPoints()
 else:
     counts += [numpy.load(os.path.join(folder, 'truth.npz'))['counts'][k] for k in (-2, -1)]
 
@@ -266,6 +287,13 @@ else:
     alone.SetInputDataObject(read('DentedSphere600.vtp') if rank == 1 else vtkPolyData())
     assert not shapetesting.run(alone)
     assert alone.GetOutputDataObject(0).GetNumberOfPoints() == (642 if rank == 1 else 0)
+
+    # A process without a connection stops all of them.
+    alone = shapemap.vtkShapeParameterize()
+    if rank == 1:
+        alone.SetInputDataObject(read('DentedSphere600.vtp'))
+    messages = shapetesting.run(alone)
+    assert any('Input has 0 connections on one process and 1 on another' in m for m in messages), messages
 
     # An empty piece may lack the arrays that the others have.
     for algorithm in (shapemap.vtkShapeMorph(), shapemap.vtkShapeTransferFields()):

@@ -4,6 +4,7 @@
 #include "Geodesics/EdgeGeodesics.h"
 #include "Geodesics/ExactGeodesics.h"
 #include "Geodesics/HeatGeodesics.h"
+#include "Mesh/SoundTriangles.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 
@@ -54,7 +55,14 @@ Eigen::VectorXd Distances(
 GeodesicDistanceResult ComputeGeodesicDistance(const Surface& surface, const Eigen::MatrixXd& seeds,
   const GeodesicDistanceOptions& options, const Progress& progress)
 {
-  RequireManifold(surface, "the surface");
+  if (options.Method == MethodType::Exact)
+  {
+    RequireManifold(surface, "the surface");
+  }
+  else
+  {
+    RequireTriangles(surface, "the surface");
+  }
   RequireFinite(seeds, "the Seeds");
   if (seeds.rows() == 0)
   {

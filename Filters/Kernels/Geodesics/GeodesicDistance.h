@@ -29,7 +29,7 @@ struct GeodesicDistanceResult
 /**
  * Computes, for each point of a surface, the distance along the surface to the nearest of `seeds`.
  *
- * surface: a 2-manifold, open or closed. seeds: k x 3 positions, at least one; each is projected to
+ * surface: triangles (RequireTriangles), or a 2-manifold for Exact. seeds: k x 3 positions, at least one; each is projected to
  * the closest position on the surface. Throws InvalidInput if the surface is not a 2-manifold, a
  * coordinate is not finite or there is no seed; SolveFailure, Aborted.
  */

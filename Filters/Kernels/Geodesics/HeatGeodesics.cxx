@@ -18,18 +18,21 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// Returns 1 inside, 0 on the boundary.
+/// Returns 1 inside, 0 at the ends of edges with one triangle.
 Eigen::VectorXd InsideOf(const Surface& surface)
 {
   Eigen::VectorXd inside = Eigen::VectorXd::Ones(surface.Points().rows());
-  const Eigen::MatrixXi& triangles = surface.Triangles();
-  const std::vector<int>& twins = surface.Twins();
-  for (int side = 0; side < static_cast<int>(twins.size()); ++side)
+  const std::vector<HalfEdge>& sorted = surface.HalfEdges();
+  const auto areSame = [&](std::size_t i, std::size_t j)
+  { return sorted[i].Low() == sorted[j].Low() && sorted[i].High() == sorted[j].High(); };
+  for (std::size_t i = 0; i < sorted.size(); ++i)
   {
-    if (twins[side] < 0)
+    const bool isShared =
+      (i > 0 && areSame(i, i - 1)) || (i + 1 < sorted.size() && areSame(i, i + 1));
+    if (!isShared)
     {
-      inside(triangles(side / 3, side % 3)) = 0.0;
-      inside(triangles(side / 3, NextHalfEdge(side) % 3)) = 0.0;
+      inside(sorted[i].Begin) = 0.0;
+      inside(sorted[i].End) = 0.0;
     }
   }
   return inside;
@@ -133,7 +136,7 @@ Eigen::VectorXd HeatGeodesics::Divergence(const Eigen::VectorXd& heat) const
     {
       // Far from the seeds the square of the heat would underflow.
       const double u = across / largest, v = along / largest;
-      const double half = 0.5 / std::sqrt(u * u + v * v);
+      const double half = 0.5 / (this->Laplacian->Copies * std::sqrt(u * u + v * v));
       divergence(p) += half * (y * u + (c - x) * v);
       divergence(q) -= half * (y * u - x * v);
       divergence(r) -= half * (c * v);

@@ -29,7 +29,8 @@ namespace shape
 class HeatGeodesics
 {
 public:
-  /// surface: a consistently oriented 2-manifold, open or closed. Throws SolveFailure, Aborted.
+  /// surface: triangles; if they are no oriented manifold, the tufted cover is used
+  /// (GetIntrinsicLaplacian). Throws SolveFailure, Aborted.
   explicit HeatGeodesics(const Surface& surface, const Progress& progress = {});
 
   /// Returns the n distances of the surface's points from the nearest seed, in the model's units.

@@ -1,6 +1,7 @@
 #include "Laplacian/IntrinsicDelaunay.h"
 
 #include "Base/Errors.h"
+#include "Laplacian/TuftedCover.h"
 #include "Mesh/HalfEdges.h"
 
 #include <algorithm>
@@ -24,21 +25,20 @@ constexpr int None = -1;
 class Flipper
 {
 public:
-  explicit Flipper(const Surface& surface)
-    : Begins(surface.Triangles().size())
-    , Twins(surface.Twins())
-    , Lengths(surface.Triangles().size())
+  Flipper(const GluedTriangles& glued, const Eigen::MatrixXd& points)
+    : Begins(glued.Triangles.size())
+    , Twins(glued.Twins)
+    , Lengths(glued.Triangles.size())
   {
-    const Mesh& mesh = surface;
-    for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+    const Eigen::MatrixXi& triangles = glued.Triangles;
+    for (Eigen::Index t = 0; t < triangles.rows(); ++t)
     {
       for (int k = 0; k < 3; ++k)
       {
         const std::size_t side = 3 * t + k;
-        this->Begins[side] = mesh.Triangles(t, k);
+        this->Begins[side] = triangles(t, k);
         this->Lengths[side] =
-          (mesh.Points.row(mesh.Triangles(t, (k + 1) % 3)) - mesh.Points.row(mesh.Triangles(t, k)))
-            .norm();
+          (points.row(triangles(t, (k + 1) % 3)) - points.row(triangles(t, k))).norm();
       }
     }
     this->Mollify();
@@ -215,7 +215,10 @@ private:
 
 IntrinsicTriangles BuildIntrinsicDelaunay(const Surface& surface)
 {
-  Flipper flipper(surface);
+  const bool isManifold = AreEdgesManifold(surface.HalfEdges());
+  Flipper flipper(isManifold ? GluedTriangles{ surface.Triangles(), surface.Twins() }
+                             : BuildTuftedCover(surface),
+    surface.Points());
   flipper.FlipAll();
   return flipper.Triangles();
 }
@@ -230,8 +233,11 @@ std::shared_ptr<const IntrinsicLaplacian> GetIntrinsicLaplacian(const Surface& s
       laplacian.Flat = BuildIntrinsicDelaunay(surface);
       laplacian.Angles = ComputeAnglesFromLengths(laplacian.Flat.Sides);
       const Eigen::MatrixXi& triangles = laplacian.Flat.Triangles;
-      laplacian.Stiffness = BuildCotangentStiffness(triangles, laplacian.Angles.Cotangents, points);
-      laplacian.Masses = ComputeLumpedMasses(triangles, laplacian.Angles.Areas, points);
+      laplacian.Copies = triangles.rows() == surface.Triangles().rows() ? 1 : 2;
+      laplacian.Stiffness =
+        BuildCotangentStiffness(triangles, laplacian.Angles.Cotangents, points) / laplacian.Copies;
+      laplacian.Masses =
+        ComputeLumpedMasses(triangles, laplacian.Angles.Areas, points) / laplacian.Copies;
       return laplacian;
     });
 }

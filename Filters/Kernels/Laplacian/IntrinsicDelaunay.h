@@ -31,8 +31,10 @@ struct IntrinsicTriangles
  * 4.5. Then edges that are not Delaunay are flipped until none is left (section 3.1). Boundary
  * edges are kept.
  *
- * surface: a consistently oriented 2-manifold, open or closed (RequireManifold). Throws
- * SolveFailure if the flips do not end.
+ * If an edge has three or more triangles, or two triangles with the same direction, the triangles
+ * are those of the tufted cover (BuildTuftedCover): each triangle twice, glued to a closed surface.
+ *
+ * surface: triangles with three different points. Throws SolveFailure if the flips do not end.
  */
 IntrinsicTriangles BuildIntrinsicDelaunay(const Surface& surface);
 
@@ -40,9 +42,10 @@ IntrinsicTriangles BuildIntrinsicDelaunay(const Surface& surface);
 struct IntrinsicLaplacian
 {
   IntrinsicTriangles Flat;               ///< the result of BuildIntrinsicDelaunay
+  int Copies = 1;                        ///< of each triangle in Flat: 2 if it is a tufted cover
   TriangleAngles Angles;                 ///< ComputeAnglesFromLengths of Flat
-  Eigen::SparseMatrix<double> Stiffness; ///< n x n: BuildCotangentStiffness of Flat
-  Eigen::VectorXd Masses;                ///< n: ComputeLumpedMasses of Flat
+  Eigen::SparseMatrix<double> Stiffness; ///< n x n: BuildCotangentStiffness of Flat / Copies
+  Eigen::VectorXd Masses;                ///< n: ComputeLumpedMasses of Flat / Copies
 };
 
 /// Returns the intrinsic Laplacian of a surface, which is built once and cached in the surface.

@@ -3,6 +3,7 @@
 #include "Base/DisjointSets.h"
 #include "Base/Errors.h"
 #include "Mesh/Extent.h"
+#include "Mesh/SoundTriangles.h"
 
 #include <mutex>
 
@@ -273,6 +274,11 @@ bool HasArea(const Surface& surface)
   constexpr double minimumShare = 1e-14;
   const double size = ComputeLongestBoxEdge(surface);
   return surface.AreaVectors().rowwise().norm().maxCoeff() > minimumShare * size * size;
+}
+
+Topology RequireTriangles(const Surface& surface, const std::string& name)
+{
+  return TopologyOfSound(surface, name, "a surface");
 }
 
 Topology RequireManifold(const Surface& surface, const std::string& name)

@@ -5,6 +5,7 @@
 #include "Linear/BlockLanczos.h"
 #include "Linear/SparseSolve.h"
 #include "Linear/SymmetricEigen.h"
+#include "Mesh/SoundTriangles.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 
@@ -215,7 +216,7 @@ LaplaceEigenpairs SolveLaplaceEigenproblem(
   // 1. Each component is solved separately, with enough pairs.
   // 2. The pairs of all components are sorted; the smallest are kept.
   // 3. The sign of each eigenfunction is made independent of the solver.
-  const Topology topology = RequireManifold(surface, "the surface");
+  const Topology topology = RequireTriangles(surface, "the surface");
   const auto used = static_cast<int>((topology.ComponentId.array() >= 0).count());
   if (pairs < 1 || pairs > used)
   {

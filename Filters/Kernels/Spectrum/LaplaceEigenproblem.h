@@ -27,7 +27,7 @@ struct LaplaceEigenpairs
  * points, a dense decomposition is used instead. An eigenfunction's value of largest magnitude is
  * positive. With another number of threads, the result differs only by rounding.
  *
- * surface: a consistently oriented 2-manifold, open or closed. pairs: number of eigenpairs, from 1
+ * surface: triangles (RequireTriangles). pairs: number of eigenpairs, from 1
  * to the number of points that triangles use. tolerance: maximum residual of a pair, divided by its
  * eigenvalue of (L + s M)^-1. Throws InvalidInput if `pairs` is out of range, SolveFailure if an
  * iteration does not converge, and Aborted.

@@ -34,7 +34,7 @@ struct LaplaceSpectrumResult
 /**
  * Computes the spectrum of a surface, its signatures and an embedding.
  *
- * surface: a consistently oriented 2-manifold, open or closed; for MDS it must have one component.
+ * surface: triangles (RequireTriangles); for MDS a consistently oriented 2-manifold with one component.
  * Throws InvalidInput if the surface does not meet these conditions, if an option is out of range,
  * or if there are fewer eigenpairs than requested. Throws SolveFailure and Aborted.
  */

@@ -8,6 +8,7 @@
 #include "vtkShapeMeasures.h"
 #include "vtkShapeProgress.h"
 #include "vtkShapeRequests.h"
+#include "vtkShapeTurn.h"
 
 #include "vtkDataObjectTypes.h"
 #include "vtkDemandDrivenPipeline.h"
@@ -23,6 +24,7 @@
 #include "Base/Errors.h"
 #include "Base/Memory.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cstring>
 
@@ -38,7 +40,7 @@ struct vtkShapeAlgorithm::Count
 {
   int Port;
   std::string Name;
-  double Value;
+  std::vector<Eigen::RowVector3d> Positions;
 };
 
 vtkShapeAlgorithm::vtkShapeAlgorithm()
@@ -151,11 +153,16 @@ int vtkShapeAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
   for (const std::string& type : declared.Types)
   {
     info->Append(INPUT_REQUIRED_DATA_TYPE(), type.c_str());
+    if (type == "vtkPolyData")
+    {
+      info->Append(INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid"); // with surface cells
+    }
   }
   // Accepted by every port: the default composite executive would run the filter once for each
   // block.
   info->Append(INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  info->Set(INPUT_IS_OPTIONAL(), port > 0 || !this->IsInputRequired(port));
+  // Optional for VTK, because processes must agree that one of them lacks a required input.
+  info->Set(INPUT_IS_OPTIONAL(), 1);
   info->Set(INPUT_IS_REPEATABLE(), declared.Use == PortUse::OptionalRepeatable);
   return 1;
 }
@@ -229,16 +236,65 @@ int vtkShapeAlgorithm::CreateOutputs(vtkInformationVector** inputs, vtkInformati
   return 1;
 }
 
+void vtkShapeAlgorithm::GatherInput(int port, int connection)
+{
+  const InputPort& declared = this->InputPorts[port];
+  vtkDataObject* input = this->GetInputDataObject(port, connection);
+  GatheredInput whole;
+  if (declared.Data == PortData::WholeGrid)
+  {
+    whole.Grid = vtkShapeGather::GatherGrid(input, this->Controller);
+    this->GatheredInputs[port].push_back(whole);
+    return;
+  }
+  whole.Data = vtkShapeGather::Gather(input, declared.Name,
+    declared.Data == PortData::Whole ? vtkShapeGather::Joined::Copies
+                                     : vtkShapeGather::Joined::Coincident,
+    this->Controller, whole.OwnPoints);
+  whole.Given = whole.Data;
+  const std::string warning = vtkShapeComplete::DescribeShortSides(whole.Data, declared.Name);
+  if (!warning.empty())
+  {
+    this->Warn(warning);
+  }
+  this->GatheredInputs[port].push_back(whole);
+  if (declared.Data == PortData::WholeSurface)
+  {
+    this->RepairInput(port, connection);
+  }
+}
+
+void vtkShapeAlgorithm::RepairInput(int port, int connection, bool separate)
+{
+  GatheredInput& whole = this->GatheredInputs[port][connection];
+  vtkShapeRepaired repaired =
+    this->Repairs[{ port, connection }].Apply(
+      whole.Data, "the input '" + this->GetInputName(port) + "'", separate);
+  if (repaired.Description.empty())
+  {
+    return;
+  }
+  this->Warn(repaired.Description);
+  this->SplitPoints += repaired.SplitPoints;
+  this->RemovedTriangles += repaired.RemovedTriangles;
+  for (int& point : whole.OwnPoints)
+  {
+    point = repaired.Places.empty() ? point : repaired.Places[point];
+  }
+  whole.Data = repaired.Data;
+  whole.GivenPoints = std::move(repaired.Points);
+  whole.GivenTriangles = std::move(repaired.Triangles);
+  whole.GivenCells = std::move(repaired.Cells);
+}
+
 void vtkShapeAlgorithm::PrepareInputs()
 {
   this->GatheredInputs.assign(this->InputPorts.size(), {});
+  this->SplitPoints = this->RemovedTriangles = 0;
+  vtkShapeComplete::RequireConnections(*this);
   for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
   {
     const InputPort& declared = this->InputPorts[port];
-    if (this->IsInputRequired(port) && this->GetNumberOfInputConnections(port) == 0)
-    {
-      throw shape::InvalidInput(declared.Name + " is not connected; choose it under Inputs");
-    }
     for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
     {
       // A selection may be empty, and is gathered with the surface that it marks.
@@ -255,22 +311,9 @@ void vtkShapeAlgorithm::PrepareInputs()
           "the input '" + declared.Name + "' has no points; connect data with points");
       }
       vtkShapeComplete::RequireArrays(input, declared.Name);
-      if (declared.Data == PortData::WholeGrid)
+      if (declared.Data != PortData::Pieces)
       {
-        this->GatheredInputs[port].push_back(
-          { nullptr, {}, vtkShapeGather::GatherGrid(input, this->Controller) });
-      }
-      else if (declared.Data != PortData::Pieces)
-      {
-        GatheredInput whole;
-        whole.Data = vtkShapeGather::Gather(input, declared.Name,
-          declared.Data == PortData::WholeSurface, this->Controller, whole.OwnPoints);
-        this->GatheredInputs[port].push_back(whole);
-        const std::string warning = vtkShapeComplete::DescribeShortSides(whole.Data, declared.Name);
-        if (!warning.empty())
-        {
-          this->Warn(warning);
-        }
+        this->GatherInput(port, i);
       }
     }
   }
@@ -287,18 +330,19 @@ shape::Progress vtkShapeAlgorithm::MakeProgress()
   return vtkShapeProgress::Make(this, this->GetLabel());
 }
 
-void vtkShapeAlgorithm::AddCount(int port, const std::string& name, double own)
+void vtkShapeAlgorithm::AddCount(
+  int port, const std::string& name, std::vector<Eigen::RowVector3d> positions)
 {
-  this->Counts.push_back({ port, name, own });
+  this->Counts.push_back({ port, name, std::move(positions) });
 }
 
-/// Called after the processes have agreed on success, because the sum is a collective call.
+/// Called after the processes have agreed on success, because counting is a collective call.
 void vtkShapeAlgorithm::WriteCounts(vtkInformationVector* outputs)
 {
-  for (Count& count : this->Counts)
+  for (const Count& count : this->Counts)
   {
-    vtkShapeGather::Reduce(this->Controller, &count.Value, 1, vtkShapeGather::Reduction::Sum);
-    vtkShapeConvert::AddFact(vtkDataObject::GetData(outputs, count.Port), count.Name, count.Value);
+    vtkShapeConvert::AddFact(vtkDataObject::GetData(outputs, count.Port), count.Name,
+      vtkShapeGather::CountOnce(this->Controller, count.Positions));
   }
 }
 
@@ -317,6 +361,14 @@ std::vector<vtkDataObject*> vtkShapeAlgorithm::GetInputs()
       inputs.push_back(this->GetInputDataObject(port, i));
     }
   }
+  for (const std::vector<GatheredInput>& wholes : this->GatheredInputs)
+  {
+    for (const GatheredInput& whole : wholes)
+    {
+      inputs.insert(inputs.end(), { whole.Data.Get(), whole.Given.Get(), whole.Grid.Get() });
+    }
+  }
+  inputs.erase(std::remove(inputs.begin(), inputs.end(), nullptr), inputs.end());
   return inputs;
 }
 
@@ -326,14 +378,12 @@ void vtkShapeAlgorithm::WriteWarnings(vtkInformationVector* outputs)
   {
     return;
   }
-  std::string all;
   for (const std::string& warning : this->Warnings)
   {
     vtkWarningMacro(<< this->GetLabel() << ": " << warning);
-    all += (all.empty() ? "" : "; ") + warning;
   }
-  vtkShapeConvert::AddFact(
-    vtkDataObject::GetData(outputs, 0), this->GetFactPrefix() + "Warning", all);
+  vtkShapeFacts::AddWarnings(this->GetFactPrefix(), this->Warnings, this->SplitPoints,
+    this->RemovedTriangles, vtkDataObject::GetData(outputs, 0));
 }
 
 void vtkShapeAlgorithm::MoveFacts(vtkInformationVector* outputs)
@@ -374,14 +424,6 @@ void vtkShapeAlgorithm::RenewMeasures(vtkInformationVector* outputs)
   filter.Name = std::string(this->GetClassName()).substr(std::strlen("vtkShape"));
   filter.Made = this->MadeMeasures;
   filter.Inputs = this->GetInputs();
-  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
-  {
-    for (const GatheredInput& whole : this->GatheredInputs[port])
-    {
-      filter.Inputs.push_back(
-        whole.Data ? whole.Data.Get() : static_cast<vtkDataObject*>(whole.Grid));
-    }
-  }
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
     vtkShapeMeasures::Renew(filter, vtkDataObject::GetData(outputs, port));
@@ -397,6 +439,7 @@ int vtkShapeAlgorithm::Run(vtkInformationVector* outputs)
   try
   {
     this->UpdateProgress(0.0);
+    const vtkShapeTurn turn(this, this->Controller);
     shape::RequireThreadMemory();
     this->Counts.clear();
     this->Warnings.clear();

@@ -7,9 +7,12 @@
  *
  * - A Pieces port gives Execute the data of this process. A Whole port gives Execute the complete
  *   data: the blocks and pieces of all processes are first gathered into one vtkPolyData or
- *   vtkUnstructuredGrid. Execute itself need not communicate. Every port accepts composite data.
+ *   vtkUnstructuredGrid. A surface may also be an unstructured grid of surface cells. Execute itself need not communicate. Every port accepts composite data.
  *   Otherwise, the pipeline would run the filter once for each block, so processes with different
  *   numbers of blocks would wait for each other.
+ * - A WholeSurface port gives Execute a repaired surface: see vtkShapeRepaired. The outputs keep
+ *   the points and cells of the input. A warning and the facts `SplitPoints` and
+ *   `RemovedTriangles` say what was done.
  * - Execute throws shape::InvalidInput or shape::SolveFailure. Each exception becomes one error
  *   event whose text starts with the label of the filter. The outputs are then empty, and the
  *   request fails. If one process fails, all processes fail.
@@ -25,13 +28,17 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkShapeFiltersModule.h" // for the export macro
+#include "vtkShapeRepair.h"        // for repaired inputs
 #include "vtkSmartPointer.h"       // for the gathered inputs
 
 #include "Base/Progress.h" // for shape::Progress
 
+#include <Eigen/Core> // for positions
+
 #include <map>    // for ports
 #include <set>    // for ports
 #include <string> // for names
+#include <utility> // for connections
 #include <vector> // for ports
 
 class vtkMultiProcessController;
@@ -116,8 +123,8 @@ public:
   /// Returns the name of an input port in errors and in ParaView, such as "Domain".
   std::string GetInputName(int port);
 
-  /// Whether the filter needs this input. All inputs but the first are optional for VTK: the filter
-  /// itself says in one line that one is missing.
+  /// Whether the filter needs this input. All inputs are optional for VTK: the filter itself says in
+  /// one line that one is missing.
   bool IsInputRequired(int port);
 
   ///@{
@@ -139,7 +146,8 @@ protected:
   {
     Pieces,       ///< the part of this process, which may be composite
     Whole,        ///< one vtkPolyData with the data of every block and process
-    WholeSurface, ///< like Whole, with coincident points of several pieces merged
+    WholePolygons, ///< like Whole, with coincident points of several pieces merged
+    WholeSurface,  ///< like WholePolygons, and repaired (RepairInput)
     WholeGrid,    ///< one vtkUnstructuredGrid, which may contain solid cells
     Selection     ///< a vtkSelection, or the cells that it extracted; may be empty
   };
@@ -188,9 +196,11 @@ protected:
   /// inputs. They are removed or computed again after Execute.
   void DeclareMeasures(const std::set<std::string>& names);
 
-  /// Adds the sum of the numbers `own` of all processes to the field data of an output. During
-  /// Execute, every process calls this function for the same names in the same order.
-  void AddCount(int port, const std::string& name, double own);
+  /// Adds a number of points to the field data of an output: of the positions of all processes,
+  /// which count once if several processes have them. During Execute, every process calls this
+  /// function for the same names in the same order.
+  void AddCount(
+    int port, const std::string& name, std::vector<Eigen::RowVector3d> positions);
 
   /// Computes the outputs. It is called only if all required inputs are connected and have points.
   /// Throws shape::InvalidInput, shape::SolveFailure, shape::Aborted.
@@ -212,10 +222,23 @@ protected:
     vtkSmartPointer<vtkPolyData> Data;
     std::vector<int> OwnPoints;
     vtkSmartPointer<vtkUnstructuredGrid> Grid;
+
+    ///@{
+    /// If Data was repaired, Given is the surface as gathered. Otherwise it is Data, and the lists
+    /// are empty.
+    vtkSmartPointer<vtkPolyData> Given;
+    std::vector<int> GivenPoints;    ///< for each point of Data, the point of Given
+    std::vector<int> GivenTriangles; ///< for each triangle of Data, the triangle of Given
+    std::vector<int> GivenCells;     ///< for each cell of Data, the cell of Given
+    ///@}
   };
   /// Returns the complete data of one connection, from 0 to GetNumberOfInputConnections(port) - 1.
   /// The result is valid during Execute.
   const GatheredInput& GetGatheredInput(int port, int connection = 0) const;
+
+  /// Replaces Data of an input by a repaired surface (shape::RepairSheets), and says so. It is
+  /// called for WholeSurface ports. separate: see shape::SheetRepairOptions.
+  void RepairInput(int port, int connection = 0, bool separate = true);
 
   int FillInputPortInformation(int port, vtkInformation* info) final;
   int FillOutputPortInformation(int port, vtkInformation* info) final;
@@ -226,6 +249,7 @@ private:
 
   struct InputPort;
   struct Count;
+  void GatherInput(int port, int connection);
   int CreateOutputs(vtkInformationVector** inputs, vtkInformationVector* outputs);
   int Run(vtkInformationVector* outputs);
   void WriteCounts(vtkInformationVector* outputs);
@@ -233,7 +257,7 @@ private:
   void WriteWarnings(vtkInformationVector* outputs);
   void MoveFacts(vtkInformationVector* outputs);
   void ActivateShown(vtkInformationVector* outputs);
-  std::vector<vtkDataObject*> GetInputs();
+  std::vector<vtkDataObject*> GetInputs(); ///< as connected and, during Execute, as gathered
   std::string GetFactPrefix(); ///< "HexRemesh."
   void PrepareInputs();
   shape::Progress MakeProgress();
@@ -250,6 +274,8 @@ private:
   std::string MemoryRemedy;
   std::vector<std::vector<GatheredInput>> GatheredInputs;
   std::vector<Count> Counts;
+  std::map<std::pair<int, int>, vtkShapeRepair> Repairs; ///< by port and connection
+  int SplitPoints = 0, RemovedTriangles = 0;             ///< of all inputs, when repaired
   vtkMultiProcessController* Controller = nullptr;
 };
 

@@ -257,6 +257,15 @@ void vtkShapeCarry::AddOriginals(
   data->AddArray(ids);
 }
 
+void vtkShapeCarry::RenumberOriginals(const std::vector<int>& list, vtkDataSetAttributes* data)
+{
+  auto* ids = vtkIdTypeArray::SafeDownCast(data->GetAbstractArray("OriginalPointId"));
+  for (vtkIdType i = 0; ids && !list.empty() && i < ids->GetNumberOfTuples(); ++i)
+  {
+    ids->SetValue(i, ids->GetValue(i) < 0 ? -1 : list[ids->GetValue(i)]);
+  }
+}
+
 vtkDataArray* vtkShapeCarry::GetNormals(vtkDataSetAttributes* data)
 {
   vtkDataArray* normals = data->GetNormals() ? data->GetNormals() : data->GetArray("Normals");

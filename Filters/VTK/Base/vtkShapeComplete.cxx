@@ -1,6 +1,8 @@
 #include "vtkShapeComplete.h"
 
+#include "vtkShapeAlgorithm.h"
 #include "vtkShapeComposite.h"
+#include "vtkShapeGather.h"
 #include "vtkShapeTriangulation.h"
 
 #include "vtkAbstractArray.h"
@@ -37,6 +39,35 @@ void RequireTuples(
 }
 
 } // namespace
+
+/// A process that has no connection would not take part in the collective calls for it.
+void vtkShapeComplete::RequireConnections(vtkShapeAlgorithm& filter)
+{
+  const int ports = filter.GetNumberOfInputPorts();
+  std::vector<double> fewest(ports);
+  for (int port = 0; port < ports; ++port)
+  {
+    fewest[port] = filter.GetNumberOfInputConnections(port);
+  }
+  std::vector<double> most = fewest;
+  vtkShapeGather::Reduce(
+    filter.GetController(), fewest.data(), ports, vtkShapeGather::Reduction::Minimum);
+  vtkShapeGather::Reduce(filter.GetController(), most.data(), ports, vtkShapeGather::Reduction::Maximum);
+  for (int port = 0; port < ports; ++port)
+  {
+    const std::string name = filter.GetInputName(port);
+    if (filter.IsInputRequired(port) && most[port] == 0.0)
+    {
+      throw shape::InvalidInput(name + " is not connected; choose it under Inputs");
+    }
+    if (fewest[port] != most[port])
+    {
+      throw shape::InvalidInput(name + " has " + std::to_string(static_cast<int>(fewest[port])) +
+        " connections on one process and " + std::to_string(static_cast<int>(most[port])) +
+        " on another; connect it on every process, with empty data where there is no piece");
+    }
+  }
+}
 
 void vtkShapeComplete::RequireArrays(vtkDataObject* data, const std::string& name)
 {

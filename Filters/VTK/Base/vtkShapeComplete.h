@@ -4,10 +4,15 @@
 
 class vtkDataObject;
 class vtkPolyData;
+class vtkShapeAlgorithm;
 
 /// Checks of the data of an input, whichever filter reads them. `name` is the name of the input.
 namespace vtkShapeComplete
 {
+
+/// Throws shape::InvalidInput on every process unless every process has the same number of
+/// connections to each input, and at least one to each required input. Collective.
+void RequireConnections(vtkShapeAlgorithm& filter);
 
 /// Throws shape::InvalidInput if a point or cell array of a data set does not have one tuple for
 /// each point or cell. Such data are invalid in VTK, and filters would read beyond the end of the

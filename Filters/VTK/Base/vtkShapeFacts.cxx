@@ -1,6 +1,7 @@
 #include "vtkShapeFacts.h"
 
 #include "vtkShapeComposite.h"
+#include "vtkShapeConvert.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
@@ -9,6 +10,8 @@
 #include "vtkFieldData.h"
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
+
+#include <utility>
 
 namespace
 {
@@ -87,6 +90,26 @@ void vtkShapeFacts::Move(const std::string& prefix, const std::vector<vtkDataObj
       {
         field->RemoveArray(array->GetName());
       }
+    }
+  }
+}
+
+void vtkShapeFacts::AddWarnings(const std::string& prefix, const std::vector<std::string>& warnings,
+  int splitPoints, int removedTriangles, vtkDataObject* output)
+{
+  std::string all;
+  for (const std::string& warning : warnings)
+  {
+    all += (all.empty() ? "" : "; ") + warning;
+  }
+  vtkShapeConvert::AddFact(output, prefix + "Warning", all);
+  const std::pair<const char*, int> repaired[] = { { "SplitPoints", splitPoints },
+    { "RemovedTriangles", removedTriangles } };
+  for (const auto& [fact, count] : repaired)
+  {
+    if (count > 0)
+    {
+      vtkShapeConvert::AddFact(output, prefix + fact, static_cast<double>(count));
     }
   }
 }

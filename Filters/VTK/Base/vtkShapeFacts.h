@@ -20,4 +20,9 @@ namespace vtkShapeFacts
 void Move(const std::string& prefix, const std::vector<vtkDataObject*>& inputs,
   const std::set<std::string>& kept, vtkDataObject* output, vtkTable* facts);
 
+/// Adds the facts `Warning`, the warnings in one text, and `SplitPoints` and `RemovedTriangles`
+/// unless they are 0.
+void AddWarnings(const std::string& prefix, const std::vector<std::string>& warnings,
+  int splitPoints, int removedTriangles, vtkDataObject* output);
+
 } // namespace vtkShapeFacts

@@ -1,13 +1,14 @@
 #include "vtkShapeGather.h"
 
+#include "vtkShapeComposite.h"
+#include "vtkShapeSurfaces.h"
+
 #include "vtkAppendFilter.h"
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkCommunicator.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
@@ -16,15 +17,17 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkShapeComposite.h"
 #include "vtkStaticPointLocator.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVariant.h"
 
 #include "Base/Errors.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <map>
 #include <new>
 #include <numeric>
 
@@ -36,49 +39,61 @@ bool IsParallel(vtkMultiProcessController* controller)
   return controller && controller->GetNumberOfProcesses() > 1;
 }
 
-/// Returns the surface without ghost cells; its points are unchanged. All points are kept, even
-/// points that only ghost cells use, because the output of this process has the same points.
-vtkSmartPointer<vtkPolyData> WithoutGhostCells(vtkPolyData* piece)
+/// Whether two points have the same value in every array.
+bool HaveSameData(vtkPointData* data, vtkIdType a, vtkIdType b)
 {
-  auto kept = vtkSmartPointer<vtkPolyData>::New();
-  vtkUnsignedCharArray* ghosts = piece->GetCellGhostArray();
-  if (!ghosts)
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
-    kept->ShallowCopy(piece);
-    return kept;
-  }
-  kept->SetPoints(piece->GetPoints());
-  kept->GetFieldData()->ShallowCopy(piece->GetFieldData());
-  kept->GetPointData()->ShallowCopy(piece->GetPointData());
-  kept->GetCellData()->CopyAllocate(piece->GetCellData());
-  kept->AllocateCopy(piece);
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType cell = 0; cell < piece->GetNumberOfCells(); ++cell)
-  {
-    if ((ghosts->GetValue(cell) &
-          (vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL)) == 0)
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    const vtkIdType components = array->GetNumberOfComponents();
+    for (vtkIdType c = 0; c < components; ++c)
     {
-      piece->GetCellPoints(cell, corners);
-      const vtkIdType id = kept->InsertNextCell(piece->GetCellType(cell), corners);
-      kept->GetCellData()->CopyData(piece->GetCellData(), cell, id);
+      if (array->GetVariantValue(a * components + c) != array->GetVariantValue(b * components + c))
+      {
+        return false;
+      }
     }
   }
-  return kept;
+  return true;
 }
 
-/// Returns, for each point, the first coincident one, which may be the point itself.
-std::vector<vtkIdType> FindCoincidentPoints(vtkPolyData* data, bool weld)
+/// Returns, for each point, the first of the points that become one, which may be the point itself.
+/// pieceOf: the piece of each point.
+std::vector<vtkIdType> FindJoinedPoints(
+  vtkPolyData* data, vtkShapeGather::Joined joined, const std::vector<int>& pieceOf)
 {
   std::vector<vtkIdType> first(data->GetNumberOfPoints());
   std::iota(first.begin(), first.end(), 0);
-  if (weld && !first.empty())
+  if (first.empty())
   {
-    vtkNew<vtkStaticPointLocator> locator;
-    locator->SetDataSet(data);
-    locator->BuildLocator();
-    // Only points with exactly equal coordinates are merged. Pieces of a distributed surface have
-    // such copies along their common boundary.
-    locator->MergePoints(0.0, first.data());
+    return first;
+  }
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(data);
+  locator->BuildLocator();
+  // Only points with exactly equal coordinates are merged. Pieces of a distributed surface have
+  // such copies along their common boundary.
+  locator->MergePoints(0.0, first.data());
+  if (joined == vtkShapeGather::Joined::Coincident)
+  {
+    return first;
+  }
+  // The points at one position that stay, such as charges of two layers.
+  std::map<vtkIdType, std::vector<vtkIdType>> kept;
+  for (std::size_t i = 0; i < first.size(); ++i)
+  {
+    const auto point = static_cast<vtkIdType>(i);
+    std::vector<vtkIdType>& others = kept[first[i]];
+    const auto same = std::find_if(others.begin(), others.end(),
+      [&](vtkIdType other)
+      {
+        return pieceOf[other] != pieceOf[point] && HaveSameData(data->GetPointData(), other, point);
+      });
+    first[i] = same == others.end() ? point : *same;
+    if (first[i] == point)
+    {
+      others.push_back(point);
+    }
   }
   return first;
 }
@@ -86,7 +101,7 @@ std::vector<vtkIdType> FindCoincidentPoints(vtkPolyData* data, bool weld)
 /// Merges several surfaces into one. pointMap: for each point of the inputs, in order, its index in
 /// the result.
 vtkSmartPointer<vtkPolyData> Merge(const std::vector<vtkSmartPointer<vtkPolyData>>& pieces,
-  bool weld, std::vector<vtkIdType>& pointMap)
+  vtkShapeGather::Joined joined, std::vector<vtkIdType>& pointMap)
 {
   auto merged = vtkSmartPointer<vtkPolyData>::New();
   if (pieces.empty())
@@ -96,14 +111,17 @@ vtkSmartPointer<vtkPolyData> Merge(const std::vector<vtkSmartPointer<vtkPolyData
   }
   vtkNew<vtkAppendPolyData> append;
   append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  std::vector<int> pieceOf;
   for (vtkPolyData* piece : pieces)
   {
     append->AddInputData(piece);
+    pieceOf.resize(
+      pieceOf.size() + piece->GetNumberOfPoints(), append->GetNumberOfInputConnections(0));
   }
   append->Update();
   vtkPolyData* all = append->GetOutput();
 
-  const std::vector<vtkIdType> firstCoincident = FindCoincidentPoints(all, weld);
+  const std::vector<vtkIdType> firstCoincident = FindJoinedPoints(all, joined, pieceOf);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   merged->GetPointData()->CopyAllocate(all->GetPointData());
@@ -138,35 +156,6 @@ vtkSmartPointer<vtkPolyData> Merge(const std::vector<vtkSmartPointer<vtkPolyData
     [](vtkPolyData* piece) { return piece->GetNumberOfPoints() > 0; });
   merged->GetFieldData()->ShallowCopy((first == pieces.end() ? pieces[0] : *first)->GetFieldData());
   return merged;
-}
-
-/// Returns the blocks, which must be surfaces.
-std::vector<vtkSmartPointer<vtkPolyData>> Surfaces(vtkDataObject* data, const std::string& name)
-{
-  std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
-  const auto add = [&](vtkDataObject* block)
-  {
-    auto* surface = vtkPolyData::SafeDownCast(block);
-    if (!surface)
-    {
-      throw shape::InvalidInput("the input '" + name + "' contains a " + block->GetClassName() +
-        ", which is not a surface; apply Extract Surface first, or remove it with Extract Block");
-    }
-    surfaces.push_back(WithoutGhostCells(surface));
-  };
-  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
-  if (!composite)
-  {
-    add(data);
-    return surfaces;
-  }
-  vtkSmartPointer<vtkCompositeDataIterator> it;
-  it.TakeReference(composite->NewIterator());
-  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-  {
-    add(it->GetCurrentDataObject());
-  }
-  return surfaces;
 }
 
 /// Merges several data sets into one grid. Data sets without points are omitted.
@@ -289,6 +278,41 @@ void vtkShapeGather::Reduce(
   controller->AllReduce(own.data(), values, count, operation);
 }
 
+double vtkShapeGather::CountOnce(
+  vtkMultiProcessController* controller, const std::vector<Eigen::RowVector3d>& positions)
+{
+  if (!IsParallel(controller))
+  {
+    return static_cast<double>(positions.size());
+  }
+  const int processes = controller->GetNumberOfProcesses();
+  const auto own = static_cast<vtkIdType>(3 * positions.size());
+  std::vector<vtkIdType> sizes(processes), offsets(processes);
+  controller->AllGather(&own, sizes.data(), 1);
+  std::partial_sum(sizes.begin(), sizes.end() - 1, offsets.begin() + 1);
+  std::vector<double> all(offsets.back() + sizes.back());
+  static_assert(sizeof(Eigen::RowVector3d) == 3 * sizeof(double), "packed");
+  controller->AllGatherV(
+    positions.empty() ? nullptr : positions.front().data(), all.data(), own, sizes.data(),
+    offsets.data());
+  // One process can have two points at one position: these count twice.
+  std::map<std::array<double, 3>, double> counts;
+  for (int process = 0; process < processes; ++process)
+  {
+    std::map<std::array<double, 3>, double> here;
+    for (vtkIdType i = offsets[process]; i < offsets[process] + sizes[process]; i += 3)
+    {
+      ++here[{ all[i], all[i + 1], all[i + 2] }];
+    }
+    for (const auto& [position, count] : here)
+    {
+      counts[position] = std::max(counts[position], count);
+    }
+  }
+  return std::accumulate(counts.begin(), counts.end(), 0.0,
+    [](double sum, const auto& entry) { return sum + entry.second; });
+}
+
 vtkIdType vtkShapeGather::CountPoints(vtkDataObject* data, vtkMultiProcessController* controller)
 {
   vtkIdType own = 0;
@@ -309,15 +333,15 @@ vtkIdType vtkShapeGather::CountPoints(vtkDataObject* data, vtkMultiProcessContro
 // 3. Broadcast the result, and the index in the result of each point of each piece.
 // 4. Compose these indices with the indices of step 1.
 vtkSmartPointer<vtkPolyData> vtkShapeGather::Gather(vtkDataObject* data, const std::string& name,
-  bool weld, vtkMultiProcessController* controller, std::vector<int>& ownPoints)
+  Joined joined, vtkMultiProcessController* controller, std::vector<int>& ownPoints)
 {
   vtkSmartPointer<vtkPolyData> whole;
   std::vector<vtkIdType> pointMap;
   RunOnAllOrFail(controller,
     [&]
     {
-      const std::vector<vtkSmartPointer<vtkPolyData>> pieces = Surfaces(data, name);
-      whole = pieces.size() == 1 ? pieces[0] : Merge(pieces, weld, pointMap);
+      const std::vector<vtkSmartPointer<vtkPolyData>> pieces = vtkShapeSurfaces::Of(data, name);
+      whole = pieces.size() == 1 ? pieces[0] : Merge(pieces, joined, pointMap);
       if (pieces.size() == 1)
       {
         pointMap.resize(whole->GetNumberOfPoints());
@@ -341,7 +365,7 @@ vtkSmartPointer<vtkPolyData> vtkShapeGather::Gather(vtkDataObject* data, const s
           {
             surfaces.push_back(vtkPolyData::SafeDownCast(piece));
           }
-          merged->ShallowCopy(Merge(surfaces, weld, mapOfAll));
+          merged->ShallowCopy(Merge(surfaces, joined, mapOfAll));
         }
       });
     controller->Broadcast(merged.Get(), 0);

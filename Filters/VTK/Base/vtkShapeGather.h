@@ -24,15 +24,21 @@ namespace vtkShapeGather
 /// Returns the number of points of `data`, including its blocks, over all processes.
 vtkIdType CountPoints(vtkDataObject* data, vtkMultiProcessController* controller);
 
+/// The points of several blocks or processes that become one. Points of a single piece are kept.
+enum class Joined
+{
+  Coincident, ///< points at one position: the pieces of a surface are connected
+  Copies      ///< points at one position with the same point data, which cutting made of one point
+};
+
 /**
  * Returns all blocks of `data` of all processes as one vtkPolyData, the same on every process.
  *
- * weld: whether coincident points of several blocks or processes are merged, so that the pieces of
- * a surface are connected. Otherwise, all points are kept. Ghost cells are omitted. ownPoints: for
- * each point of the blocks of this process, in order, its index in the result. name: denotes the
- * data in errors. Throws shape::InvalidInput on every process if a block is not vtkPolyData.
+ * Ghost cells are omitted. An unstructured grid of surface cells becomes a vtkPolyData. ownPoints:
+ * for each point of the blocks of this process, in order, its index in the result. name: denotes
+ * the data in errors. Throws shape::InvalidInput on every process if a block is no surface.
  */
-vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const std::string& name, bool weld,
+vtkSmartPointer<vtkPolyData> Gather(vtkDataObject* data, const std::string& name, Joined joined,
   vtkMultiProcessController* controller, std::vector<int>& ownPoints);
 
 /**
@@ -47,6 +53,11 @@ vtkSmartPointer<vtkUnstructuredGrid> GatherGrid(
 /// processes. Use it for work of Execute that precedes a collective call. Otherwise, the other
 /// processes would wait forever for a process that has failed.
 void RunOnAllOrFail(vtkMultiProcessController* controller, const std::function<void()>& work);
+
+/// Returns the number of positions over all processes. A position that several processes have, at a
+/// seam between their pieces, counts once.
+double CountOnce(
+  vtkMultiProcessController* controller, const std::vector<Eigen::RowVector3d>& positions);
 
 ///@{
 /// Replaces the argument on every process by the data of the first process.

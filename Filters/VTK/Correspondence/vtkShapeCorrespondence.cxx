@@ -184,14 +184,16 @@ void vtkShapeCorrespondence::WriteMap(
   int port, const shape::SurfacePoints& map, const shape::Mesh& other, int otherPort)
 {
   const GatheredInput& whole = this->GetGatheredInput(port);
-  vtkPolyData* target = this->GetGatheredInput(otherPort).Data;
+  const GatheredInput& target = this->GetGatheredInput(otherPort);
   // Cell ids of polygons follow those of vertices and lines.
-  const auto before = static_cast<double>(target->GetNumberOfVerts() + target->GetNumberOfLines());
+  const auto before = static_cast<double>(
+    target.Given->GetNumberOfVerts() + target.Given->GetNumberOfLines());
+  const Eigen::VectorXi triangles = vtkShapeRepaired::ToGiven(target.GivenTriangles, map.Triangles);
   const auto own = [&](const Eigen::MatrixXd& values)
   { return vtkShapeConvert::Rows(values, whole.OwnPoints); };
   vtkShapeComposite::AddPointFields(this->GetInputDataObject(port, 0),
     this->GetOutputDataObject(port),
     { { "TargetPosition", own(shape::PullBack(map, other.Triangles, other.Points)) },
-      { "TargetCell", own(map.Triangles.cast<double>().array() + before), true },
+      { "TargetCell", own(triangles.cast<double>().array() + before), true },
       { "TargetBarycentric", own(map.Barycentrics) } });
 }

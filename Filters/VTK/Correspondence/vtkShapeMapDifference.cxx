@@ -50,8 +50,10 @@ void vtkShapeMapDifference::Execute(const shape::Progress& progress)
     vtkShapeConvert::ToPointArray(whole.Data, this->MapArray, 3, "SurfaceA");
   shape::RequireFinite(images, "the map array '" + this->MapArray + "' of SurfaceA");
   shape::RequireManifold(second, "SurfaceB");
-  // A precise map names the triangles; other map arrays give positions, which are projected.
-  const bool precise = vtkShapePreciseMap::Has(whole.Data, this->MapArray);
+  // A precise map names the triangles, which are other ones if SurfaceB was repaired. Other map
+  // arrays give positions, which are projected.
+  const bool precise = vtkShapePreciseMap::Has(whole.Data, this->MapArray) &&
+    this->GetGatheredInput(1).GivenTriangles.empty();
   shape::SurfacePoints map;
   if (precise)
   {

@@ -1,5 +1,6 @@
 #include "vtkShapeCutFeature.h"
 
+#include "vtkShapeCarry.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeCutParts.h"
 #include "vtkShapeGather.h"
@@ -12,6 +13,7 @@
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include "Base/Errors.h"
@@ -37,7 +39,7 @@ vtkShapeCutFeature::vtkShapeCutFeature()
   : Cache(std::make_unique<Kept>())
 {
   this->DeclareInput("Input", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
-  this->DeclareInput("Loop", PortData::WholeSurface, PortUse::Optional, { "vtkPolyData" });
+  this->DeclareInput("Loop", PortData::WholePolygons, PortUse::Optional, { "vtkPolyData" });
   this->DeclareInput(
     "Selection", PortData::Selection, PortUse::Optional, { "vtkSelection", "vtkDataSet" });
   this->DeclareOutput("vtkPolyData");
@@ -118,7 +120,7 @@ void vtkShapeCutFeature::Execute(const shape::Progress& progress)
     std::vector<int> ownPoints;
     // The marks of all processes, gathered like the Input itself, so that cells have the same
     // order.
-    marked = vtkShapeGather::Gather(own, "Input", true, this->GetController(), ownPoints);
+    marked = vtkShapeGather::Gather(own, "Input", vtkShapeGather::Joined::Coincident, this->GetController(), ownPoints);
   }
   // Every process has the complete input, and one of them computes the result.
   if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
@@ -167,10 +169,11 @@ void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progres
                               "(Loop Points has " +
       std::to_string(loopPoints) + " positions, and needs at least 3)");
   }
-  vtkPolyData* surface = this->GetGatheredInput(0).Data;
+  const GatheredInput& input = this->GetGatheredInput(0);
+  vtkPolyData* surface = input.Data;
   Kept& kept = *this->Cache;
   // A new loop on the same surface uses the stored search structures.
-  if (kept.Input.IsNew(*this, 0, this->GetGatheredInput(0).Data) || !kept.Cutter)
+  if (kept.Input.IsNew(*this, 0, surface) || !kept.Cutter)
   {
     kept.Cutter.reset();
     kept.LastFeature->Initialize();
@@ -186,7 +189,9 @@ void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progres
   if (marked)
   {
     cut = kept.Cutter->Cut(
-      SelectedTriangles(marked, kept.Numbered.Cells), options, progress.Part(0.1, 1.0));
+      SelectedTriangles(
+        marked, vtkShapeRepaired::ToGiven(input.GivenCells, kept.Numbered.Cells)),
+      options, progress.Part(0.1, 1.0));
   }
   else
   {
@@ -206,14 +211,18 @@ void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progres
   auto* feature = vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
   auto* rest = vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
   vtkShapeCutParts::Write(cut, kept.Numbered, surface, feature, rest);
+  for (vtkPolyData* part : { feature, rest })
+  {
+    vtkShapeCarry::RenumberOriginals(input.GivenPoints, part->GetPointData());
+  }
   if (this->KeepOriginal)
   {
-    auto* input = vtkPolyData::SafeDownCast(this->GetInputDataObject(0, 0));
+    auto* own = vtkPolyData::SafeDownCast(this->GetInputDataObject(0, 0));
     const bool isAlone =
       !this->GetController() || this->GetController()->GetNumberOfProcesses() == 1;
     // The input itself keeps all arrays and cells. The gathered input replaces composite and
     // distributed data.
-    rest->ShallowCopy(input && isAlone ? input : surface);
+    rest->ShallowCopy(own && isAlone ? own : input.Given.Get());
   }
   vtkShapeCutParts::AddFacts(cut, feature);
   vtkShapeCutParts::AddFacts(cut, rest);

@@ -143,6 +143,12 @@ void vtkShapePasteFeature::PasteInto(vtkPolyData* output, const shape::Progress&
     kept.Paste->PasteOn(*kept.Position, this->Placement, this->Paste, progress);
   vtkShapePastedData::Write(
     pasted, *kept.Paste, kept.Target, kept.Feature, this->BlendWidth, output);
+  if (kept.NonManifold > 0)
+  {
+    this->Warn("the Feature has " + std::to_string(kept.NonManifold) +
+      " edges with three or more triangles or points where sheets touch, and so has the result; "
+      "repair the Feature with Shape Solidify");
+  }
   const std::pair<const char*, Eigen::RowVector3d> frame[] = { { "Seed",
                                                                  pasted.Position.Seed.Origin },
     { "Normal", pasted.Position.Seed.Normal }, { "Direction", pasted.Position.Seed.XAxis } };

@@ -1,5 +1,6 @@
 #include "vtkShapeExponentialMap.h"
 
+#include "vtkShapeCarry.h"
 #include "vtkShapeLargeSize.h"
 #include "vtkShapePatch.h"
 #include "vtkShapePreciseMap.h"
@@ -7,6 +8,7 @@
 
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <utility>
@@ -70,6 +72,9 @@ void vtkShapeExponentialMap::Execute(const shape::Progress& progress)
   const shape::PatchLayout layout = shape::FlattenPatch(*kept.Map,
     Eigen::Map<const Eigen::RowVector3d>(this->Seed),
     Eigen::Map<const Eigen::RowVector3d>(this->XDirection), this->Options, progress.Part(0.7, 1.0));
+  auto* output = vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
   vtkShapePatch::Write(layout, kept.Map->Surface(), kept.Surface, kept.Cells,
-    vtkPolyData::SafeDownCast(this->GetOutputDataObject(0)));
+    output);
+  vtkShapeCarry::RenumberOriginals(
+    this->GetGatheredInput(0).GivenPoints, output->GetPointData());
 }

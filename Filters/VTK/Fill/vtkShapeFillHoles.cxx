@@ -37,7 +37,7 @@ struct vtkShapeFillHoles::Kept
 vtkShapeFillHoles::vtkShapeFillHoles()
   : Cache(std::make_unique<Kept>())
 {
-  this->DeclareInput("Input", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareInput("Input", PortData::WholePolygons, PortUse::Required, { "vtkPolyData" });
   this->DeclareOutput("vtkPolyData");
   this->DeclareFacts();
   this->DeclareShown(0, { "Filled" });
@@ -191,6 +191,11 @@ void vtkShapeFillHoles::Execute(const shape::Progress& progress)
     this->Warn(std::to_string(copies) +
       " copies of points were added where sheets of the surface touch: each sheet has its own now; "
       "see Split Sheets");
+  }
+  if (kept.Border.UnclosedSides > 0)
+  {
+    this->Warn(std::to_string(kept.Border.UnclosedSides) +
+      " boundary edges are in no closed loop and stay open; repair the surface with Shape Solidify, or remove the triangles there");
   }
   progress(0.95);
   const bool areCurves = kept.Surface.Surface.Triangles.rows() == 0;

@@ -18,12 +18,13 @@ struct vtkShapeGeodesicDistance::Kept
 {
   vtkShapeSeenInput Input;
   std::unique_ptr<shape::Surface> Mesh;
+  bool IsSeparated = false; ///< see RepairInput
 };
 
 vtkShapeGeodesicDistance::vtkShapeGeodesicDistance()
   : Cache(std::make_unique<Kept>())
 {
-  this->DeclareInput("Input", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareInput("Input", PortData::WholePolygons, PortUse::Required, { "vtkPolyData" });
   this->DeclareInput("Seeds", PortData::WholeGrid, PortUse::Optional, { "vtkDataSet" });
   this->DeclareOutputLikeInput();
   this->DeclareFacts();
@@ -66,9 +67,14 @@ Eigen::MatrixXd vtkShapeGeodesicDistance::FindSeeds()
 
 void vtkShapeGeodesicDistance::Execute(const shape::Progress& progress)
 {
+  const bool isSeparated =
+    this->Options.Method == shape::GeodesicDistanceOptions::MethodType::Exact;
+  this->RepairInput(0, 0, isSeparated);
   const GatheredInput& whole = this->GetGatheredInput(0);
-  if (this->Cache->Input.IsNew(*this, 0, whole.Data) || !this->Cache->Mesh)
+  if (this->Cache->Input.IsNew(*this, 0, whole.Data) || !this->Cache->Mesh ||
+    this->Cache->IsSeparated != isSeparated)
   {
+    this->Cache->IsSeparated = isSeparated;
     this->Cache->Mesh.reset(); // an error below must not leave the last surface
     this->Cache->Mesh =
       std::make_unique<shape::Surface>(vtkShapeConvert::ToMesh(whole.Data, "the surface"));
@@ -76,6 +82,12 @@ void vtkShapeGeodesicDistance::Execute(const shape::Progress& progress)
   const shape::GeodesicDistanceResult result =
     shape::ComputeGeodesicDistance(*this->Cache->Mesh, this->FindSeeds(), this->Options, progress);
 
+  if (result.Unreached > 0)
+  {
+    this->Warn(std::to_string(result.Unreached) +
+      " points are connected to no seed: their GeodesicDistance is -1; add a seed on each component, "
+      "or remove them with Connectivity");
+  }
   vtkDataObject* output = this->GetOutputDataObject(0);
   vtkShapeComposite::AddPointFields(this->GetInputDataObject(0, 0), output,
     { { "GeodesicDistance", vtkShapeConvert::Rows(result.Distances, whole.OwnPoints) } });

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <utility>
 #include <string>
 #include <vector>
 
@@ -48,7 +49,7 @@ void vtkShapeApplyVolumeMap::Execute(const shape::Progress& progress)
     vtkShapeChargeSet::Read(this->GetGatheredInput(1).Data, "the Map"),
     progress.Part(0.05, 0.1, "preparing the map"));
 
-  std::array<vtkIdType, 3> counts{};
+  std::array<std::vector<Eigen::RowVector3d>, 2> found;
   vtkDataObject* moved = this->GetOutputDataObject(0);
   if (this->Inverse)
   {
@@ -56,19 +57,19 @@ void vtkShapeApplyVolumeMap::Execute(const shape::Progress& progress)
       map, {}, progress.Part(0.1, 0.2, "preparing the inverse map"));
     const auto position = [&](const Eigen::MatrixXd& points, const shape::Progress& part)
     {
-      const shape::InverseMap::Result found = inverse.Find(points, part);
-      return shape::MovedPoints{ found.Points, found.States };
+      const shape::InverseMap::Result result = inverse.Find(points, part);
+      return shape::MovedPoints{ result.Points, result.States };
     };
-    counts = vtkShapeChargeSet::Move(
+    found = vtkShapeChargeSet::Move(
       domain, moved, position, progress.Part(0.2, 1.0, "inverting the map"));
   }
   else
   {
     const auto position = [&](const Eigen::MatrixXd& points, const shape::Progress& part)
     { return shape::ApplyVolumeMap(*map, points, part); };
-    counts = vtkShapeChargeSet::Move(
+    found = vtkShapeChargeSet::Move(
       domain, moved, position, progress.Part(0.1, 1.0, "moving the points"));
   }
-  this->AddCount(0, "ApplyVolumeMap.OutsidePoints", static_cast<double>(counts[1]));
-  this->AddCount(0, "ApplyVolumeMap.NotInverted", static_cast<double>(counts[2]));
+  this->AddCount(0, "ApplyVolumeMap.OutsidePoints", std::move(found[0]));
+  this->AddCount(0, "ApplyVolumeMap.NotInverted", std::move(found[1]));
 }

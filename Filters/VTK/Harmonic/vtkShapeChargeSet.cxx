@@ -267,12 +267,12 @@ void vtkShapeChargeSet::Write(const shape::PiecewiseCharges& set, vtkPolyData* o
   output->GetFieldData()->AddArray(vtkShapeConvert::ToArray(set.Skins, "Skin"));
 }
 
-std::array<vtkIdType, 3> vtkShapeChargeSet::Move(vtkDataObject* domain, vtkDataObject* moved,
+std::array<std::vector<Eigen::RowVector3d>, 2> vtkShapeChargeSet::Move(vtkDataObject* domain, vtkDataObject* moved,
   const std::function<shape::MovedPoints(
     const Eigen::MatrixXd& points, const shape::Progress& progress)>& position,
   const shape::Progress& progress)
 {
-  std::array<vtkIdType, 3> counts{};
+  std::array<std::vector<Eigen::RowVector3d>, 2> found;
   double done = 0.0;
   const double share =
     1.0 / std::max<vtkIdType>(1, domain->GetNumberOfElements(vtkDataObject::POINT));
@@ -289,12 +289,15 @@ std::array<vtkIdType, 3> vtkShapeChargeSet::Move(vtkDataObject* domain, vtkDataO
         // Points that belong to another process are counted by that process.
         const bool own =
           !ghosts || (ghosts->GetValue(i) & vtkDataSetAttributes::DUPLICATEPOINT) == 0;
-        counts[positions.OutsideDomain(i)] += own;
+        if (own && positions.OutsideDomain(i) > 0)
+        {
+          found[positions.OutsideDomain(i) - 1].emplace_back(sources.row(i));
+        }
       }
       vtkShapeComposite::Move(input, positions.Points, output);
       output->GetPointData()->AddArray(vtkShapeConvert::ToArray(sources, "SourcePosition"));
       output->GetPointData()->AddArray(
         vtkShapeConvert::ToIntegers(positions.OutsideDomain, "OutsideDomain"));
     });
-  return counts;
+  return found;
 }

@@ -40,10 +40,10 @@ void Write(const shape::PiecewiseCharges& charges, vtkPolyData* output);
 /**
  * Moves the points of `domain`, adds the point arrays `SourcePosition` and `OutsideDomain` (0, 1 or
  * 2), and writes the result to `moved`. position: computes the new positions of the points of one
- * data set. Returns the number of points with each value of OutsideDomain; points of other
- * processes are not counted.
+ * data set. Returns the points with OutsideDomain 1, and those with 2, at their old positions;
+ * without ghost points, which belong to other processes.
  */
-std::array<vtkIdType, 3> Move(vtkDataObject* domain, vtkDataObject* moved,
+std::array<std::vector<Eigen::RowVector3d>, 2> Move(vtkDataObject* domain, vtkDataObject* moved,
   const std::function<shape::MovedPoints(
     const Eigen::MatrixXd& points, const shape::Progress& progress)>& position,
   const shape::Progress& progress);

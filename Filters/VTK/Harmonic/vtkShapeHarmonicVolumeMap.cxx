@@ -162,7 +162,7 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   vtkShapeChargeSet::Share(controller, result.Map.Charges);
   vtkShapeGather::Share(controller, result.Targets);
   const shape::PiecewiseHarmonicMap map(result.Map.Charges, progress.Part(solved, solved + 0.01));
-  const auto counts = vtkShapeChargeSet::Move(
+  const auto found = vtkShapeChargeSet::Move(
     domain, moved,
     [&](const Eigen::MatrixXd& points, const shape::Progress& part)
     { return shape::ApplyVolumeMap(map, points, part); },
@@ -192,6 +192,6 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   }
   for (const int port : { 0, 1 })
   {
-    this->AddCount(port, Facts + "OutsidePoints", static_cast<double>(counts[1]));
+    this->AddCount(port, Facts + "OutsidePoints", found[0]);
   }
 }

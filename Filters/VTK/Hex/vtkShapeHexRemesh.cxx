@@ -4,6 +4,7 @@
 #include "vtkShapeHexResult.h"
 #include "vtkShapeLargeSize.h"
 #include "vtkShapeMeasures.h"
+#include "vtkShapeSurfaces.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -95,13 +96,18 @@ shape::GivenPolycube ToPolycube(vtkPolyData* data)
 double* vtkShapeHexRemesh::GetSurfaceSize()
 {
   std::fill_n(this->SurfaceSize, 3, 0.0);
-  auto* surface = this->GetNumberOfInputConnections(0) > 0
-    ? vtkPolyData::SafeDownCast(this->GetInputDataObject(0, 0))
+  auto* data = this->GetNumberOfInputConnections(0) > 0
+    ? vtkDataSet::SafeDownCast(this->GetInputDataObject(0, 0))
     : nullptr;
-  if (surface && surface->GetNumberOfPolys() > 0)
+  if (data && data->GetNumberOfCells() > 0)
   {
     try
     {
+      const auto surface = vtkShapeSurfaces::ToSurface(data, this->GetInputName(0));
+      if (!surface || surface->GetNumberOfPolys() == 0)
+      {
+        return this->SurfaceSize;
+      }
       const shape::Mesh mesh = vtkShapeConvert::ToMesh(surface, "the Surface");
       this->SurfaceSize[0] = std::abs(shape::ComputeEnclosedVolume(mesh));
       this->SurfaceSize[1] = shape::ComputeArea(mesh);

@@ -4,12 +4,16 @@
 #include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapePreciseMap.h"
+#include "vtkShapeSurfaces.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCellType.h"
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
 
 #include "Base/Errors.h"
 #include "Mesh/UsedPoints.h"
@@ -39,26 +43,29 @@ void KeepGhosts(
 
 } // namespace
 
-vtkShapeCutImage::vtkShapeCutImage(
-  const shape::Mesh& surface, const shape::CutSurface& cut, const Eigen::MatrixXd& positions)
+vtkShapeCutImage::vtkShapeCutImage(const shape::Mesh& surface, const std::vector<int>& given,
+  const shape::CutSurface& cut, const Eigen::MatrixXd& positions)
   : Surface(surface)
+  , Given(given)
   , Cut(cut)
   , Positions(positions)
 {
   for (int t = 0; t < surface.Triangles.rows(); ++t)
   {
     const Eigen::RowVector3i corners = surface.Triangles.row(t);
-    this->Triangles[Turned({ corners(0), corners(1), corners(2) })] = t;
+    this->Triangles[Turned({ this->ToGiven(corners(0)), this->ToGiven(corners(1)),
+      this->ToGiven(corners(2)) })] = t;
   }
 }
 
 void vtkShapeCutImage::Fill(vtkDataSet* from, const std::vector<int>& whole, vtkDataSet* to) const
 {
-  auto* block = vtkPolyData::SafeDownCast(from);
+  const vtkSmartPointer<vtkPolyData> block = vtkShapeSurfaces::ToSurface(from, "Input");
   const shape::NumberedSurface numbered = vtkShapePreciseMap::ToSurface(block, "the surface");
   const shape::Mesh& own = numbered.Surface;
-  // The same triangles with the points of the cut surface.
+  // The same triangles with the points of the cut surface, and the block's triangle of each.
   shape::Mesh cut{ {}, Eigen::MatrixXi(own.Triangles.rows(), 3) };
+  std::vector<int> imaged;
   std::map<int, int> ownOf; // the block's points by those of the cut surface
   for (Eigen::Index t = 0; t < own.Triangles.rows(); ++t)
   {
@@ -68,6 +75,10 @@ void vtkShapeCutImage::Fill(vtkDataSet* from, const std::vector<int>& whole, vtk
       points[k] = whole[own.Triangles(t, k)];
     }
     const auto found = this->Triangles.find(Turned(points));
+    if (found == this->Triangles.end() && !this->Given.empty())
+    {
+      continue; // removed by the repair
+    }
     if (found == this->Triangles.end())
     {
       throw shape::InvalidInput("a polygon is triangulated differently in its block than in the "
@@ -78,14 +89,16 @@ void vtkShapeCutImage::Fill(vtkDataSet* from, const std::vector<int>& whole, vtk
       for (int l = 0; l < 3; ++l)
       {
         const int point = this->Cut.Surface.Triangles(found->second, l);
-        if (this->Cut.Provenance.Points(point) == points[k])
+        if (this->ToGiven(this->Cut.Provenance.Points(point)) == points[k])
         {
-          cut.Triangles(t, k) = point;
+          cut.Triangles(static_cast<Eigen::Index>(imaged.size()), k) = point;
           ownOf[point] = own.Triangles(t, k);
         }
       }
     }
+    imaged.push_back(static_cast<int>(t));
   }
+  cut.Triangles.conservativeResize(static_cast<Eigen::Index>(imaged.size()), 3);
   std::vector<int> used, originals;
   for (const auto& [point, original] : ownOf)
   {
@@ -98,12 +111,23 @@ void vtkShapeCutImage::Fill(vtkDataSet* from, const std::vector<int>& whole, vtk
   vtkNew<vtkPolyData> flat;
   vtkShapeConvert::FromMesh(cut, flat);
   const shape::Provenance provenance =
-    shape::TraceCopies(originals, block->GetNumberOfPoints(), numbered.Cells);
+    shape::TraceCopies(originals, block->GetNumberOfPoints(), numbered.Cells(imaged));
   vtkShapeCarry::Carry({ { block, provenance } }, flat);
   KeepGhosts(block->GetPointData(), provenance.Weights, flat->GetPointData());
   KeepGhosts(block->GetCellData(),
     vtkShapeCarry::ToWeights(provenance.Cells, block->GetNumberOfCells()), flat->GetCellData());
-  vtkShapeComposite::Move(flat, vtkShapeConvert::Rows(this->Positions, used), to);
+  vtkNew<vtkUnstructuredGrid> grid;
+  const bool isGrid = to->IsA("vtkUnstructuredGrid");
+  if (isGrid)
+  {
+    grid->SetPoints(flat->GetPoints());
+    grid->SetCells(VTK_TRIANGLE, flat->GetPolys());
+    grid->GetPointData()->ShallowCopy(flat->GetPointData());
+    grid->GetCellData()->ShallowCopy(flat->GetCellData());
+    grid->GetFieldData()->ShallowCopy(flat->GetFieldData());
+  }
+  vtkShapeComposite::Move(isGrid ? static_cast<vtkDataSet*>(grid) : flat,
+    vtkShapeConvert::Rows(this->Positions, used), to);
   to->GetPointData()->AddArray(vtkShapeConvert::ToArray(cut.Points, "SourcePosition"));
   vtkShapeCarry::AddOriginals(provenance.Points, "OriginalPointId", to->GetPointData());
 }

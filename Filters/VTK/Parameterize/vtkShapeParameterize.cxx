@@ -43,7 +43,7 @@ void vtkShapeParameterize::Execute(const shape::Progress& progress)
   vtkDataObject* image = this->GetOutputDataObject(1);
   vtkShapeComposite::AddPointFields(input, surface, { { "TargetPosition", positions } });
   const bool isCut = map.Cut.Surface.Triangles.rows() > 0;
-  const vtkShapeCutImage cut(mesh, map.Cut, map.CutPositions);
+  const vtkShapeCutImage cut(mesh, whole.GivenPoints, map.Cut, map.CutPositions);
   vtkIdType first = 0; // of this process's points, which are ordered by block
   vtkShapeComposite::ForEach(input, image, vtkShapeComposite::Points::Moved,
     [&](vtkDataSet* from, vtkDataSet* to)

@@ -14,13 +14,16 @@ vtkStandardNewMacro(vtkShapeLaplaceSpectrum);
 
 vtkShapeLaplaceSpectrum::vtkShapeLaplaceSpectrum()
 {
-  this->DeclareInput("Input", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareInput("Input", PortData::WholePolygons, PortUse::Required, { "vtkPolyData" });
   this->DeclareOutputLikeInput();
   this->DeclareMemoryRemedy("lower Number Of Eigenpairs");
 }
 
 void vtkShapeLaplaceSpectrum::Execute(const shape::Progress& progress)
 {
+  // The embedding by MDS needs a manifold.
+  this->RepairInput(
+    0, 0, this->Options.Embedding != shape::LaplaceSpectrumOptions::EmbeddingType::Spectral);
   const GatheredInput& whole = this->GetGatheredInput(0);
   const shape::Surface mesh = vtkShapeConvert::ToMesh(whole.Data, "the surface");
   shape::LaplaceSpectrumResult analysis =

@@ -141,17 +141,19 @@ std::optional<shape::SurfacePoints> FittingMap(vtkDataSet* from, vtkUnstructured
   }
 }
 
-/// Counts the marked points, without those that also belong to another process.
-int CountOwn(const Eigen::VectorXi& marks, vtkUnsignedCharArray* ghosts)
+/// Appends the marked points, without those that also belong to another process.
+void AppendOwn(const Eigen::VectorXi& marks, vtkDataSet* data, std::vector<Eigen::RowVector3d>& own)
 {
-  int count = 0;
+  vtkUnsignedCharArray* ghosts = data->GetPointGhostArray();
   for (Eigen::Index i = 0; i < marks.size(); ++i)
   {
     const bool isGhost =
       ghosts && (ghosts->GetValue(i) & vtkDataSetAttributes::DUPLICATEPOINT) != 0;
-    count += isGhost ? 0 : marks(i);
+    if (marks(i) == 1 && !isGhost)
+    {
+      data->GetPoint(i, own.emplace_back().data());
+    }
   }
-  return count;
 }
 
 /// Returns the transferred arrays, the one that the giver shows first.
@@ -219,7 +221,7 @@ void vtkShapeTransferFields::Execute(const shape::Progress& progress)
   const std::vector<Field> fields = FieldsOf(giver, replaced, std::move(taken));
 
   std::optional<shape::NumberedSurface> numbered; // if a block has a precise map
-  vtkIdType outsidePoints = 0, precisePoints = 0;
+  std::vector<Eigen::RowVector3d> outsidePoints, precisePoints;
   double done = 0.2;
   const double share =
     0.8 / std::max<vtkIdType>(1, input->GetNumberOfElements(vtkDataObject::POINT));
@@ -257,13 +259,14 @@ void vtkShapeTransferFields::Execute(const shape::Progress& progress)
         Replace(to, vtkShapeConvert::ToArray(found.Weights * newMap, this->MapArray));
       }
       Replace(to, vtkShapeConvert::ToIntegers(found.Outside, "OutsideDomain"));
-      vtkUnsignedCharArray* ghosts = from->GetPointGhostArray();
-      outsidePoints += CountOwn(found.Outside, ghosts);
-      precisePoints +=
-        precise ? CountOwn(Eigen::VectorXi::Ones(from->GetNumberOfPoints()), ghosts) : 0;
+      AppendOwn(found.Outside, from, outsidePoints);
+      if (precise)
+      {
+        AppendOwn(Eigen::VectorXi::Ones(from->GetNumberOfPoints()), from, precisePoints);
+      }
       done = next;
     });
   this->DeclareShown(0, NamesToShow(giver, fields));
-  this->AddCount(0, "TransferFields.OutsidePoints", static_cast<double>(outsidePoints));
-  this->AddCount(0, "TransferFields.PrecisePoints", static_cast<double>(precisePoints));
+  this->AddCount(0, "TransferFields.OutsidePoints", std::move(outsidePoints));
+  this->AddCount(0, "TransferFields.PrecisePoints", std::move(precisePoints));
 }

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <map>
+#include <vector>
 
 vtkStandardNewMacro(vtkShapeUntangle);
 
@@ -30,13 +31,14 @@ vtkShapeUntangle::vtkShapeUntangle()
 namespace
 {
 
-/// Merges points that coincide in both shapes, which connects the cells of several pieces. Each is
-/// replaced by the first of them, and the others are then used by no cell.
-void Join(shape::Cells& cells, const Eigen::MatrixXd& rest)
+/// Joins points that coincide in both shapes, which connects the cells of several pieces. Each is
+/// replaced by the first of them. Returns the points that remain, by their given indices.
+std::vector<int> Join(shape::Cells& cells, Eigen::MatrixXd& rest)
 {
+  const auto count = static_cast<int>(cells.Points.rows());
   std::map<std::array<double, 6>, int> firsts;
-  Eigen::VectorXi first(cells.Points.rows());
-  for (int i = 0; i < first.size(); ++i)
+  std::vector<int> kept, newId(count);
+  for (int i = 0; i < count; ++i)
   {
     std::array<double, 6> position = {};
     for (int k = 0; k < 3; ++k)
@@ -44,22 +46,23 @@ void Join(shape::Cells& cells, const Eigen::MatrixXd& rest)
       position[k] = cells.Points(i, k);
       position[3 + k] = rest.rows() > 0 ? rest(i, k) : 0.0;
     }
-    first(i) = firsts.emplace(position, i).first->second;
+    const auto [first, isNew] = firsts.emplace(position, static_cast<int>(kept.size()));
+    newId[i] = first->second;
+    if (isNew)
+    {
+      kept.push_back(i);
+    }
   }
   for (int& corner : cells.Corners)
   {
-    corner = first(corner);
+    corner = newId[corner];
   }
-}
-
-/// Moves each merged point to the position of the point that replaced it. No cell uses merged
-/// points, so untangling did not move them.
-void Follow(const shape::Cells& before, const shape::Cells& joined, Eigen::MatrixXd& points)
-{
-  for (Eigen::Index i = 0; i < before.Corners.size(); ++i)
+  cells.Points = cells.Points(kept, Eigen::all).eval();
+  if (rest.rows() > 0)
   {
-    points.row(before.Corners(i)) = points.row(joined.Corners(i));
+    rest = rest(kept, Eigen::all).eval();
   }
+  return kept;
 }
 
 } // namespace
@@ -92,22 +95,28 @@ void vtkShapeUntangle::Execute(const shape::Progress& progress)
     rest = other.Points;
   }
   shape::Cells cells = given;
+  const Eigen::MatrixXd givenRest = rest;
   progress(0.05);
   // Within one data set, coincident points may belong to faces that are separate on purpose.
   const bool inPieces = vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)) ||
     (controller && controller->GetNumberOfProcesses() > 1);
+  std::vector<int> kept;
   if (inPieces)
   {
-    Join(cells, rest);
+    kept = Join(cells, rest);
   }
   shape::UntangleResult result =
     shape::Untangle(cells, rest, this->Options, progress.Part(0.05, 0.95));
   if (inPieces)
   {
-    Follow(given, cells, result.Solid.Points);
+    const auto count = static_cast<int>(given.Kinds.size());
+    result.Provenance = shape::Compose(
+      shape::TraceCopies(
+        kept, given.Points.rows(), Eigen::VectorXi::LinSpaced(count, 0, count - 1)),
+      result.Provenance);
   }
 
-  Eigen::MatrixXd sources = rest.rows() > 0 ? rest : given.Points;
+  Eigen::MatrixXd sources = rest.rows() > 0 ? givenRest : given.Points;
   // If the input is the output of a map, it already has SourcePosition, which is kept.
   if (rest.rows() == 0 && input->GetPointData()->HasArray("SourcePosition"))
   {
