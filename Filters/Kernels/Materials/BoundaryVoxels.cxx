@@ -177,7 +177,7 @@ void AddVoxelShares(const Cells& cells, const Eigen::VectorXi& own, const VoxelI
 BoundaryVoxels ExtrapolateToBoundary(const VoxelImage& image, const std::vector<double>& shares,
   int layers, std::vector<double>& values, const Progress& progress)
 {
-  RequireOption(layers >= 0, "BoundaryLayers", layers, "0 or positive");
+  RequireOption(layers >= 0, "BoundaryLayers", layers, "0 or more");
   BoundaryVoxels result;
   if (layers == 0)
   {

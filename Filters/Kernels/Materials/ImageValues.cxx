@@ -175,6 +175,8 @@ ImageValuesResult ComputeImageValues(const Cells& cells, const VoxelImage& image
   const MaterialLaws& laws, const ImageValuesOptions& options, const Progress& progress)
 {
   RequireOption(options.SamplingStep > 0.0, "SamplingStep", options.SamplingStep, "positive");
+  RequireOption(options.BoundaryLayers >= 0, "BoundaryLayers", options.BoundaryLayers, "0 or more");
+  RequireOption(options.Materials >= 1, "Materials", options.Materials, "1 or more");
   RequireVoxelImage(image);
   const Eigen::Index count = cells.Kinds.size();
   const CellSampling sampling(cells, image, options.SamplingStep);

@@ -12,7 +12,7 @@ MaterialBins::MaterialBins(double minimum, double maximum, int count)
   : Minimum(minimum)
   , Scale(maximum > minimum ? count / std::log(maximum / minimum) : 0.0)
 {
-  RequireOption(count >= 1, "Materials", count, "positive");
+  RequireOption(count >= 1, "Materials", count, "1 or more");
   this->Sums.setZero(4, count);
 }
 

@@ -18,7 +18,6 @@
 #include "vtkPoints.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStructuredGrid.h"
-#include "vtkUnsignedCharArray.h"
 
 #include "Base/Errors.h"
 
@@ -44,20 +43,6 @@ std::vector<vtkDataSet*> vtkShapeComposite::Of(vtkDataObject* data)
     leaves.push_back(leaf);
   }
   return leaves;
-}
-
-Eigen::VectorXi vtkShapeComposite::FindOwnCells(vtkDataSet* data)
-{
-  Eigen::VectorXi own = Eigen::VectorXi::Ones(data->GetNumberOfCells());
-  if (vtkUnsignedCharArray* ghosts = data->GetCellGhostArray())
-  {
-    const int left = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
-    for (Eigen::Index cell = 0; cell < own.size(); ++cell)
-    {
-      own(cell) = (ghosts->GetValue(cell) & left) == 0;
-    }
-  }
-  return own;
 }
 
 std::string vtkShapeComposite::FindOutputType(vtkDataObject* input, Points points)

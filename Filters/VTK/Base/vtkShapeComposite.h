@@ -17,9 +17,6 @@ namespace vtkShapeComposite
 /// Returns the data set itself or, if it is composite, its non-empty blocks.
 std::vector<vtkDataSet*> Of(vtkDataObject* data);
 
-/// Returns, for each cell, 1, or 0 if it belongs to another process or is hidden.
-Eigen::VectorXi FindOwnCells(vtkDataSet* data);
-
 /// Whether an output keeps the points of its input.
 enum class Points
 {

@@ -4,6 +4,7 @@
 #include "vtkShapeConvert.h"
 #include "vtkShapeExpression.h"
 #include "vtkShapeGather.h"
+#include "vtkShapeOwnCells.h"
 #include "vtkShapeVoxelImage.h"
 
 #include "vtkCellData.h"
@@ -69,7 +70,7 @@ void vtkShapeImageValues::ReadInputs(Run& run)
           to->ShallowCopy(from);
           shape::Cells cells = vtkShapeConvert::ToCells(grid, "the Input");
           vtkShapeConvert::ReorderVoxels(cells);
-          run.Blocks.push_back({ to, std::move(cells), vtkShapeComposite::FindOwnCells(from), {} });
+          run.Blocks.push_back({ to, std::move(cells), vtkShapeOwnCells::Find(from), {} });
         });
     });
   std::vector<const Eigen::MatrixXd*> points;

@@ -3,6 +3,7 @@
 #include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeGather.h"
+#include "vtkShapeOwnCells.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -56,7 +57,7 @@ Part Prepare(vtkDataSet* data, const std::string& mapArray, const shape::Progres
   shape::RequireFinite(part.Images, "the map array '" + mapArray + "' of the Input");
   progress(0.3);
   part.Cells = vtkShapeConvert::ToSimplices(data, "the Input", progress.Part(0.3, 1.0));
-  part.Own = vtkShapeComposite::FindOwnCells(data);
+  part.Own = vtkShapeOwnCells::Find(data);
   return part;
 }
 
