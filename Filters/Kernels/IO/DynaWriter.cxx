@@ -130,8 +130,7 @@ void WriteDynaParts(
   }
   if (!materials.ByNumber.empty())
   {
-    file << "*SECTION_SOLID\n"
-         << std::setw(SetColumns) << 1 << std::setw(SetColumns) << 1 << '\n';
+    file << "*SECTION_SOLID\n" << std::setw(SetColumns) << 1 << std::setw(SetColumns) << 1 << '\n';
   }
   for (const auto& [number, material] : materials.ByNumber)
   {

@@ -35,8 +35,7 @@ MeshMaterials FindMeshMaterials(const Eigen::VectorXi& numbers, const Eigen::Vec
     }
     const MeshMaterial material = { modulus, options.PoissonRatio, options.DensityScale * density };
     const auto [known, isNew] = materials.ByNumber.emplace(numbers(cell), material);
-    if (!isNew &&
-      (known->second.Modulus != modulus || known->second.Density != material.Density))
+    if (!isNew && (known->second.Modulus != modulus || known->second.Density != material.Density))
     {
       throw InvalidInput("cells of MaterialId " + std::to_string(numbers(cell)) +
         " have different values of MaterialModulus or MaterialDensity (first" + where +

@@ -29,7 +29,7 @@ struct ImageValuesOptions
 /// How values of an image become a density and a modulus.
 struct MaterialLaws
 {
-  std::vector<double> Values; ///< of each sample; empty: there are no laws
+  std::vector<double> Values;            ///< of each sample; empty: there are no laws
   std::function<double(double)> Density; ///< of a value
   std::function<double(double)> Modulus; ///< of a density; >= 0 and finite on all values used
 };

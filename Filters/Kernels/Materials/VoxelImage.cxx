@@ -32,8 +32,8 @@ void RequireVoxelImage(const VoxelImage& image)
   }
   for (const std::vector<double>& values : image.Channels)
   {
-    const auto bad =
-      std::count_if(values.begin(), values.end(), [](double value) { return !std::isfinite(value); });
+    const auto bad = std::count_if(
+      values.begin(), values.end(), [](double value) { return !std::isfinite(value); });
     if (bad > 0)
     {
       throw InvalidInput("the Image has " + std::to_string(bad) +

@@ -48,8 +48,7 @@ std::function<double(double)> vtkShapeExpression::Parse(const std::string& expre
   std::string known;
   for (const std::string& variable : variables)
   {
-    if (!variable.empty() &&
-      vtkExprTkFunctionParser::SanitizeName(variable.c_str()) == variable)
+    if (!variable.empty() && vtkExprTkFunctionParser::SanitizeName(variable.c_str()) == variable)
     {
       parser->SetScalarVariableValue(variable, 1.0);
       known += (names.empty() ? "" : " or ") + variable;
@@ -67,8 +66,8 @@ std::function<double(double)> vtkShapeExpression::Parse(const std::string& expre
   if (!isScalar)
   {
     throw shape::InvalidInput("the expression of " + property + ", '" + expression +
-      "', is not a number computed from " + known + (error.empty() ? "" : " (" + Shorten(error) + ")") +
-      "; correct it");
+      "', is not a number computed from " + known +
+      (error.empty() ? "" : " (" + Shorten(error) + ")") + "; correct it");
   }
   return [parser, names](double value)
   {

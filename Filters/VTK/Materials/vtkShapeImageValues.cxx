@@ -78,8 +78,8 @@ void vtkShapeImageValues::ReadInputs(Run& run)
   {
     points.push_back(&block.Cells.Points);
   }
-  run.Image = vtkShapeVoxelImage::Read(
-    this->GetInputDataObject(1, 0), points, this->GetController());
+  run.Image =
+    vtkShapeVoxelImage::Read(this->GetInputDataObject(1, 0), points, this->GetController());
 }
 
 namespace
@@ -120,8 +120,7 @@ void vtkShapeImageValues::MakeLaws(Run& run, const shape::Progress& progress)
   const vtkShapeVoxelImage::Array& array = FindArray(run.Image.Arrays, this->ImageArray);
   const shape::VoxelImage& image = run.Image.Image;
   run.Laws.Values = image.Channels[array.FirstChannel];
-  run.Laws.Density =
-    vtkShapeExpression::Parse(this->Density, { "Value", array.Name }, "Density");
+  run.Laws.Density = vtkShapeExpression::Parse(this->Density, { "Value", array.Name }, "Density");
   run.Laws.Modulus = vtkShapeExpression::Parse(this->ModulusLaw, { "Density" }, "Modulus Law");
   std::vector<double> shares(image.Count(), 0.0);
   vtkShapeGather::RunOnAllOrFail(this->GetController(),
@@ -182,8 +181,8 @@ void vtkShapeImageValues::MakeMaterials(Run& run)
     const shape::ImageValuesResult& values = block.Values;
     bins.Add(values.Modulus, values.Density, values.Volumes, block.Own);
   }
-  vtkShapeGather::Reduce(this->GetController(), bins.Sums.data(),
-    static_cast<int>(bins.Sums.size()), Reduction::Sum);
+  vtkShapeGather::Reduce(
+    this->GetController(), bins.Sums.data(), static_cast<int>(bins.Sums.size()), Reduction::Sum);
   run.Materials = shape::FindMaterials(bins);
   for (const Run::Block& block : run.Blocks)
   {
@@ -208,7 +207,8 @@ namespace
 void WriteTable(const shape::Materials& materials, vtkTable* table)
 {
   const auto count = static_cast<int>(materials.Modulus.size());
-  table->AddColumn(vtkShapeConvert::ToIntegers(Eigen::VectorXi::LinSpaced(count, 0, count - 1), "Id"));
+  table->AddColumn(
+    vtkShapeConvert::ToIntegers(Eigen::VectorXi::LinSpaced(count, 0, count - 1), "Id"));
   table->AddColumn(vtkShapeConvert::ToArray(materials.Modulus, "Modulus"));
   table->AddColumn(vtkShapeConvert::ToArray(materials.Density, "Density"));
   table->AddColumn(vtkShapeConvert::ToArray(materials.Volume, "Volume"));
@@ -231,8 +231,8 @@ void vtkShapeImageValues::WriteFacts(const Run& run)
     }
   }
   vtkShapeGather::Reduce(this->GetController(), sums.data(), 4, Reduction::Sum);
-  std::vector<std::pair<const char*, double>> facts = { { "Cells", sums(0) },
-    { "Volume", sums(1) }, { "CellsOutside", sums(2) }, { "CellsPartlyOutside", sums(3) } };
+  std::vector<std::pair<const char*, double>> facts = { { "Cells", sums(0) }, { "Volume", sums(1) },
+    { "CellsOutside", sums(2) }, { "CellsPartlyOutside", sums(3) } };
   const shape::Materials& materials = run.Materials;
   if (materials.Modulus.size() > 0)
   {

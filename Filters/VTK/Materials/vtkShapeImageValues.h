@@ -22,8 +22,8 @@
  * number of cells). It has no rows without an expression for Density. In parallel, the first
  * process has the rows.
  *
- * The initial law of the modulus is that of Morgan, Bayraktar and Keaveny (2003) for the neck of the
- * femur.
+ * The initial law of the modulus is that of Morgan, Bayraktar and Keaveny (2003) for the neck of
+ * the femur.
  *
  * Facts, over all processes, without ghosts: ImageValues.Cells, .Volume, .CellsOutside and
  * .CellsPartlyOutside (of the image); with an expression for Density also .Mass and .Stiffness (the

@@ -82,8 +82,7 @@ std::vector<vtkShapeVoxelImage::Array> FindArrays(
   {
     vtkDataArray* array = all->GetPointData()->GetArray(i);
     const int components = array->GetNumberOfComponents();
-    arrays.push_back(
-      { array->GetName(), channel, components, array->GetComponent(0, 0) != 0.0 });
+    arrays.push_back({ array->GetName(), channel, components, array->GetComponent(0, 0) != 0.0 });
     channel += components;
   }
   return arrays;
@@ -202,8 +201,8 @@ void CopyChannel(const std::vector<vtkImageData*>& images, const std::string& na
     vtkDataArray* array = piece->GetPointData()->GetArray(name.c_str());
     if (!array)
     {
-      throw shape::InvalidInput("a part of the Image has no array '" + name +
-        "'; extract one image with Extract Block");
+      throw shape::InvalidInput(
+        "a part of the Image has no array '" + name + "'; extract one image with Extract Block");
     }
     const int* extent = piece->GetExtent();
     std::array<int, 3> low, high;
@@ -250,8 +249,7 @@ vtkShapeVoxelImage::Result vtkShapeVoxelImage::Read(vtkDataObject* input,
   }
   std::array<int, 3> first;
   result.Image = Crop(FindFrame(images, controller), points, controller, first);
-  const double samples =
-    1.0 * result.Image.Size[0] * result.Image.Size[1] * result.Image.Size[2];
+  const double samples = 1.0 * result.Image.Size[0] * result.Image.Size[1] * result.Image.Size[2];
   if (samples > std::numeric_limits<int>::max())
   {
     throw shape::InvalidInput("the Image has more than 2,147,483,647 voxels around the Input; "

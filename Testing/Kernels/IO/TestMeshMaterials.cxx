@@ -55,8 +55,9 @@ TEST(MeshMaterials, HaveOneValueEach)
 TEST(MeshMaterials, RefusesWhatNoSolverAccepts)
 {
   const auto find = [](const Eigen::Vector2i& numbers, const Eigen::Vector2d& moduli,
-                      const Eigen::Vector2d& densities, double poisson = 0.3, double scale = 1.0)
-  { shape::FindMeshMaterials(numbers, moduli, densities, { poisson, scale }); };
+                      const Eigen::Vector2d& densities, double poisson = 0.3, double scale = 1.0) {
+    shape::FindMeshMaterials(numbers, moduli, densities, { poisson, scale });
+  };
   const Eigen::Vector2i numbers(0, 1);
   const Eigen::Vector2d ones(1.0, 1.0);
   EXPECT_NO_THROW(find(numbers, ones, ones));
@@ -87,8 +88,7 @@ TEST(MeshMaterials, AreDomainsForFebio)
   const std::string text = TextOf([](std::ostream& file) { shape::WriteFebio(file, FourCubes()); });
   ExpectContains(text, "<material id=\"2\" name=\"Material7\" type=\"isotropic elastic\">");
   ExpectContains(text, "<density>0.75</density>\n\t\t\t<E>1234.5</E>\n\t\t\t<v>0.25</v>");
-  for (const std::string part :
-    { "Region0_Material2", "Region0_Material7", "Region1_Material7" })
+  for (const std::string part : { "Region0_Material2", "Region0_Material7", "Region1_Material7" })
   {
     ExpectContains(text, "<Elements type=\"hex8\" name=\"" + part + "\">");
     ExpectContains(text, "<SolidDomain name=\"" + part + "\" mat=\"" + part.substr(8) + "\"/>");
@@ -107,6 +107,6 @@ TEST(MeshMaterials, ArePartsForDyna)
 TEST(MeshMaterials, AreGroupsForGmsh)
 {
   const std::string text = TextOf([](std::ostream& file) { shape::WriteGmsh(file, FourCubes()); });
-  ExpectContains(text,
-    "3 1 \"Region0_Material2\"\n3 2 \"Region0_Material7\"\n3 3 \"Region1_Material7\"\n");
+  ExpectContains(
+    text, "3 1 \"Region0_Material2\"\n3 2 \"Region0_Material7\"\n3 3 \"Region1_Material7\"\n");
 }

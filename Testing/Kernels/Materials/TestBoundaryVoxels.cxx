@@ -67,8 +67,7 @@ TEST(BoundaryVoxels, TheSharesSumUpToTheVolume)
   const shape::VoxelImage image = MakePhantom(Low, High);
   std::vector<double> shares;
   shape::AddVoxelShares(Box(Low, High), {}, image, shares);
-  EXPECT_NEAR(
-    std::accumulate(shares.begin(), shares.end(), 0.0), (High - Low).prod(), 1e-6);
+  EXPECT_NEAR(std::accumulate(shares.begin(), shares.end(), 0.0), (High - Low).prod(), 1e-6);
   EXPECT_NEAR(shares[image.IndexOf(8, 8, 8)], 1.0, 0.05);
   EXPECT_EQ(shares[image.IndexOf(1, 8, 8)], 0.0);
   // A ghost has no share.
@@ -87,13 +86,13 @@ TEST(BoundaryVoxels, ALinearFieldIsRestoredAtTheBoundary)
     std::vector<double> shares;
     shape::AddVoxelShares(Box(Low, High), {}, image, shares);
     std::vector<double> values = image.Channels[0];
-    const shape::BoundaryVoxels found =
-      shape::ExtrapolateToBoundary(image, shares, 1, values);
+    const shape::BoundaryVoxels found = shape::ExtrapolateToBoundary(image, shares, 1, values);
     EXPECT_EQ(found.Unresolved, 0);
     EXPECT_GT(found.Raised, 100);
     const auto identity = [](double v) { return v; };
-    const auto density = [&](const std::vector<double>& given)
-    { return shape::ComputeImageValues(cell, image, { given, identity, identity }).Density(0); };
+    const auto density = [&](const std::vector<double>& given) {
+      return shape::ComputeImageValues(cell, image, { given, identity, identity }).Density(0);
+    };
     const Eigen::Array3d centre =
       0.5 * (cell.Points.row(0) + cell.Points.row(6)).transpose().array();
     EXPECT_NEAR(density(values), Linear(centre), 1e-12);
@@ -109,8 +108,7 @@ TEST(BoundaryVoxels, NoValueIsLoweredAndNoLayerChangesNothing)
   for (const int layers : { 0, 1, 2, 40 })
   {
     std::vector<double> values = image.Channels[0];
-    const shape::BoundaryVoxels found =
-      shape::ExtrapolateToBoundary(image, shares, layers, values);
+    const shape::BoundaryVoxels found = shape::ExtrapolateToBoundary(image, shares, layers, values);
     for (std::size_t i = 0; i < values.size(); ++i)
     {
       EXPECT_GE(values[i], image.Channels[0][i]);

@@ -234,9 +234,9 @@ TEST(ImageValues, AConstantImageHasOneMean)
 {
   shape::VoxelImage image = MakeImage({ 9, 9, 9 });
   AddChannel(image, [](const auto&) { return 4.25; });
-  const shape::ImageValuesResult found = shape::ComputeImageValues(
-    MakeMesh(image, 0.0, 8.0, 3, true), image,
-    { image.Channels[0], [](double v) { return 2.0 * v; }, [](double d) { return d * d; } });
+  const shape::ImageValuesResult found =
+    shape::ComputeImageValues(MakeMesh(image, 0.0, 8.0, 3, true), image,
+      { image.Channels[0], [](double v) { return 2.0 * v; }, [](double d) { return d * d; } });
   EXPECT_LT((found.Means.array() - 4.25).abs().maxCoeff(), 1e-13);
   EXPECT_LT((found.Density.array() - 8.5).abs().maxCoeff(), 1e-13);
   EXPECT_LT((found.Modulus.array() - 72.25).abs().maxCoeff(), 1e-12);
@@ -311,8 +311,8 @@ TEST(ImageValues, CellsMuchSmallerThanAVoxelAreExact)
     expected += weight * v[corner];
   }
   const Eigen::RowVector3d half(0.05, 0.01, 0.03);
-  const shape::ImageValuesResult found = shape::ComputeImageValues(
-    OneCell(image, Hexahedron, Box(centre - half, centre + half)), image);
+  const shape::ImageValuesResult found =
+    shape::ComputeImageValues(OneCell(image, Hexahedron, Box(centre - half, centre + half)), image);
   EXPECT_NEAR(found.Means(0, 0), expected, 1e-13);
 }
 
@@ -398,8 +398,7 @@ TEST(ImageValues, RefusesWhatHasNoMeaning)
   EXPECT_NE(run(cell, image, { image.Channels[0], same, [](double) { return 0.0; } })
               .find("the modulus is 0"),
     std::string::npos);
-  const shape::Cells away =
-    OneCell(image, Hexahedron, Box({ 11.0, 1.0, 1.0 }, { 14.0, 4.0, 4.0 }));
+  const shape::Cells away = OneCell(image, Hexahedron, Box({ 11.0, 1.0, 1.0 }, { 14.0, 4.0, 4.0 }));
   EXPECT_NE(run(away, image, { image.Channels[0], same, [](double) { return 1.0; } })
               .find("does not contain any part of 1 cell"),
     std::string::npos);
@@ -433,7 +432,7 @@ TEST(ImageValues, ALargeCellIsDividedAmongTasksAndCanBeStopped)
   const shape::ImageValuesResult found = shape::ComputeImageValues(cell, image);
   const double expected = Linear(PositionOf(image, 34.5, 29.5, 9.5));
   EXPECT_NEAR(found.Means(0, 0), expected, 1e-11 * std::abs(expected));
-  EXPECT_THROW(shape::ComputeImageValues(cell, image, {}, {},
-                 shape::Progress([](double) { return false; })),
+  EXPECT_THROW(
+    shape::ComputeImageValues(cell, image, {}, {}, shape::Progress([](double) { return false; })),
     shape::Aborted);
 }

@@ -27,10 +27,10 @@ struct ElementBlock
  *
  * Cells keep their index + 1 as number, and belong to the set "Region0" and so on, of number
  * region + 1. If the mesh has materials, the solid cells of each region and material are a set
- * "Region0_Material0" and so on; the sets are then numbered in this order. If the mesh has solid cells but no surface cells, the faces of its boundary follow in
- * the sets "Patch0" and so on, of number patch + 1, and the faces between regions in the sets
- * "Interface0_1" and so on, which continue the numbers of the patches. A face faces outwards, or
- * out of the lower region.
+ * "Region0_Material0" and so on; the sets are then numbered in this order. If the mesh has solid
+ * cells but no surface cells, the faces of its boundary follow in the sets "Patch0" and so on, of
+ * number patch + 1, and the faces between regions in the sets "Interface0_1" and so on, which
+ * continue the numbers of the patches. A face faces outwards, or out of the lower region.
  */
 std::vector<ElementBlock> GroupElements(const MeshSets& sets);
 

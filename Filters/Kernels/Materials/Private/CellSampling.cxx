@@ -27,8 +27,7 @@ const int* FindCubeOrder(int kind)
 {
   static constexpr int hexahedron[] = { 0, 1, 3, 2, 4, 5, 7, 6 },
                        tetrahedron[] = { 0, 1, 2, 2, 3, 3, 3, 3 },
-                       wedge[] = { 0, 1, 2, 2, 3, 4, 5, 5 },
-                       pyramid[] = { 0, 1, 3, 2, 4, 4, 4, 4 };
+                       wedge[] = { 0, 1, 2, 2, 3, 4, 5, 5 }, pyramid[] = { 0, 1, 3, 2, 4, 4, 4, 4 };
   return kind == Hexahedron ? hexahedron
     : kind == Tetrahedron   ? tetrahedron
     : kind == Wedge         ? wedge
@@ -44,8 +43,10 @@ void RequireSolidCells(const Cells& cells)
   {
     const auto first = std::find_if(cells.Kinds.begin(), cells.Kinds.end(), isOther);
     throw InvalidInput("the Input has " + std::to_string(count) +
-      (count == 1 ? " cell" : " cells") + " of other types than tetrahedra, pyramids, wedges and "
-      "hexahedra (first cell " + std::to_string(first - cells.Kinds.begin()) +
+      (count == 1 ? " cell" : " cells") +
+      " of other types than tetrahedra, pyramids, wedges and "
+      "hexahedra (first cell " +
+      std::to_string(first - cells.Kinds.begin()) +
       "); divide them with Tetrahedralize, or remove them with Extract Cells By Type");
   }
   for (Eigen::Index cell = 0; cell < cells.Kinds.size(); ++cell)
@@ -55,8 +56,8 @@ void RequireSolidCells(const Cells& cells)
     if (size != GetCornerCount(cells.Kinds(cell)) || corners.minCoeff() < 0 ||
       corners.maxCoeff() >= cells.Points.rows())
     {
-      throw InvalidInput("the Input's cell " + std::to_string(cell) +
-        " refers to a missing point; repair the mesh");
+      throw InvalidInput(
+        "the Input's cell " + std::to_string(cell) + " refers to a missing point; repair the mesh");
     }
   }
 }
@@ -99,7 +100,8 @@ CubeSamples SampleCube(const CellCube& cube)
   static const GaussRule rule;
   CubeSamples samples;
   samples.Points = rule.Values.lazyProduct(cube);
-  const CellCube a = rule.Derivatives[0].lazyProduct(cube), b = rule.Derivatives[1].lazyProduct(cube),
+  const CellCube a = rule.Derivatives[0].lazyProduct(cube),
+                 b = rule.Derivatives[1].lazyProduct(cube),
                  c = rule.Derivatives[2].lazyProduct(cube);
   for (int i = 0; i < 8; ++i)
   {
@@ -108,8 +110,7 @@ CubeSamples SampleCube(const CellCube& cube)
   return samples;
 }
 
-CellSampling::CellSampling(
-  const Cells& cells, const VoxelImage& image, double step, double margin)
+CellSampling::CellSampling(const Cells& cells, const VoxelImage& image, double step, double margin)
   : Mesh(cells)
   , Indices(ToIndices(image, cells.Points))
   , Step(step)
