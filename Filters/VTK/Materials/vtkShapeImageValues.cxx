@@ -73,10 +73,17 @@ void vtkShapeImageValues::ReadInputs(Run& run)
           run.Blocks.push_back({ to, std::move(cells), vtkShapeOwnCells::Find(from), {} });
         });
     });
+  double count = 0.0;
   std::vector<const Eigen::MatrixXd*> points;
   for (const Run::Block& block : run.Blocks)
   {
     points.push_back(&block.Cells.Points);
+    count += static_cast<double>(block.Own.size());
+  }
+  vtkShapeGather::Reduce(this->GetController(), &count, 1, Reduction::Sum);
+  if (count == 0.0)
+  {
+    throw shape::InvalidInput("the Input has no cells; connect a mesh of solid cells");
   }
   run.Image =
     vtkShapeVoxelImage::Read(this->GetInputDataObject(1, 0), points, this->GetController());

@@ -26,9 +26,9 @@
  * the femur.
  *
  * Facts, over all processes, without ghosts: ImageValues.Cells, .Volume, .CellsOutside and
- * .CellsPartlyOutside (of the image); with an expression for Density also .Mass and .Stiffness (the
- * integrals of density and modulus), .MinimumModulus, .MaximumModulus, .Materials, .BoundaryVoxels,
- * .RaisedVoxels and .UnresolvedVoxels (boundary voxels without inner voxels nearby).
+ * .CellsPartlyOutside (of the image). With an expression for Density also .Mass and .Stiffness (the
+ * integrals of density and modulus) and .Materials, and the voxels at the boundary: .BoundaryVoxels,
+ * .RaisedVoxels and .UnresolvedVoxels (without inner voxels nearby).
  *
  * The mathematics: shape::ComputeImageValues, shape::ExtrapolateToBoundary, shape::MaterialBins.
  */
