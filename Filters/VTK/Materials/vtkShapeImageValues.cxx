@@ -18,6 +18,7 @@
 #include "Base/Errors.h"
 #include "Materials/BoundaryVoxels.h"
 #include "Materials/MaterialBins.h"
+#include "Mesh/Topology.h"
 
 #include <algorithm>
 #include <limits>
@@ -70,6 +71,7 @@ void vtkShapeImageValues::ReadInputs(Run& run)
           to->ShallowCopy(from);
           shape::Cells cells = vtkShapeConvert::ToCells(grid, "the Input");
           vtkShapeConvert::ReorderVoxels(cells);
+          shape::RequireFinite(cells.Points, "the Input");
           run.Blocks.push_back({ to, std::move(cells), vtkShapeOwnCells::Find(from), {} });
         });
     });
