@@ -102,15 +102,15 @@ class Model:
         return areas
 
     def solve(self, young, poisson, boundary, loads=()):
-        """Displacements (n x 3), to CalculiX's seven digits. young: one for all regions, or {region:
-        young}. boundary: data lines of *BOUNDARY; loads: lines of the step."""
+        """Displacements (n x 3), to CalculiX's seven digits. young: one for all regions, {region:
+        young}, or None if the mesh has materials. boundary: data lines of *BOUNDARY; loads: lines of the step."""
         return self.analyse(young, poisson, boundary, loads).Displacements
 
     def analyse(self, young, poisson, boundary, loads=()):
         """solve(), with all that CalculiX says: a Solution."""
         regions = [key.rpartition('=Region')[2] for key in self.blocks if '=Region' in key]
         deck = ['*INCLUDE, INPUT=mesh.inp', '*NSET, NSET=All, GENERATE', '1, %d' % len(self.points)]
-        for region in regions:
+        for region in regions if young is not None else []:
             stiffness = young[int(region)] if isinstance(young, dict) else young
             deck += ['*MATERIAL, NAME=Material' + region, '*ELASTIC', '%r, %r' % (stiffness, poisson),
                      '*SOLID SECTION, ELSET=Region%s, MATERIAL=Material%s' % (region, region)]

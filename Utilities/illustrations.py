@@ -138,6 +138,23 @@ def LabelSurfaces():
 
 
 @drawing
+def ImageValues():
+    """A layer of a scan, and the moduli of the cells of a bone."""
+    bone = shape('BallSmall.vtu')
+    inside = 'coordsX^2 + coordsY^2 + coordsZ^2'
+    scan = Calculator(
+        Input=ResampleToImage(Input=bone, UseInputBounds=0, SamplingBounds=[-1.3, 1.3] * 3,
+                              SamplingDimensions=[40, 40, 40]),
+        ResultArrayName='HU', Function='if(%s < 1, 300 + 1100 * (%s)^2 + 200 * coordsX, 0)' % (inside, inside))
+    show(Slice(Input=scan, SliceType=Plane(Origin=[0, 0, 0], Normal=[0, 1, 0])), (-1.3, 0, 0), array='HU',
+         preset='Grayscale')
+    cells = ShapeImageValues(Input=bone, Image=scan, ImageArray='HU', Density='0.01 + 0.001 * HU', Materials=12)
+    show(cut(cells, (0, 0, 0), (0, -1, 0)), (1.3, 0, 0), array='Modulus', kind='CELLS',
+         preset='Viridis (matplotlib)', edges=True)
+    return (0.15, -1.0, 0.2), FRONT[1]
+
+
+@drawing
 def Tetrahedralize():
     solid = ShapeTetrahedralize(Input=shape('FigureA.vtp'), PreserveBoundary=0)
     show(cut(solid, (0, 0.02, 0), (0.1, -1, 0)), edges=True, colour=[0.55, 0.74, 0.80])

@@ -16,12 +16,14 @@ OTHER_INPUTS = {
     ('ShapeApplyVolumeMap', 'Map'): 'DentedSphereCharges.vtp',
     ('ShapeDeform', 'Input'): 'FigureASmall.vtp',
     ('ShapeDeform', 'Boundary'): 'FigureBSmall.vtp',
+    ('ShapeImageValues', 'Input'): 'BallSmall.vtu',
     ('ShapeUntangle', 'Input'): 'BallSmall.vtu',
 }
 # Options with which a filter works on the same inputs in less time: what is checked of every filter
 # does not depend on them. The kernels' tests check the other methods.
 OPTIONS = {
     'ShapeCorrespondence': {'CoarsePoints': 100},
+    'ShapeImageValues': {'Density': '0.01 * Value'},
     'ShapeHexRemesh': {'Method': 2, 'CellsOnLongestSide': 4},
     'ShapeLandmarks': {'PointsA': [0.0, 0.0, 1.0, 1.0, 0.0, 0.0]},
 }
@@ -57,6 +59,19 @@ def segmented():
     return image
 
 
+def scanned():
+    """A grey image around the small ball."""
+    i, j, k = numpy.indices((9, 9, 9))
+    image = vtkImageData()
+    image.SetDimensions(9, 9, 9)
+    image.SetOrigin(-1.6, -1.6, -1.6)
+    image.SetSpacing(0.4, 0.4, 0.4)
+    values = numpy_to_vtk((100.0 + 10.0 * i + j * k).ravel(order='F'), deep=True)
+    values.SetName('Grey')
+    image.GetPointData().SetScalars(values)
+    return image
+
+
 # Inputs that no file has; also optional ones that others may take the place of, one of which is
 # required.
 NEEDED_INPUTS = {
@@ -66,6 +81,7 @@ NEEDED_INPUTS = {
         [[0.6 * numpy.cos(t), 0.6 * numpy.sin(t), 0.8] for t in 0.26 * numpy.arange(24)]),
     ('ShapeFillHoles', 'Input'): holed,
     ('ShapeLabelSurfaces', 'Input'): segmented,
+    ('ShapeImageValues', 'Image'): scanned,
 }
 
 GetActiveSource()

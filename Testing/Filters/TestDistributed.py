@@ -10,7 +10,7 @@ import numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkArrayCalculator
-from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkmodules.vtkImagingCore import vtkImageChangeInformation, vtkRTAnalyticSource
 import shapemap
 
 import shapetesting
@@ -164,6 +164,23 @@ for data in (mapped, flat, piece(read('TwistedBarSmall.vtu'))):
     facts += [shapetesting.fact(quality.GetOutputDataObject(0), 'MapQuality.' + name) for name in (
         'Cells', 'FlippedCells', 'DegenerateCells', 'MinimumJacobianDeterminant', 'MeanARAP',
         'MeanSymmetricDirichlet', 'MaximumConformalDistortion')]
+
+# The materials of pieces are those of the whole, and each process has a part of the image.
+scan, finer = vtkRTAnalyticSource(), vtkImageChangeInformation()
+scan.SetWholeExtent(*[-8, 8] * 3)
+finer.SetInputConnection(scan.GetOutputPort())
+finer.SetOutputSpacing(0.2, 0.2, 0.2)
+bone = shapemap.vtkShapeImageValues()
+bone.SetInputDataObject(0, ball)
+bone.SetInputConnection(1, finer.GetOutputPort())
+bone.SetDensity('0.01 * RTData')
+bone.UpdatePiece(rank, processes, 0)
+marked = shapetesting.outputs_of(bone)[0]
+cells = marked.GetCellData()
+assert cells.GetArray('MaterialId').GetRange()[1] > 20 and cells.GetArray('Coverage').GetRange()[0] == 1.0
+assert (bone.GetOutputDataObject(1).GetNumberOfRows() > 20) == (rank == 0), 'one table'
+facts += [shapetesting.fact(marked, 'ImageValues.' + name) for name in (
+    'Cells', 'Materials', 'BoundaryVoxels', 'RaisedVoxels', 'Mass', 'Stiffness')]
 
 # Facts are those of the whole: each process has its side of a cloud that lies partly outside.
 def cloud(places, mine):

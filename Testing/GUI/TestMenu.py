@@ -34,7 +34,7 @@ for name in ('ShapeUntangle', 'ShapeHarmonicVolumeMap', 'ShapeApplyVolumeMap'):
     check(proxies[name])
 w.open('DentedSphere600.vtp')
 for proxy in filters:
-    if proxy.get('name') not in ('ShapeUntangle', 'ShapeLabelSurfaces'):
+    if proxy.get('name') not in ('ShapeUntangle', 'ShapeLabelSurfaces', 'ShapeImageValues'):
         check(proxy)
 w.python('assert len(GetSources()) == 3, GetSources()')
 
@@ -57,5 +57,6 @@ w.picture('GUIParameterize.png')
 # What needs an image is offered when an image is selected.
 w.python('Show(Wavelet())')
 w.wait(100)
-check(proxies['ShapeLabelSurfaces'])
+for name in ('ShapeLabelSurfaces', 'ShapeImageValues'):
+    check(proxies[name])
 w.run()

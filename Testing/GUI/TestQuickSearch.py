@@ -11,7 +11,7 @@ DIALOG = 'QuickLaunchDialog'
 # What a solid without a map can be an input of, or a grid of polygons, which has the same type.
 SOLID = ['Shape Apply Volume Map', 'Shape Boundary Distance', 'Shape Deform', 'Shape Harmonic Volume Map',
          'Shape Solidify', 'Shape Transfer Fields', 'Shape Untangle']
-OF_AN_IMAGE = 'Shape Label Surfaces'
+OF_AN_IMAGE = ['Shape Label Surfaces', 'Shape Image Values']
 hints = {}
 for path in glob.glob(os.path.join(shapetesting.ROOT, 'Filters', 'VTK', '*', '*.xml')):
     for proxy in ElementTree.parse(path).iter('SourceProxy'):
@@ -42,12 +42,13 @@ w = window.Window()
 w.open('DentedSphereCharges.vtp')
 w.open('BallSmall.vtu')
 for label in hints:
-    if label != OF_AN_IMAGE:
+    if label not in OF_AN_IMAGE:
         check(w, label, label if label in SOLID else '')
 w.python('Show(Wavelet())')
 w.wait(100)
-for word in hints.pop(OF_AN_IMAGE).get('keywords').split(', '):
-    check(w, word, OF_AN_IMAGE)
+for label in OF_AN_IMAGE:
+    for word in hints.pop(label).get('keywords').split(', '):
+        check(w, word, label)
 w.open('DentedSphere600.vtp')
 for label, hint in hints.items():
     for word in hint.get('keywords').split(', '):

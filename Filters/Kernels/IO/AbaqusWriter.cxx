@@ -167,6 +167,31 @@ void WriteRegions(std::ostream& file, const MeshSets& sets)
   WriteSet(file, "*NSET, NSET=Points", points);
 }
 
+void WriteMaterials(std::ostream& file, const MeshSets& sets)
+{
+  std::map<int, std::vector<int>> cells;
+  for (int cell = 0; cell < sets.Materials.OfCell.size(); ++cell)
+  {
+    if (GetDimension(sets.Mesh.Kinds(cell)) == 3)
+    {
+      cells[sets.Materials.OfCell(cell)].push_back(cell);
+    }
+  }
+  for (const auto& [number, members] : cells)
+  {
+    const std::string name = "Material" + std::to_string(number);
+    const MeshMaterial& material = sets.Materials.ByNumber.at(number);
+    WriteSet(file, "*ELSET, ELSET=" + name, members);
+    file << "*MATERIAL, NAME=" << name << "\n*ELASTIC\n"
+         << ToShortText(material.Modulus) << ", " << ToShortText(material.PoissonRatio) << '\n';
+    if (material.Density > 0.0)
+    {
+      file << "*DENSITY\n" << ToShortText(material.Density) << '\n';
+    }
+    file << "*SOLID SECTION, ELSET=" << name << ", MATERIAL=" << name << '\n';
+  }
+}
+
 std::vector<int> All(const SolidFaces& faces)
 {
   std::vector<int> all(faces.Cell.size());
@@ -211,6 +236,7 @@ void WriteAbaqus(std::ostream& file, const MeshSets& sets, const AbaqusWriterOpt
   WriteNodes(file, sets.Mesh.Points, progress.Part(0.0, 0.4));
   WriteElements(file, sets.Mesh, options.HexahedronType, progress.Part(0.4, 0.8));
   WriteRegions(file, sets);
+  WriteMaterials(file, sets);
   progress(0.9);
   WriteBoundary(file, sets);
   progress(1.0);

@@ -23,7 +23,7 @@ struct AbaqusWriterOptions
 
 /**
  * Writes a mesh as an input file for Abaqus or CalculiX. Include the file (*INCLUDE,
- * INPUT=mesh.inp) in an input deck with materials, sections and steps.
+ * INPUT=mesh.inp) in an input deck with steps and, if the mesh has none, materials and sections.
  *
  * - Node and element numbers are point and cell indices + 1. The nodes of an element are in the
  *   order of Abaqus. The types are C3D8, C3D8R or C3D8I for hexahedra, C3D4 for tetrahedra, C3D6
@@ -32,6 +32,8 @@ struct AbaqusWriterOptions
  *   Pyramids, Quadrilaterals, Triangles or Lines. Vertex cells become the node set Points.
  * - The element sets Region0, ... contain the solid cells of each region. If there are no solid
  *   cells, they contain the cells of the highest dimension.
+ * - If the mesh has materials, each is an element set, a linear elastic material and a solid
+ *   section: Material0, .... A density of 0 is not written.
  * - The node set Boundary contains the boundary of the solid cells, and the node sets Patch0, ...
  *   contain its patches that have faces. The surfaces PatchSurface0, ... contain the element faces
  * (S1 to S6) of each patch. The node sets Interface0_1, ... contain the points shared by solid

@@ -22,11 +22,11 @@ using namespace cell_kind;
 constexpr int IdColumns = 8, SetColumns = 10, NumberColumns = 16;
 
 /// Returns the number with as many digits as fit in its columns.
-std::string ToColumns(double value)
+std::string ToColumns(double value, std::size_t columns = NumberColumns)
 {
   std::string text = ToExactText(value);
   char buffer[40];
-  for (int digits = 16; text.size() > NumberColumns; --digits)
+  for (int digits = 16; text.size() > columns; --digits)
   {
     text = {
       buffer,
@@ -108,6 +108,41 @@ void WriteDynaElements(std::ostream& file, const ElementBlock& block, const Prog
   }
 }
 
+/// A set of elements, of one or several kinds.
+struct Part
+{
+  std::string Title;
+  int Material = -1;
+};
+
+/// Writes the parts and, if there are materials, a section of solids that they share.
+void WriteDynaParts(
+  std::ostream& file, const std::map<int, Part>& parts, const MeshMaterials& materials)
+{
+  for (const auto& [number, part] : parts)
+  {
+    file << "*PART\n" << part.Title << '\n' << std::setw(SetColumns) << number;
+    if (part.Material >= 0)
+    {
+      file << std::setw(SetColumns) << 1 << std::setw(SetColumns) << part.Material + 1;
+    }
+    file << '\n';
+  }
+  if (!materials.ByNumber.empty())
+  {
+    file << "*SECTION_SOLID\n" << std::setw(SetColumns) << 1 << std::setw(SetColumns) << 1 << '\n';
+  }
+  for (const auto& [number, material] : materials.ByNumber)
+  {
+    // A number of SetColumns columns would touch the next one.
+    const auto text = [](double value) { return ToColumns(value, SetColumns - 1); };
+    file << "*MAT_ELASTIC\n"
+         << std::setw(SetColumns) << number + 1 << std::setw(SetColumns) << text(material.Density)
+         << std::setw(SetColumns) << text(material.Modulus) << std::setw(SetColumns)
+         << text(material.PoissonRatio) << '\n';
+  }
+}
+
 void WriteDynaNodeSet(
   std::ostream& file, const std::string& title, int number, const std::set<int>& points)
 {
@@ -162,7 +197,7 @@ void WriteDyna(std::ostream& file, const MeshSets& sets, const Progress& progres
   }
   file << "*KEYWORD\n$ Written by ShapeMap: node = point + 1, element = cell + 1\n";
   WriteDynaNodes(file, sets.Mesh.Points, progress.Part(0.1, 0.5));
-  std::map<int, std::string> parts;
+  std::map<int, Part> parts;
   std::map<int, FaceSet> faceSets;
   std::set<int> vertices;
   for (const ElementBlock& block : blocks)
@@ -184,14 +219,11 @@ void WriteDyna(std::ostream& file, const MeshSets& sets, const Progress& progres
     }
     else
     {
-      parts[block.SetNumber] = block.Set;
+      parts[block.SetNumber] = { block.Set, block.Material };
       WriteDynaElements(file, block, progress.Part(0.5, 0.9));
     }
   }
-  for (const auto& [number, name] : parts)
-  {
-    file << "*PART\n" << name << '\n' << std::setw(SetColumns) << number << '\n';
-  }
+  WriteDynaParts(file, parts, sets.Materials);
   WriteDynaFaceSets(file, faceSets);
   if (!vertices.empty())
   {

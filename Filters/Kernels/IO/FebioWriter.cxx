@@ -81,24 +81,66 @@ void WriteFebioNodeSet(std::ostream& file, const std::string& name, const std::s
   file << "\n\t\t</NodeSet>\n";
 }
 
-void WriteFebioParts(std::ostream& file, const std::vector<ElementBlock>& blocks,
-  const MeshSets& sets, const Progress& progress)
+/// Returns the name of each part. The kinds of cells of a set are parts of their own.
+std::vector<std::string> FindPartNames(const std::vector<ElementBlock>& blocks)
 {
-  std::map<std::string, int> kinds; // of each region
+  std::map<std::string, int> kinds; // of each set
   for (const ElementBlock& block : blocks)
   {
     kinds[block.Set] += block.Kind != Vertex;
   }
-  std::size_t done = 0;
+  std::vector<std::string> names;
   for (const ElementBlock& block : blocks)
   {
+    names.push_back(
+      block.Set + (kinds.at(block.Set) > 1 ? std::string("_") + FebioType(block.Kind) : ""));
+  }
+  return names;
+}
+
+void WriteFebioMaterials(std::ostream& file, const MeshMaterials& materials)
+{
+  file << "\t<Material>\n";
+  int id = 0;
+  for (const auto& [number, material] : materials.ByNumber)
+  {
+    file << "\t\t<material id=\"" << ++id << "\" name=\"Material" << number
+         << "\" type=\"isotropic elastic\">\n\t\t\t<density>" << ToExactText(material.Density)
+         << "</density>\n\t\t\t<E>" << ToExactText(material.Modulus) << "</E>\n\t\t\t<v>"
+         << ToExactText(material.PoissonRatio) << "</v>\n\t\t</material>\n";
+  }
+  file << "\t</Material>\n";
+}
+
+void WriteFebioDomains(std::ostream& file, const std::vector<ElementBlock>& blocks)
+{
+  const std::vector<std::string> names = FindPartNames(blocks);
+  file << "\t<MeshDomains>\n";
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    if (blocks[i].Material >= 0)
+    {
+      file << "\t\t<SolidDomain name=\"" << names[i] << "\" mat=\"Material" << blocks[i].Material
+           << "\"/>\n";
+    }
+  }
+  file << "\t</MeshDomains>\n";
+}
+
+void WriteFebioParts(std::ostream& file, const std::vector<ElementBlock>& blocks,
+  const MeshSets& sets, const Progress& progress)
+{
+  const std::vector<std::string> names = FindPartNames(blocks);
+  std::size_t done = 0;
+  for (std::size_t part = 0; part < blocks.size(); ++part)
+  {
+    const ElementBlock& block = blocks[part];
     if (block.Kind == Vertex || AreFaces(block, sets))
     {
       continue;
     }
-    const std::string type = FebioType(block.Kind);
-    file << "\t\t<Elements type=\"" << type << "\" name=\"" << block.Set
-         << (kinds.at(block.Set) > 1 ? '_' + type : "") << "\">\n";
+    file << "\t\t<Elements type=\"" << FebioType(block.Kind) << "\" name=\"" << names[part]
+         << "\">\n";
     for (Eigen::Index i = 0; i < block.Corners.rows(); ++i)
     {
       WriteFebioElement(file, "elem", block.Numbers[i], block.Corners.row(i));
@@ -161,11 +203,22 @@ void WriteFebioSurfaces(
 void WriteFebio(std::ostream& file, const MeshSets& sets, const Progress& progress)
 {
   const std::vector<ElementBlock> blocks = GroupElements(sets);
-  file << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<febio_spec version=\"4.0\">\n\t<Mesh>\n";
+  const bool hasMaterials = !sets.Materials.ByNumber.empty();
+  file << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<febio_spec version=\"4.0\">\n";
+  if (hasMaterials)
+  {
+    WriteFebioMaterials(file, sets.Materials);
+  }
+  file << "\t<Mesh>\n";
   WriteFebioNodes(file, sets.Mesh.Points, progress.Part(0.1, 0.5));
   WriteFebioParts(file, blocks, sets, progress.Part(0.5, 0.9));
   WriteFebioSurfaces(file, blocks, sets);
-  file << "\t</Mesh>\n</febio_spec>\n";
+  file << "\t</Mesh>\n";
+  if (hasMaterials)
+  {
+    WriteFebioDomains(file, blocks);
+  }
+  file << "</febio_spec>\n";
   progress(1.0);
 }
 

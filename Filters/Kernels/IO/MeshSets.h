@@ -2,6 +2,7 @@
 
 #include "Base/Progress.h"
 #include "IO/BoundaryPatches.h"
+#include "IO/MeshMaterials.h"
 #include "Mesh/Cells.h"
 
 #include <Eigen/Core>
@@ -17,6 +18,7 @@ struct MeshSets
 {
   Cells Mesh;              ///< its wedges are numbered so that most of them have positive volume
   Eigen::VectorXi Regions; ///< m values, each >= 0: the region of each cell
+  MeshMaterials Materials; ///< of the solid cells; FindMeshSets finds none
   int Dimension = 0;       ///< highest dimension of the cells
   SolidFaces Boundary;     ///< boundary of the solid cells
   Eigen::VectorXi Patches; ///< patch of each face of Boundary

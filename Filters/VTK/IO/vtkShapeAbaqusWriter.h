@@ -6,8 +6,8 @@
  * (numbered by cell index + 1) and an element set for each region. The node set Boundary contains
  * the points on the boundary of the solid cells. Each patch between creases is a node set Patch0,
  * ... and a surface PatchSurface0, ... The node sets Interface0_1, ... contain the points between
- * two regions. The file has no materials, sections or steps. Include it in an input file that has
- * them:
+ * two regions. If the cells have materials of Shape Image Values, the file has their sections.
+ * Otherwise, include it in an input file that has materials and sections:
  *
  *   *INCLUDE, INPUT=mesh.inp
  *   *SOLID SECTION, ELSET=Region0, MATERIAL=Bone

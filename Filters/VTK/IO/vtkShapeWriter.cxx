@@ -42,6 +42,23 @@ void RequireKnownCells(const shape::Cells& cells)
   }
 }
 
+Eigen::VectorXi ReadIntegers(vtkDataArray* array, const std::string& remedy)
+{
+  Eigen::VectorXi integers(array->GetNumberOfTuples());
+  for (Eigen::Index cell = 0; cell < integers.size(); ++cell)
+  {
+    const double value = array->GetComponent(cell, 0);
+    if (value != std::floor(value) || std::abs(value) >= std::numeric_limits<int>::max())
+    {
+      throw shape::InvalidInput(std::string("the cell array '") + array->GetName() +
+        "' has the value " + std::to_string(value) + " at cell " + std::to_string(cell) +
+        "; use integers from 0, or " + remedy);
+    }
+    integers(cell) = static_cast<int>(value);
+  }
+  return integers;
+}
+
 Eigen::VectorXi ReadRegions(vtkUnstructuredGrid* grid, const std::string& name)
 {
   vtkDataArray* array = grid->GetCellData()->GetArray(name.c_str());
@@ -54,19 +71,34 @@ Eigen::VectorXi ReadRegions(vtkUnstructuredGrid* grid, const std::string& name)
     throw shape::InvalidInput("the Input has no cell array '" + name +
       "' with one number for each cell; choose another Region Array, or none");
   }
-  Eigen::VectorXi regions(array->GetNumberOfTuples());
-  for (Eigen::Index cell = 0; cell < regions.size(); ++cell)
+  return ReadIntegers(array, "choose another Region Array");
+}
+
+Eigen::VectorXd ReadNumbers(vtkDataArray* array)
+{
+  Eigen::VectorXd numbers(array->GetNumberOfTuples());
+  for (Eigen::Index cell = 0; cell < numbers.size(); ++cell)
   {
-    const double region = array->GetComponent(cell, 0);
-    if (region != std::floor(region) || std::abs(region) >= std::numeric_limits<int>::max())
-    {
-      throw shape::InvalidInput("the cell array '" + name + "' has the value " +
-        std::to_string(region) + " at cell " + std::to_string(cell) +
-        "; use integers from 0, or choose another Region Array");
-    }
-    regions(cell) = static_cast<int>(region);
+    numbers(cell) = array->GetComponent(cell, 0);
   }
-  return regions;
+  return numbers;
+}
+
+shape::MeshMaterials ReadMaterials(
+  vtkUnstructuredGrid* grid, const shape::MeshMaterialsOptions& options)
+{
+  vtkDataArray* arrays[3];
+  const char* const names[3] = { "MaterialId", "MaterialModulus", "MaterialDensity" };
+  for (int i = 0; i < 3; ++i)
+  {
+    arrays[i] = grid->GetCellData()->GetArray(names[i]);
+    if (!arrays[i] || arrays[i]->GetNumberOfComponents() != 1)
+    {
+      return {};
+    }
+  }
+  return shape::FindMeshMaterials(ReadIntegers(arrays[0], "remove the array with Pass Arrays"),
+    ReadNumbers(arrays[1]), ReadNumbers(arrays[2]), options);
 }
 
 /// Reads the patch of each face of each hexahedron.
@@ -109,6 +141,7 @@ vtkShapeFileWriter::Content vtkShapeWriter::ReadInput(const shape::Progress& pro
   RequireKnownCells(cells);
   shape::MeshSets sets = shape::FindMeshSets(cells, ReadRegions(grid, this->RegionArray),
     this->FeatureAngle, ReadFacePatches(grid), progress);
+  sets.Materials = ReadMaterials(grid, this->MaterialOptions);
   return [this, sets = std::move(sets)](std::ostream& file, const shape::Progress& part)
   { this->WriteText(file, sets, part); };
 }
@@ -118,4 +151,6 @@ void vtkShapeWriter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "RegionArray: " << this->RegionArray << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "PoissonRatio: " << this->MaterialOptions.PoissonRatio << "\n";
+  os << indent << "DensityScale: " << this->MaterialOptions.DensityScale << "\n";
 }

@@ -7,7 +7,10 @@
  * cells are ignored. Each point is written, even if no cell uses it. The cell array FacePatch (int,
  * 6), which Shape Hex Remesh writes, has the patch of each face of a hexahedron in VTK's order.
  *
- * The sets in the files: shape::FindMeshSets.
+ * If the cells have the arrays MaterialId (int), MaterialModulus and MaterialDensity, which Shape
+ * Image Values writes, formats that have materials get them.
+ *
+ * The sets in the files: shape::FindMeshSets. The materials: shape::FindMeshMaterials.
  */
 #ifndef vtkShapeWriter_h
 #define vtkShapeWriter_h
@@ -15,6 +18,7 @@
 #include "vtkShapeFileWriter.h"
 
 #include "Geometry/FeatureAngle.h" // for the default
+#include "IO/MeshMaterials.h"      // for the options
 
 #include <iosfwd> // for the file
 #include <string> // for names
@@ -36,6 +40,8 @@ public:
   vtkGetCharFromStdStringMacro(RegionArray);
   vtkSetMacro(FeatureAngle, double);
   vtkGetMacro(FeatureAngle, double);
+  vtkShapeOptionOf(MaterialOptions, PoissonRatio, double);
+  vtkShapeOptionOf(MaterialOptions, DensityScale, double);
   ///@}
 
 protected:
@@ -54,6 +60,7 @@ private:
 
   std::string RegionArray = "RegionId";
   double FeatureAngle = shape::DefaultFeatureAngle;
+  shape::MeshMaterialsOptions MaterialOptions;
 };
 
 #endif

@@ -3,6 +3,7 @@
 #include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeGather.h"
+#include "vtkShapeOwnCells.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -13,7 +14,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
-#include "vtkUnsignedCharArray.h"
 
 #include "Base/Errors.h"
 #include "Mesh/Topology.h"
@@ -48,20 +48,6 @@ struct Part
   Eigen::VectorXi Own; ///< for each cell 1, or 0 if it belongs to another process or is hidden
 };
 
-Eigen::VectorXi OwnCells(vtkDataSet* data)
-{
-  Eigen::VectorXi own = Eigen::VectorXi::Ones(data->GetNumberOfCells());
-  if (vtkUnsignedCharArray* ghosts = data->GetCellGhostArray())
-  {
-    const int left = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
-    for (Eigen::Index cell = 0; cell < own.size(); ++cell)
-    {
-      own(cell) = (ghosts->GetValue(cell) & left) == 0;
-    }
-  }
-  return own;
-}
-
 Part Prepare(vtkDataSet* data, const std::string& mapArray, const shape::Progress& progress)
 {
   Part part;
@@ -71,7 +57,7 @@ Part Prepare(vtkDataSet* data, const std::string& mapArray, const shape::Progres
   shape::RequireFinite(part.Images, "the map array '" + mapArray + "' of the Input");
   progress(0.3);
   part.Cells = vtkShapeConvert::ToSimplices(data, "the Input", progress.Part(0.3, 1.0));
-  part.Own = OwnCells(data);
+  part.Own = vtkShapeOwnCells::Find(data);
   return part;
 }
 

@@ -15,10 +15,12 @@ using namespace cell_kind;
 class BlockList
 {
 public:
-  void Add(int kind, const std::string& set, int setNumber, int number, std::vector<int> corners)
+  void Add(int kind, const std::string& set, int setNumber, int number, std::vector<int> corners,
+    int material = -1)
   {
     Growing& block = this->Blocks[{ -GetDimension(kind), setNumber, kind }];
     block.Set = set;
+    block.Material = material;
     block.Numbers.push_back(number);
     block.Corners.insert(block.Corners.end(), corners.begin(), corners.end());
   }
@@ -33,6 +35,7 @@ public:
       block.Kind = std::get<2>(key);
       block.Set = growing.Set;
       block.SetNumber = std::get<1>(key);
+      block.Material = growing.Material;
       block.Corners =
         Eigen::Map<const Eigen::Matrix<int, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
           growing.Corners.data(), count, static_cast<Eigen::Index>(growing.Corners.size()) / count);
@@ -46,25 +49,66 @@ private:
   struct Growing
   {
     std::string Set;
+    int Material;
     std::vector<int> Numbers, Corners;
   };
   std::map<std::tuple<int, int, int>, Growing> Blocks;
 };
+
+/// The set of cells: a region and, if there are materials, a material.
+struct CellSet
+{
+  int Region;
+  int Material;
+  int Number; ///< from 1
+};
+
+/// Returns the set of each cell.
+std::vector<CellSet> FindCellSets(const MeshSets& sets)
+{
+  const bool hasMaterials = sets.Materials.OfCell.size() > 0;
+  std::vector<CellSet> found;
+  std::map<std::pair<int, int>, int> numbers;
+  for (int cell = 0; cell < static_cast<int>(sets.Mesh.Kinds.size()); ++cell)
+  {
+    const bool isSolid = GetDimension(sets.Mesh.Kinds(cell)) == 3;
+    const int material = hasMaterials && isSolid ? sets.Materials.OfCell(cell) : -1;
+    found.push_back({ sets.Regions(cell), material, sets.Regions(cell) + 1 });
+    numbers[{ sets.Regions(cell), material }];
+  }
+  int next = 1;
+  for (auto& [pair, number] : numbers)
+  {
+    number = next++;
+  }
+  for (std::size_t cell = 0; cell < found.size() && hasMaterials; ++cell)
+  {
+    found[cell].Number = numbers.at({ found[cell].Region, found[cell].Material });
+  }
+  return found;
+}
+
+std::string NameOf(const CellSet& set)
+{
+  const std::string region = "Region" + std::to_string(set.Region);
+  return set.Material < 0 ? region : region + "_Material" + std::to_string(set.Material);
+}
 
 } // namespace
 
 std::vector<ElementBlock> GroupElements(const MeshSets& sets)
 {
   const Cells& mesh = sets.Mesh;
+  const std::vector<CellSet> cellSets = FindCellSets(sets);
   BlockList blocks;
   bool hasSurfaceCells = false;
   for (int cell = 0; cell < static_cast<int>(mesh.Kinds.size()); ++cell)
   {
     const auto corners =
       mesh.Corners.segment(mesh.Offsets(cell), mesh.Offsets(cell + 1) - mesh.Offsets(cell));
-    const int region = sets.Regions(cell);
-    blocks.Add(mesh.Kinds(cell), "Region" + std::to_string(region), region + 1, cell + 1,
-      { corners.begin(), corners.end() });
+    const CellSet& set = cellSets[cell];
+    blocks.Add(mesh.Kinds(cell), NameOf(set), set.Number, cell + 1,
+      { corners.begin(), corners.end() }, set.Material);
     hasSurfaceCells = hasSurfaceCells || GetDimension(mesh.Kinds(cell)) == 2;
   }
   if (!hasSurfaceCells)
