@@ -7,6 +7,7 @@
 #include "Labels/Private/RegionVolumes.h"
 #include "Labels/Private/SurfaceNet.h"
 #include "Labels/Private/TouchingRegions.h"
+#include "Mesh/RegionSurfaces.h"
 #include "Mesh/Topology.h"
 
 #include <Eigen/Dense>
@@ -198,27 +199,22 @@ void FindCurves(LabelSurfacesResult& result)
   }
 }
 
-/// The surface of a region, facing outwards, over the points of all.
-Mesh SurfaceOf(int label, const LabelSurfacesResult& all)
+/// Measures the surface of each region. voxels: their number in each region, of this volume.
+std::vector<LabelRegion> MeasureRegions(const LabelSurfacesResult& result,
+  const std::map<int, double>& voxels, double voxel, const Progress& progress)
 {
-  std::vector<Eigen::RowVector3i> triangles;
-  for (Eigen::Index t = 0; t < all.Triangles.rows(); ++t)
+  const Mesh all{ result.Points, result.Triangles };
+  const RegionSurfaces regions(all, result.Regions);
+  std::vector<LabelRegion> measured;
+  for (const auto& [label, count] : voxels)
   {
-    if (all.Regions(t, 0) == label || all.Regions(t, 1) == label)
-    {
-      const Eigen::RowVector3i corners = all.Triangles.row(t);
-      triangles.push_back(
-        all.Regions(t, 0) == label ? corners : Eigen::RowVector3i(corners.reverse()));
-    }
+    progress(static_cast<double>(measured.size()) / static_cast<double>(voxels.size()));
+    const Mesh surface = regions.Extract(label);
+    const Topology topology = ComputeTopology(surface);
+    measured.push_back({ label, count * voxel, ComputeEnclosedVolume(surface), topology.Components,
+      topology.EulerNumber });
   }
-  Mesh mesh;
-  mesh.Points = all.Points;
-  mesh.Triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
-  for (Eigen::Index i = 0; i < mesh.Triangles.rows(); ++i)
-  {
-    mesh.Triangles.row(i) = triangles[i];
-  }
-  return mesh;
+  return measured;
 }
 
 } // namespace
@@ -266,15 +262,10 @@ LabelSurfacesResult ExtractLabelSurfaces(
     // The axes mirror the net.
     result.Triangles.col(0).swap(result.Triangles.col(1));
   }
-  progress.Part(0.9, 1.0, "following curves where regions meet")(0.0);
+  progress.Part(0.9, 0.95, "following curves where regions meet")(0.0);
   FindCurves(result);
-  for (const auto& [label, count] : voxels)
-  {
-    const Mesh surface = SurfaceOf(label, result);
-    const Topology topology = ComputeTopology(surface);
-    result.RegionsByLabel.push_back({ label, count * std::abs(voxel),
-      ComputeEnclosedVolume(surface), topology.Components, topology.EulerNumber });
-  }
+  result.RegionsByLabel = MeasureRegions(
+    result, voxels, std::abs(voxel), progress.Part(0.95, 1.0, "measuring the regions"));
   progress(1.0);
   return result;
 }
