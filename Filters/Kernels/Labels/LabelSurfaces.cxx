@@ -14,7 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -80,27 +82,44 @@ int RemoveIntersections(
   SurfaceNet& net, const Eigen::MatrixXd& unsmoothed, const Progress& progress)
 {
   constexpr int rounds = 8;
+  std::vector<int> order(net.Triangles.rows());
+  std::iota(order.begin(), order.end(), 0);
+  int first = 0;
   for (int round = 0;; ++round)
   {
-    const std::vector<Crossing> crossings = FindSelfIntersections(Mesh{ net.Points, net.Triangles },
+    const std::vector<Crossing> crossings = FindSelfIntersectionsFrom(
+      Mesh{ net.Points, net.Triangles(order, Eigen::all) }, first, std::numeric_limits<int>::max(),
       progress.Part(double(round) / (rounds + 1), (round + 1.0) / (rounds + 1)));
     if (crossings.empty() || round == rounds)
     {
       return static_cast<int>(crossings.size());
     }
-    std::set<int> touched;
+    std::vector<char> isMoved(net.Points.rows(), 0);
     for (const Crossing& crossing : crossings)
     {
       for (const int triangle : { crossing.First, crossing.Second })
       {
-        const Eigen::RowVector3i corners = net.Triangles.row(triangle);
-        touched.insert(corners.begin(), corners.end());
+        for (const int corner : Eigen::RowVector3i(net.Triangles.row(order[triangle])))
+        {
+          isMoved[corner] = 1;
+        }
       }
     }
-    for (const int point : touched)
+    for (Eigen::Index point = 0; point < net.Points.rows(); ++point)
     {
-      net.Points.row(point) = 0.5 * (net.Points.row(point) + unsmoothed.row(point));
+      if (isMoved[point])
+      {
+        net.Points.row(point) = 0.5 * (net.Points.row(point) + unsmoothed.row(point));
+      }
     }
+    // Only pairs with a moved triangle may intersect now. Moved triangles come last.
+    const auto isStill = [&](int triangle)
+    {
+      const Eigen::RowVector3i corners = net.Triangles.row(triangle);
+      return !isMoved[corners(0)] && !isMoved[corners(1)] && !isMoved[corners(2)];
+    };
+    first =
+      static_cast<int>(std::stable_partition(order.begin(), order.end(), isStill) - order.begin());
   }
 }
 

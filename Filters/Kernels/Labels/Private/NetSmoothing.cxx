@@ -98,8 +98,9 @@ public:
     }
   }
 
-  /// L x.
-  void Apply(const Positions& x, Positions& result) const
+  /// Sets row i of the result to finish(i, row i of L x).
+  template <typename Finish>
+  void Apply(const Positions& x, Positions& result, const Finish& finish) const
   {
     const auto apply = [&](int begin, int end)
     {
@@ -110,14 +111,15 @@ public:
         {
           sum += x.row(i) - x.row(this->Neighbours[k]);
         }
-        result.row(i) = sum;
+        result.row(i) = finish(i, sum);
       }
     };
     ParallelFor(static_cast<int>(x.rows()), Grain, apply);
   }
 
-  /// L^T y. Row j of L contains i if i is a neighbour that row j counts.
-  void ApplyTransposed(const Positions& y, Positions& result) const
+  /// The same with L^T y. Row j of L contains i if i is a neighbour that row j counts.
+  template <typename Finish>
+  void ApplyTransposed(const Positions& y, Positions& result, const Finish& finish) const
   {
     const auto apply = [&](int begin, int end)
     {
@@ -133,7 +135,7 @@ public:
             sum -= y.row(j);
           }
         }
-        result.row(i) = sum;
+        result.row(i) = finish(i, sum);
       }
     };
     ParallelFor(static_cast<int>(y.rows()), Grain, apply);
@@ -230,26 +232,18 @@ void Solve(const NetLaplacian& laplacian, const std::vector<Direction>* directio
   const double weight = std::pow(wavelength / (2.0 * EIGEN_PI), 4);
   const int size = static_cast<int>(x.rows());
   Positions inner(size, 3), outer(size, 3);
+  const auto across = [&](int i, const Eigen::RowVector3d& vector)
+  { return directions ? (*directions)[i].Across(vector) : vector; };
   const auto apply = [&](const Positions& v)
   {
-    laplacian.Apply(v, inner);
-    for (int i = 0; i < size; ++i)
-    {
-      inner.row(i) *= laplacian.RowWeight(i);
-      if (directions)
+    laplacian.Apply(v, inner,
+      [&](int i, const Eigen::RowVector3d& sum) -> Eigen::RowVector3d
       {
-        inner.row(i) = (*directions)[i].Across(inner.row(i)) / (*directions)[i].Mass;
-      }
-    }
-    laplacian.ApplyTransposed(inner, outer);
-    for (int i = 0; i < size; ++i)
-    {
-      outer.row(i) = laplacian.DataWeight(i) * v.row(i) + weight * outer.row(i);
-      if (directions)
-      {
-        outer.row(i) = (*directions)[i].Across(outer.row(i));
-      }
-    }
+        return across(i, laplacian.RowWeight(i) * sum) / (directions ? (*directions)[i].Mass : 1.0);
+      });
+    laplacian.ApplyTransposed(inner, outer,
+      [&](int i, const Eigen::RowVector3d& sum) -> Eigen::RowVector3d
+      { return across(i, laplacian.DataWeight(i) * v.row(i) + weight * sum); });
   };
   const auto clear = [&](Positions& v)
   {
@@ -262,14 +256,10 @@ void Solve(const NetLaplacian& laplacian, const std::vector<Direction>* directio
     }
   };
   apply(x);
-  Positions residual = given;
+  Positions residual(size, 3);
   for (int i = 0; i < size; ++i)
   {
-    residual.row(i) *= laplacian.DataWeight(i);
-    if (directions)
-    {
-      residual.row(i) = (*directions)[i].Across(residual.row(i));
-    }
+    residual.row(i) = across(i, laplacian.DataWeight(i) * given.row(i));
   }
   residual -= outer;
   clear(residual);
