@@ -5,7 +5,7 @@ between them."""
 import numpy
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet
 import shapemap
 
 import shapetesting
@@ -83,6 +83,25 @@ assert (points(outputs[0])[originals] == points(curves)).all()
 cells = surfaces(image(labels, at_cells=True), LabelArray='Label')[0]
 assert numpy.allclose(points(cells), points(surface) + 0.5, atol=1e-9)
 
+# Integers of any type, and of any size that an int holds; a negative label is a region like others.
+for kind in (numpy.int8, numpy.uint16, numpy.int64, numpy.uint64, numpy.float64):
+    same = surfaces(image(labels.astype(kind)), LabelArray='Label')[0]
+    assert (points(same) == points(surface)).all() and (regions(same) == pairs).all(), kind
+renamed = surfaces(image(numpy.choose(numpy.searchsorted((0, 2, 9), labels), (0, -7, 2 ** 31 - 1))),
+                   LabelArray='Label')
+assert {tuple(pair) for pair in regions(renamed[0])} == {(0, -7), (2 ** 31 - 1, 0), (2 ** 31 - 1, -7)}
+same = vtk_to_numpy(renamed[-1].GetColumnByName('LabelSurfaces.Volumes')).ravel()
+assert numpy.allclose(same, volumes, rtol=1e-6) and same.min() > 0.0
+
+# An image in pieces is the whole image, whether they share a layer (points) or not (cells).
+for at_cells, shared in ((False, 1), (True, 0)):
+    blocks = vtkMultiBlockDataSet()
+    for number, (first, last) in enumerate(((0, 17 + shared), (17, SIZE[0]))):
+        blocks.SetBlock(number, image(labels[first:last], at_cells=at_cells, first=(first, 0, 0)))
+    joined = surfaces(blocks, LabelArray='Label')[0]
+    whole = cells if at_cells else surface
+    assert (points(joined) == points(whole)).all() and (triangles(joined) == triangles(whole)).all()
+
 # Axes may be scaled and turned.
 turned = image(labels, spacing=(2.0, 1.0, 0.5))
 turned.SetDirectionMatrix(0, -1, 0, 1, 0, 0, 0, 0, 1)
@@ -120,6 +139,7 @@ assert set(triangles(surface)[inner].ravel()) <= shared, 'with the boundary pres
 for data, settings, expected in (
         (image(labels), {'LabelArray': 'Lable'}, "no array 'Lable'"),
         (image(distance, 'Grey'), {'LabelArray': 'Grey'}, 'set Thresholds'),
+        (image(labels.astype(numpy.int64) * 2 ** 40), {'LabelArray': 'Label'}, 'the value 2199023255552, but labels are from'),
         (image(0 * labels), {'LabelArray': 'Label'}, 'no label but the outside'),
         (image(labels), {'LabelArray': 'Label', 'Smoothing': -1.0}, 'Smoothing is -1')):
     said = shapetesting.refusal(shapetesting.new(shapemap.vtkShapeLabelSurfaces, data, **settings))

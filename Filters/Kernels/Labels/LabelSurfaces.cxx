@@ -7,13 +7,16 @@
 #include "Labels/Private/RegionVolumes.h"
 #include "Labels/Private/SurfaceNet.h"
 #include "Labels/Private/TouchingRegions.h"
+#include "Mesh/RegionSurfaces.h"
 #include "Mesh/Topology.h"
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -79,27 +82,44 @@ int RemoveIntersections(
   SurfaceNet& net, const Eigen::MatrixXd& unsmoothed, const Progress& progress)
 {
   constexpr int rounds = 8;
+  std::vector<int> order(net.Triangles.rows());
+  std::iota(order.begin(), order.end(), 0);
+  int first = 0;
   for (int round = 0;; ++round)
   {
-    const std::vector<Crossing> crossings = FindSelfIntersections(Mesh{ net.Points, net.Triangles },
+    const std::vector<Crossing> crossings = FindSelfIntersectionsFrom(
+      Mesh{ net.Points, net.Triangles(order, Eigen::all) }, first, std::numeric_limits<int>::max(),
       progress.Part(double(round) / (rounds + 1), (round + 1.0) / (rounds + 1)));
     if (crossings.empty() || round == rounds)
     {
       return static_cast<int>(crossings.size());
     }
-    std::set<int> touched;
+    std::vector<char> isMoved(net.Points.rows(), 0);
     for (const Crossing& crossing : crossings)
     {
       for (const int triangle : { crossing.First, crossing.Second })
       {
-        const Eigen::RowVector3i corners = net.Triangles.row(triangle);
-        touched.insert(corners.begin(), corners.end());
+        for (const int corner : Eigen::RowVector3i(net.Triangles.row(order[triangle])))
+        {
+          isMoved[corner] = 1;
+        }
       }
     }
-    for (const int point : touched)
+    for (Eigen::Index point = 0; point < net.Points.rows(); ++point)
     {
-      net.Points.row(point) = 0.5 * (net.Points.row(point) + unsmoothed.row(point));
+      if (isMoved[point])
+      {
+        net.Points.row(point) = 0.5 * (net.Points.row(point) + unsmoothed.row(point));
+      }
     }
+    // Only pairs with a moved triangle may intersect now. Moved triangles come last.
+    const auto isStill = [&](int triangle)
+    {
+      const Eigen::RowVector3i corners = net.Triangles.row(triangle);
+      return !isMoved[corners(0)] && !isMoved[corners(1)] && !isMoved[corners(2)];
+    };
+    first =
+      static_cast<int>(std::stable_partition(order.begin(), order.end(), isStill) - order.begin());
   }
 }
 
@@ -198,27 +218,22 @@ void FindCurves(LabelSurfacesResult& result)
   }
 }
 
-/// The surface of a region, facing outwards, over the points of all.
-Mesh SurfaceOf(int label, const LabelSurfacesResult& all)
+/// Measures the surface of each region. voxels: their number in each region, of this volume.
+std::vector<LabelRegion> MeasureRegions(const LabelSurfacesResult& result,
+  const std::map<int, double>& voxels, double voxel, const Progress& progress)
 {
-  std::vector<Eigen::RowVector3i> triangles;
-  for (Eigen::Index t = 0; t < all.Triangles.rows(); ++t)
+  const Mesh all{ result.Points, result.Triangles };
+  const RegionSurfaces regions(all, result.Regions);
+  std::vector<LabelRegion> measured;
+  for (const auto& [label, count] : voxels)
   {
-    if (all.Regions(t, 0) == label || all.Regions(t, 1) == label)
-    {
-      const Eigen::RowVector3i corners = all.Triangles.row(t);
-      triangles.push_back(
-        all.Regions(t, 0) == label ? corners : Eigen::RowVector3i(corners.reverse()));
-    }
+    progress(static_cast<double>(measured.size()) / static_cast<double>(voxels.size()));
+    const Mesh surface = regions.Extract(label);
+    const Topology topology = ComputeTopology(surface);
+    measured.push_back({ label, count * voxel, ComputeEnclosedVolume(surface), topology.Components,
+      topology.EulerNumber });
   }
-  Mesh mesh;
-  mesh.Points = all.Points;
-  mesh.Triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
-  for (Eigen::Index i = 0; i < mesh.Triangles.rows(); ++i)
-  {
-    mesh.Triangles.row(i) = triangles[i];
-  }
-  return mesh;
+  return measured;
 }
 
 } // namespace
@@ -266,15 +281,10 @@ LabelSurfacesResult ExtractLabelSurfaces(
     // The axes mirror the net.
     result.Triangles.col(0).swap(result.Triangles.col(1));
   }
-  progress.Part(0.9, 1.0, "following curves where regions meet")(0.0);
+  progress.Part(0.9, 0.95, "following curves where regions meet")(0.0);
   FindCurves(result);
-  for (const auto& [label, count] : voxels)
-  {
-    const Mesh surface = SurfaceOf(label, result);
-    const Topology topology = ComputeTopology(surface);
-    result.RegionsByLabel.push_back({ label, count * std::abs(voxel),
-      ComputeEnclosedVolume(surface), topology.Components, topology.EulerNumber });
-  }
+  result.RegionsByLabel = MeasureRegions(
+    result, voxels, std::abs(voxel), progress.Part(0.95, 1.0, "measuring the regions"));
   progress(1.0);
   return result;
 }

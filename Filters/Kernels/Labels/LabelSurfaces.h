@@ -13,7 +13,8 @@ namespace shape
 struct LabelSurfacesOptions
 {
   /// Waves of the interfaces that are shorter than this many voxels, such as the voxels' steps, are
-  /// smoothed away; in [0, 40]. No point moves more than half a voxel along each axis of the image.
+  /// smoothed away; in [0, 40]. No point moves more than half a voxel along each axis of the image,
+  /// or one voxel where three regions meet.
   double Smoothing = 12.0;
   /// Connected parts of a region with fewer voxels get the label around them; >= 0.
   int SmallestIsland = 0;

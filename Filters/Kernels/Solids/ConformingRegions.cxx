@@ -1,13 +1,12 @@
 #include "Solids/ConformingRegions.h"
 
 #include "Base/Errors.h"
+#include "Mesh/RegionSurfaces.h"
 #include "Mesh/Topology.h"
-#include "Mesh/UsedPoints.h"
 #include "Solids/SurfaceComplex.h"
 
 #include <cmath>
 #include <string>
-#include <vector>
 
 namespace shape
 {
@@ -15,45 +14,13 @@ namespace shape
 ConformingRegions::ConformingRegions(
   const Mesh& surfaces, const Eigen::MatrixXi& labels, const Progress& progress)
 {
-  if (labels.rows() != surfaces.Triangles.rows() || labels.cols() != 2)
-  {
-    throw InvalidInput("each triangle must have two labels, those of the regions on its sides");
-  }
-  std::map<int, std::vector<int>> trianglesOf;
-  for (int t = 0; t < static_cast<int>(labels.rows()); ++t)
-  {
-    if (labels(t, 0) == labels(t, 1))
-    {
-      throw InvalidInput("triangle " + std::to_string(t) + " has region " +
-        std::to_string(labels(t, 0)) +
-        " on both sides; remove such triangles, or correct the array Regions");
-    }
-    for (const int label : { labels(t, 0), labels(t, 1) })
-    {
-      if (label != Outside)
-      {
-        trianglesOf[label].push_back(t);
-      }
-    }
-  }
+  const RegionSurfaces regions(surfaces, labels);
   double done = 0.0;
-  for (const auto& [label, triangles] : trianglesOf)
+  for (const auto& [label, triangles] : regions.Triangles())
   {
-    progress(done++ / static_cast<double>(trianglesOf.size()));
-    Mesh boundary = surfaces;
-    boundary.Triangles = surfaces.Triangles(triangles, Eigen::all);
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-    {
-      if (labels(triangles[i], 0) != label)
-      {
-        boundary.Triangles.row(static_cast<Eigen::Index>(i)).reverseInPlace();
-      }
-    }
-    const std::vector<int> used = FindUsedPoints(boundary.Triangles, boundary.Points.rows());
-    boundary.Triangles = RenumberPoints(boundary.Triangles, used, surfaces.Points.rows());
-    boundary.Points = surfaces.Points(used, Eigen::all);
+    progress(done++ / static_cast<double>(regions.Triangles().size()));
     const std::string name = "the surface of region " + std::to_string(label);
-    Surface surface(std::move(boundary));
+    Surface surface(regions.Extract(label));
     RequireClosed(surface, name);
     const double volume = ComputeEnclosedVolume(surface);
     if (!(volume > 0.0))
@@ -79,7 +46,7 @@ int ConformingRegions::RegionAt(const Eigen::RowVector3d& position) const
       return label;
     }
   }
-  return Outside;
+  return RegionSurfaces::Outside;
 }
 
 } // namespace shape

@@ -17,16 +17,14 @@ namespace shape
 class ConformingRegions
 {
 public:
-  static constexpr int Outside = 0; ///< the label of what is no region
-
-  /// surfaces: the triangles. labels: m x 2, the labels on both sides of each triangle, of which
-  /// Outside is one; the normal leaves the first. Throws InvalidInput unless the two labels of each
-  /// triangle differ, and unless the triangles of each region are a closed, consistently oriented
-  /// 2-manifold that encloses a positive volume; Aborted.
+  /// surfaces: the triangles. labels: m x 2, the labels on both sides of each triangle; the normal
+  /// leaves the first. Throws InvalidInput unless the two labels of each triangle differ, and unless
+  /// the triangles of each region are a closed, consistently oriented 2-manifold that encloses a
+  /// positive volume; Aborted.
   ConformingRegions(
     const Mesh& surfaces, const Eigen::MatrixXi& labels, const Progress& progress = {});
 
-  /// Returns the label at a position that lies on no triangle.
+  /// Returns the label at a position that lies on no triangle, or RegionSurfaces::Outside.
   int RegionAt(const Eigen::RowVector3d& position) const;
 
   /// The volume of each region, by label.

@@ -4,6 +4,7 @@
 #include "vtkShapeConvert.h"
 #include "vtkShapeCutParts.h"
 #include "vtkShapeGather.h"
+#include "vtkShapeList.h"
 #include "vtkShapePreciseMap.h"
 #include "vtkShapeSeenInput.h"
 #include "vtkShapeSelectedCells.h"
@@ -52,27 +53,12 @@ vtkShapeCutFeature::~vtkShapeCutFeature() = default;
 
 void vtkShapeCutFeature::SetNumberOfLoopPoints(int count)
 {
-  if (3 * static_cast<std::size_t>(std::max(count, 0)) != this->LoopPoints.size())
-  {
-    this->LoopPoints.resize(3 * static_cast<std::size_t>(std::max(count, 0)), 0.0);
-    this->Modified();
-  }
+  vtkShapeList::Resize(this, this->LoopPoints, count, 3);
 }
 
 void vtkShapeCutFeature::SetLoopPoints(int index, double x, double y, double z)
 {
-  if (index < 0)
-  {
-    vtkErrorMacro(<< this->GetLabel() << ": Loop Points has no index " << index
-                  << "; use an index from 0");
-    return;
-  }
-  const auto first = 3 * static_cast<std::size_t>(index);
-  this->LoopPoints.resize(std::max(this->LoopPoints.size(), first + 3), 0.0);
-  this->LoopPoints[first] = x;
-  this->LoopPoints[first + 1] = y;
-  this->LoopPoints[first + 2] = z;
-  this->Modified();
+  vtkShapeList::Set(this, "Loop Points", this->LoopPoints, index, { x, y, z });
 }
 
 namespace

@@ -17,7 +17,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 
 namespace
 {
@@ -116,6 +118,26 @@ std::vector<Piece> FindPieces(vtkDataObject* input, const std::string& array)
     pieces.push_back(piece);
   }
   return pieces;
+}
+
+void RequireLabel(double value, const std::string& array)
+{
+  const auto name = [&](int digits)
+  {
+    std::ostringstream words;
+    words << "the array '" << array << "' has the value " << std::setprecision(digits) << value;
+    return words.str();
+  };
+  if (value != std::round(value) || std::isinf(value))
+  {
+    throw shape::InvalidInput(
+      name(6) + ", which is no label; choose an array of integers, or set Thresholds");
+  }
+  if (std::abs(value) > std::numeric_limits<int>::max())
+  {
+    throw shape::InvalidInput(name(20) +
+      ", but labels are from -2147483647 to 2147483647; give the regions smaller numbers");
+  }
 }
 
 /// The range of the samples of a piece: of its points or its cells.
@@ -240,13 +262,9 @@ shape::LabelImage vtkShapeLabelImage::Read(vtkDataObject* input, const std::stri
             for (int i = own[0]; i <= own[1]; ++i)
             {
               const double value = piece.Values->GetComponent(next++, 0);
-              const bool isLabel =
-                value == std::round(value) && std::abs(value) <= std::numeric_limits<int>::max();
-              if (thresholds.empty() && !isLabel)
+              if (thresholds.empty())
               {
-                throw shape::InvalidInput("the array '" + array + "' has the value " +
-                  std::to_string(value) +
-                  ", which is no label; choose an array of integers, or set Thresholds");
+                RequireLabel(value, array);
               }
               double& known = values[image.IndexOf(i - first[0], j - first[1], k - first[2])];
               if (known != none && known != value)

@@ -20,7 +20,8 @@ namespace vtkShapeLabelImage
  * its values are integers. Hidden voxels and ghosts that no piece owns are the outside.
  *
  * Throws shape::InvalidInput if a block is not an image, if images have different origins, spacings
- * or directions, if the array is missing, or if a value is not an integer.
+ * or directions, if the array is missing, or if a value is not an integer
+ * from -2147483647 to 2147483647.
  */
 shape::LabelImage Read(vtkDataObject* input, const std::string& array,
   const std::vector<double>& thresholds, vtkMultiProcessController* controller);

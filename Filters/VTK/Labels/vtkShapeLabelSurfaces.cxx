@@ -2,6 +2,7 @@
 
 #include "vtkShapeConvert.h"
 #include "vtkShapeLabelImage.h"
+#include "vtkShapeList.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -31,69 +32,24 @@ vtkShapeLabelSurfaces::vtkShapeLabelSurfaces()
   this->DeclareShown(0, { "Patch" });
 }
 
-namespace
-{
-
-/// Changes the number of values. Returns whether it was another one.
-template <typename Value>
-bool Resize(std::vector<Value>& values, int count)
-{
-  const auto size = static_cast<std::size_t>(std::max(count, 0));
-  if (size == values.size())
-  {
-    return false;
-  }
-  values.resize(size, Value(0));
-  return true;
-}
-
-/// Sets one value, and appends values as needed. Returns whether anything has changed.
-template <typename Value>
-bool Assign(std::vector<Value>& values, int index, Value value)
-{
-  if (index < 0)
-  {
-    return false;
-  }
-  const bool isNew = index >= static_cast<int>(values.size());
-  values.resize(std::max(values.size(), static_cast<std::size_t>(index) + 1), Value(0));
-  const bool isChanged = isNew || values[index] != value;
-  values[index] = value;
-  return isChanged;
-}
-
-} // namespace
-
 void vtkShapeLabelSurfaces::SetNumberOfLabels(int count)
 {
-  if (Resize(this->Options.Labels, count))
-  {
-    this->Modified();
-  }
+  vtkShapeList::Resize(this, this->Options.Labels, count);
 }
 
 void vtkShapeLabelSurfaces::SetLabels(int index, int label)
 {
-  if (Assign(this->Options.Labels, index, label))
-  {
-    this->Modified();
-  }
+  vtkShapeList::Set(this, "Labels", this->Options.Labels, index, { label });
 }
 
 void vtkShapeLabelSurfaces::SetNumberOfThresholds(int count)
 {
-  if (Resize(this->Thresholds, count))
-  {
-    this->Modified();
-  }
+  vtkShapeList::Resize(this, this->Thresholds, count);
 }
 
 void vtkShapeLabelSurfaces::SetThresholds(int index, double threshold)
 {
-  if (Assign(this->Thresholds, index, threshold))
-  {
-    this->Modified();
-  }
+  vtkShapeList::Set(this, "Thresholds", this->Thresholds, index, { threshold });
 }
 
 namespace

@@ -3,6 +3,7 @@
 #include "Base/Errors.h"
 #include "Geometry/SelfIntersections.h"
 #include "Mesh/Mesh.h"
+#include "Mesh/RegionSurfaces.h"
 #include "Mesh/Topology.h"
 
 #include <Eigen/Dense>
@@ -69,19 +70,30 @@ struct Voronoi
 /// The surface of a region, facing outwards.
 shape::Mesh SurfaceOf(int label, const shape::LabelSurfacesResult& all)
 {
-  shape::Mesh mesh;
-  mesh.Points = all.Points;
-  for (Eigen::Index t = 0; t < all.Triangles.rows(); ++t)
+  const shape::Mesh surfaces{ all.Points, all.Triangles };
+  return shape::RegionSurfaces(surfaces, all.Regions).Extract(label);
+}
+
+/// The angles in degrees between the triangles' normals and the right ones at their centres, in
+/// ascending order. Triangles whose right normal is zero are left out.
+std::vector<double> NormalErrors(const shape::LabelSurfacesResult& result,
+  const std::function<Eigen::RowVector3d(const Eigen::RowVector3d& centre)>& right)
+{
+  std::vector<double> degrees;
+  for (Eigen::Index t = 0; t < result.Triangles.rows(); ++t)
   {
-    const Eigen::RowVector3i corners = all.Triangles.row(t);
-    if (all.Regions(t, 0) == label || all.Regions(t, 1) == label)
+    const Eigen::Matrix3d corners = shape::GetCorners({ result.Points, result.Triangles }, t);
+    const Eigen::RowVector3d first = corners.row(1) - corners.row(0);
+    const Eigen::RowVector3d second = corners.row(2) - corners.row(0);
+    const Eigen::RowVector3d normal = right(corners.colwise().mean());
+    if (!normal.isZero())
     {
-      mesh.Triangles.conservativeResize(mesh.Triangles.rows() + 1, 3);
-      mesh.Triangles.row(mesh.Triangles.rows() - 1) =
-        all.Regions(t, 0) == label ? corners : Eigen::RowVector3i(corners.reverse());
+      const double cosine = first.cross(second).normalized().dot(normal);
+      degrees.push_back(std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / M_PI);
     }
   }
-  return mesh;
+  std::sort(degrees.begin(), degrees.end());
+  return degrees;
 }
 
 void ExpectClosedManifold(const shape::Mesh& surface)
@@ -126,6 +138,61 @@ TEST(LabelSurfaces, OfFlatInterfacesAreFlat)
   EXPECT_LE(degrees[degrees.size() / 2], 3.0);
 }
 
+TEST(LabelSurfaces, OfARotatedBoxHaveItsNormals)
+{
+  const Eigen::Matrix3d axes =
+    Eigen::AngleAxisd(0.6, Eigen::Vector3d(2.0, 1.0, 3.0).normalized()).toRotationMatrix();
+  const Eigen::RowVector3d centre(24.3, 23.8, 24.1), half(14.0, 11.0, 9.0);
+  const auto excess = [&](const Eigen::RowVector3d& p) -> Eigen::RowVector3d
+  { return ((p - centre) * axes).cwiseAbs() - half; };
+  const shape::LabelSurfacesResult result = shape::ExtractLabelSurfaces(MakeImage({ 48, 48, 48 },
+    [&](const Eigen::RowVector3d& p) { return static_cast<int>(excess(p).maxCoeff() < 0.0); }));
+  // On the faces, away from the edges, which are rounded.
+  const std::vector<double> degrees = NormalErrors(result,
+    [&](const Eigen::RowVector3d& p) -> Eigen::RowVector3d
+    {
+      Eigen::Index face = 0;
+      const Eigen::RowVector3d over = excess(p);
+      over.maxCoeff(&face);
+      if ((over.array() > -4.0).count() > 1)
+      {
+        return Eigen::RowVector3d::Zero();
+      }
+      const double side = (p - centre).dot(axes.col(face).transpose()) > 0.0 ? 1.0 : -1.0;
+      return side * axes.col(face).transpose();
+    });
+  ASSERT_FALSE(degrees.empty());
+  EXPECT_LE(degrees[degrees.size() / 2], 3.0);
+}
+
+TEST(LabelSurfaces, OfABallHaveItsNormals)
+{
+  const Eigen::RowVector3d centre(20.3, 19.8, 20.1);
+  const shape::LabelSurfacesResult result = shape::ExtractLabelSurfaces(MakeImage({ 41, 41, 41 },
+    [&](const Eigen::RowVector3d& p) { return static_cast<int>((p - centre).norm() < 17.2); }));
+  const std::vector<double> degrees = NormalErrors(result,
+    [&](const Eigen::RowVector3d& p) -> Eigen::RowVector3d { return (p - centre).normalized(); });
+  EXPECT_LE(degrees[degrees.size() / 2], 3.0);
+}
+
+TEST(LabelSurfaces, OfManyRegionsFillTheImage)
+{
+  const Voronoi cells(40, 200, 8);
+  shape::LabelImage image = cells.Image();
+  const auto inside =
+    std::count_if(image.Labels.begin(), image.Labels.end(), [](int label) { return label != 0; });
+  const shape::LabelSurfacesResult result = shape::ExtractLabelSurfaces(std::move(image));
+  EXPECT_GE(result.RegionsByLabel.size(), 150U);
+  double volume = 0.0;
+  for (const shape::LabelRegion& region : result.RegionsByLabel)
+  {
+    volume += region.SurfaceVolume;
+    ExpectClosedManifold(SurfaceOf(region.Label, result));
+  }
+  // The surfaces between two regions cancel; what is left encloses all voxels.
+  EXPECT_NEAR(volume / static_cast<double>(inside), 1.0, 1e-3);
+}
+
 TEST(LabelSurfaces, KeepVolumesAndTopology)
 {
   // A ring with a core of another label, in a box.
@@ -156,15 +223,28 @@ TEST(LabelSurfaces, KeepVolumesAndTopology)
   EXPECT_TRUE(result.Curves.empty());
 }
 
-TEST(LabelSurfaces, AreMirroredByALeftHandedImage)
+TEST(LabelSurfaces, FollowTheAxesOfTheImage)
 {
-  const Voronoi cells(24, 3, 5);
-  shape::LabelImage image = cells.Image();
+  shape::LabelImage image = Voronoi(24, 3, 5).Image();
   const shape::LabelSurfacesResult result = shape::ExtractLabelSurfaces(image);
-  image.Axes(0, 0) = -1.0;
-  const shape::LabelSurfacesResult mirrored = shape::ExtractLabelSurfaces(image);
-  EXPECT_NEAR(mirrored.RegionsByLabel[0].SurfaceVolume, result.RegionsByLabel[0].SurfaceVolume,
-    1e-9 * result.RegionsByLabel[0].SurfaceVolume);
+  const Eigen::Matrix3d rotation =
+    Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, 2.0, 3.0).normalized()).toRotationMatrix();
+  for (const double handedness : { 1.0, -1.0 })
+  {
+    image.Axes = rotation * Eigen::Vector3d(handedness * 0.5, 0.6, 1.2).asDiagonal();
+    image.Origin << 100.0, -20.0, 3.0;
+    const shape::LabelSurfacesResult moved = shape::ExtractLabelSurfaces(image);
+    const Eigen::MatrixXd expected =
+      (result.Points * image.Axes.transpose()).rowwise() + image.Origin;
+    EXPECT_LE((moved.Points - expected).cwiseAbs().maxCoeff(), 1e-9);
+    ASSERT_EQ(moved.RegionsByLabel.size(), result.RegionsByLabel.size());
+    for (std::size_t i = 0; i < result.RegionsByLabel.size(); ++i)
+    {
+      const double volume = 0.36 * result.RegionsByLabel[i].SurfaceVolume;
+      EXPECT_GT(volume, 0.0);
+      EXPECT_NEAR(moved.RegionsByLabel[i].SurfaceVolume, volume, 1e-9 * volume);
+    }
+  }
 }
 
 TEST(LabelSurfaces, OfNoiseAreManifold)

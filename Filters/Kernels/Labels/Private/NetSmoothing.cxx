@@ -21,6 +21,12 @@ constexpr int MaximumIterations = 400;
 constexpr int Rounds = 3;
 /// The wavelength of the first solution, in voxels, whose normals the others use.
 constexpr double FirstWavelength = 8.0;
+/// Weight of a curve's rows of L, because a curve has fewer positions to average than an interface:
+/// its wavelength is 1.4 times that of the interfaces.
+constexpr double CurveStiffness = 4.0;
+/// Weight of |x - x0|^2 on a curve, between its ends. The mean of the crossings in a cube with three
+/// labels lies beside the curve, unless all angles there are equal. The interfaces know better.
+constexpr double CurveData = 0.5;
 
 using Positions = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
@@ -92,8 +98,9 @@ public:
     }
   }
 
-  /// L x.
-  void Apply(const Positions& x, Positions& result) const
+  /// Sets row i of the result to finish(i, row i of L x).
+  template <typename Finish>
+  void Apply(const Positions& x, Positions& result, const Finish& finish) const
   {
     const auto apply = [&](int begin, int end)
     {
@@ -104,14 +111,15 @@ public:
         {
           sum += x.row(i) - x.row(this->Neighbours[k]);
         }
-        result.row(i) = sum;
+        result.row(i) = finish(i, sum);
       }
     };
     ParallelFor(static_cast<int>(x.rows()), Grain, apply);
   }
 
-  /// L^T y. Row j of L contains i if i is a neighbour that row j counts.
-  void ApplyTransposed(const Positions& y, Positions& result) const
+  /// The same with L^T y. Row j of L contains i if i is a neighbour that row j counts.
+  template <typename Finish>
+  void ApplyTransposed(const Positions& y, Positions& result, const Finish& finish) const
   {
     const auto apply = [&](int begin, int end)
     {
@@ -127,11 +135,16 @@ public:
             sum -= y.row(j);
           }
         }
-        result.row(i) = sum;
+        result.row(i) = finish(i, sum);
       }
     };
     ParallelFor(static_cast<int>(y.rows()), Grain, apply);
   }
+
+  /// The weight of |x - x0|^2 at a point.
+  double DataWeight(int i) const { return this->IsOnCurve[i] && this->Uses[i] ? CurveData : 1.0; }
+  /// The weight of a row.
+  double RowWeight(int i) const { return this->IsOnCurve[i] ? CurveStiffness : 1.0; }
 
   bool IsJunction(int i) const { return this->IsOnCurve[i] != 0; }
   /// A vector along the curve; zero at the end of a curve or where curves meet.
@@ -219,19 +232,18 @@ void Solve(const NetLaplacian& laplacian, const std::vector<Direction>* directio
   const double weight = std::pow(wavelength / (2.0 * EIGEN_PI), 4);
   const int size = static_cast<int>(x.rows());
   Positions inner(size, 3), outer(size, 3);
+  const auto across = [&](int i, const Eigen::RowVector3d& vector)
+  { return directions ? (*directions)[i].Across(vector) : vector; };
   const auto apply = [&](const Positions& v)
   {
-    laplacian.Apply(v, inner);
-    for (int i = 0; directions && i < size; ++i)
-    {
-      inner.row(i) = (*directions)[i].Across(inner.row(i)) / (*directions)[i].Mass;
-    }
-    laplacian.ApplyTransposed(inner, outer);
-    outer = v + weight * outer;
-    for (int i = 0; directions && i < size; ++i)
-    {
-      outer.row(i) = (*directions)[i].Across(outer.row(i));
-    }
+    laplacian.Apply(v, inner,
+      [&](int i, const Eigen::RowVector3d& sum) -> Eigen::RowVector3d
+      {
+        return across(i, laplacian.RowWeight(i) * sum) / (directions ? (*directions)[i].Mass : 1.0);
+      });
+    laplacian.ApplyTransposed(inner, outer,
+      [&](int i, const Eigen::RowVector3d& sum) -> Eigen::RowVector3d
+      { return across(i, laplacian.DataWeight(i) * v.row(i) + weight * sum); });
   };
   const auto clear = [&](Positions& v)
   {
@@ -244,10 +256,10 @@ void Solve(const NetLaplacian& laplacian, const std::vector<Direction>* directio
     }
   };
   apply(x);
-  Positions residual = given;
-  for (int i = 0; directions && i < size; ++i)
+  Positions residual(size, 3);
+  for (int i = 0; i < size; ++i)
   {
-    residual.row(i) = (*directions)[i].Across(given.row(i));
+    residual.row(i) = across(i, laplacian.DataWeight(i) * given.row(i));
   }
   residual -= outer;
   clear(residual);
@@ -269,16 +281,17 @@ void Solve(const NetLaplacian& laplacian, const std::vector<Direction>* directio
 }
 
 /// Moves points back into their cells, and marks them. Returns whether there were any.
-bool Confine(const Positions& centres, Positions& x, std::vector<char>* isFixed = nullptr)
+bool Confine(const SurfaceNet& net, Positions& x, std::vector<char>* isFixed = nullptr)
 {
   bool isAnyOutside = false;
   for (Eigen::Index i = 0; i < x.rows(); ++i)
   {
-    const Eigen::RowVector3d offset = x.row(i) - centres.row(i);
-    const Eigen::RowVector3d within = offset.cwiseMax(-0.5).cwiseMin(0.5);
+    const Eigen::RowVector3d centre = net.Centres.row(i);
+    const Eigen::RowVector3d offset = x.row(i) - centre;
+    const Eigen::RowVector3d within = offset.cwiseMax(-net.Reach(i)).cwiseMin(net.Reach(i));
     if (offset != within)
     {
-      x.row(i) = centres.row(i) + within;
+      x.row(i) = centre + within;
       isAnyOutside = true;
       if (isFixed)
       {
@@ -299,11 +312,11 @@ void SmoothNet(SurfaceNet& net, double wavelength, const Progress& progress)
     return;
   }
   const NetLaplacian laplacian(net);
-  const Positions centres = net.Centres, start = net.Points;
+  const Positions start = net.Points;
   Positions x = start;
   Solve(laplacian, nullptr, start, std::min(wavelength, FirstWavelength), {}, x,
     progress.Part(0.0, 1.0 / (Rounds + 1)));
-  Confine(centres, x);
+  Confine(net, x);
   std::vector<char> isFixed(size, 0);
   for (int round = 0; round < Rounds; ++round)
   {
@@ -316,7 +329,7 @@ void SmoothNet(SurfaceNet& net, double wavelength, const Progress& progress)
     }
     Solve(laplacian, &directions, given, wavelength, isFixed, x,
       progress.Part((round + 1.0) / (Rounds + 1), (round + 2.0) / (Rounds + 1)));
-    if (!Confine(centres, x, &isFixed))
+    if (!Confine(net, x, &isFixed))
     {
       break;
     }

@@ -172,8 +172,8 @@ void RestoreVolumes(SurfaceNet& net, const std::map<int, double>& volumes)
           offset += pressures(gradient.Region) / gradients.Areas(i) * gradient.Value;
         }
       }
-      held.row(i) = held.row(i) || offset.array().abs() > 0.5;
-      net.Points.row(i) = centre + offset.cwiseMax(-0.5).cwiseMin(0.5);
+      held.row(i) = held.row(i) || offset.array().abs() > net.Reach(i);
+      net.Points.row(i) = centre + offset.cwiseMax(-net.Reach(i)).cwiseMin(net.Reach(i));
     }
   }
 }

@@ -281,10 +281,12 @@ void NetBuilder::FindDoubledEdges()
     this->Net.Points.row(first + static_cast<Eigen::Index>(i)) = added[i];
     this->Net.Centres.row(first + static_cast<Eigen::Index>(i)) = centres[i];
   }
+  this->Net.Reach = Eigen::VectorXd::Constant(all, 0.5);
   for (int point = 0; point < first; ++point)
   {
     if (isJunction[point])
     {
+      this->Net.Reach(point) = 1.0;
       this->Net.JunctionPoints.push_back(point);
     }
   }

@@ -34,13 +34,16 @@ struct NetEdge
  * have the same two points on the sides of a face, each gets a point of its own on the face. So
  * every edge is surrounded by each region at most once.
  *
- * Coordinates are those of the image's indices. No point leaves its cell, which is as large as a
- * cube and has its centre at Centres.
+ * Coordinates are those of the image's indices. No point leaves its cell, a cube with its centre at
+ * Centres and half its edge in Reach. Inside an interface, the cell is the point's cube. A region
+ * that ends in a sharp edge has samples only where it is about as wide as a voxel, so that the
+ * curve along the edge lies ahead of the cubes with three labels: there, the cell reaches one voxel.
  */
 struct SurfaceNet
 {
   Eigen::MatrixXd Points;     ///< n x 3: the mean of the crossings (FindCrossing) of the sheet
   Eigen::MatrixXd Centres;    ///< n x 3: the centre of the point's cell
+  Eigen::VectorXd Reach;      ///< n: 0.5, and 1 at JunctionPoints
   Eigen::MatrixXi Triangles;  ///< m x 3; the normal leaves the first region
   Eigen::MatrixXi Regions;    ///< m x 2: the labels on both sides; the first is the greater
   std::vector<NetEdge> Edges; ///< the edges of the polygons, without their diagonals
