@@ -182,36 +182,61 @@ private:
     }
   }
 
-  /// The two floods.
   void FindAir(const Progress& progress)
   {
     const auto radius = static_cast<float>(this->Radius);
     const std::vector<char> outside = FloodGrid(
-      this->Grid(), { 0 },
-      [&](int, int to, int, bool) { return this->Distances[to] > radius; },
-      progress.Part(0.0, 0.3));
-    this->Swept = ComputeGridDistances(this->Grid(), outside, progress.Part(0.3, 0.7));
-    std::vector<int> starts;
-    for (int point = 0; point < static_cast<int>(outside.size()); ++point)
+      this->Grid(), { 0 }, [&](int, int to) { return this->Distances[to] > radius; },
+      progress.Part(0.0, 0.4));
+    this->Swept = ComputeGridDistances(this->Grid(), outside, progress.Part(0.4, 1.0));
+    // A ball around a point of the flood contains no triangle.
+    this->Air.resize(outside.size());
+    std::transform(this->Swept.begin(), this->Swept.end(), this->Air.begin(),
+      [&](float swept) { return static_cast<char>(swept <= radius); });
+    // The flood's points are a grid, so their balls leave a layer of up to half a diagonal of a cell
+    // beside triangles. Two steps along edges pass through it in every direction.
+    for (int step = 0; step < 2; ++step)
     {
-      if (outside[point] != 0)
+      std::vector<int> joined;
+      for (const auto& [point, nearest] : this->Beside)
       {
-        starts.push_back(point);
+        if (this->Air[point] == 0 && this->HasAirBeside(point))
+        {
+          joined.push_back(point);
+        }
+      }
+      for (const int point : joined)
+      {
+        this->Air[point] = 1;
       }
     }
-    // The flood's points are a grid, so the distance from it is too large by up to half a diagonal.
-    const auto reach = static_cast<float>(this->Radius + 0.9 * this->Grid().Spacing);
-    this->Air = FloodGrid(
-      this->Grid(), starts,
-      [&](int from, int to, int axis, bool up)
-      {
-        return this->Swept[to] < reach &&
-          this->Hits.count(3 * static_cast<GridEdge>(up ? from : to) + axis) == 0;
-      },
-      progress.Part(0.7, 1.0));
     this->Solid.Inside.resize(this->Air.size());
     std::transform(this->Air.begin(), this->Air.end(), this->Solid.Inside.begin(),
       [](char isAir) { return static_cast<char>(isAir == 0); });
+  }
+
+  /// Whether an edge to a point in the air crosses no triangle.
+  bool HasAirBeside(int point) const
+  {
+    const std::array<int, 3> steps = this->StepsOf();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (const int first : { point - steps[axis], point })
+      {
+        const int other = first == point ? point + steps[axis] : first;
+        if (this->Air[other] != 0 &&
+          this->Hits.count(3 * static_cast<GridEdge>(first) + axis) == 0)
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  std::array<int, 3> StepsOf() const
+  {
+    return { 1, this->Grid().Counts(0), this->Grid().Counts(0) * this->Grid().Counts(1) };
   }
 
   /// Points beside a triangle belong to the solid if there is air at their mirror images, too.
@@ -241,9 +266,7 @@ private:
   {
     const auto first = static_cast<int>(edge / 3);
     const auto axis = static_cast<int>(edge % 3);
-    const std::array<int, 3> steps = { 1, this->Grid().Counts(0),
-      this->Grid().Counts(0) * this->Grid().Counts(1) };
-    const int second = first + steps[axis];
+    const int second = first + this->StepsOf()[axis];
     const bool leaves = this->Solid.Inside[first] != 0;
     const int inside = leaves ? first : second, outside = leaves ? second : first;
     if (this->Air[inside] != 0)

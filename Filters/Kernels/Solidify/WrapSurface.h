@@ -24,8 +24,7 @@ struct WrapSurfaceOptions
  * that it cannot enter are filled.
  *
  * 1. A flood from outside through a grid passes points that are farther from the triangles than half
- *    of GapSize. The air is what is closer than this to the flood, on the same side of each
- *    triangle.
+ *    of GapSize. The air is what is closer than this to the flood, and a layer up to the triangles.
  * 2. Where there is air on both sides of a triangle, it is a sheet: points of the grid within 0.9
  *    DetailSize belong to the solid, which makes it a plate of the thickness 1.8 DetailSize.
  * 3. The boundary of the solid is extracted (cubical marching squares). It lies on the triangles, with

@@ -16,13 +16,13 @@ using shape::TriangleOrigin;
 namespace
 {
 
-int CountOrigin(const shape::MendedSurface& solid, TriangleOrigin origin)
+int CountFrom(const shape::MendedSurface& solid, TriangleOrigin origin)
 {
   return static_cast<int>((solid.Origin.array() == static_cast<int>(origin)).count());
 }
 
 /// It bounds a solid with this volume and Euler number; kept triangles are those of the input.
-shape::MendedSurface ExpectSolid(
+shape::MendedSurface ExpectUnion(
   const shape::Mesh& input, double volume, double tolerance, int euler)
 {
   shape::MendedSurface solid = shape::MakeSolid(input);
@@ -65,12 +65,12 @@ TEST(SolidSurface, CrossingBoxesBecomeTheirUnion)
 {
   const RowVector3d shift(0.5, 0.3, 0.4);
   const shape::MendedSurface solid =
-    ExpectSolid(shapetest::Twice(UnitBox(), shift), 2.0 - 0.5 * 0.7 * 0.6, 1e-9, 2);
+    ExpectUnion(shapetest::Twice(UnitBox(), shift), 2.0 - 0.5 * 0.7 * 0.6, 1e-9, 2);
   ExpectOrthogonal(solid.Surface);
   EXPECT_EQ(solid.GridSpacing, 0.0);
-  EXPECT_EQ(CountOrigin(solid, TriangleOrigin::Made), 0);
+  EXPECT_EQ(CountFrom(solid, TriangleOrigin::Made), 0);
   // The three faces at the corner of each box that is outside the other are not crossed.
-  EXPECT_GE(CountOrigin(solid, TriangleOrigin::Kept), 12);
+  EXPECT_GE(CountFrom(solid, TriangleOrigin::Kept), 12);
 }
 
 TEST(SolidSurface, CoplanarFacesAreUnited)
@@ -79,14 +79,14 @@ TEST(SolidSurface, CoplanarFacesAreUnited)
   const shape::Mesh beam =
     shapetest::Box(RowVector3d(0.5, 0.25, 0.0), RowVector3d(1.5, 0.75, 1.0));
   ExpectOrthogonal(
-    ExpectSolid(shapetest::Joined({ UnitBox(), beam }), 1.25, 1e-9, 2).Surface);
+    ExpectUnion(shapetest::Joined({ UnitBox(), beam }), 1.25, 1e-9, 2).Surface);
   // A face of one is a part of a face of the other.
   const shape::Mesh knob =
     shapetest::Box(RowVector3d(1.0, 0.25, 0.25), RowVector3d(2.0, 0.75, 0.75));
   ExpectOrthogonal(
-    ExpectSolid(shapetest::Joined({ UnitBox(), knob }), 1.25, 1e-9, 2).Surface);
+    ExpectUnion(shapetest::Joined({ UnitBox(), knob }), 1.25, 1e-9, 2).Surface);
   // The same box twice.
-  ExpectSolid(shapetest::Joined({ UnitBox(), UnitBox(), beam }), 1.25, 1e-9, 2);
+  ExpectUnion(shapetest::Joined({ UnitBox(), UnitBox(), beam }), 1.25, 1e-9, 2);
 }
 
 TEST(SolidSurface, ObliqueBoxesBecomeTheirUnion)
@@ -101,7 +101,7 @@ TEST(SolidSurface, ObliqueBoxesBecomeTheirUnion)
   bar = shapetest::Shifted(bar, RowVector3d::Constant(0.5));
   const double inside = 0.04 / std::cos(0.3);
   const shape::MendedSurface solid =
-    ExpectSolid(shapetest::Joined({ UnitBox(), bar }), 1.0 + 4.0 * 0.04 - inside, 1e-9, 2);
+    ExpectUnion(shapetest::Joined({ UnitBox(), bar }), 1.0 + 4.0 * 0.04 - inside, 1e-9, 2);
   EXPECT_EQ(solid.GridSpacing, 0.0);
 }
 
@@ -121,7 +121,7 @@ TEST(SolidSurface, AVoidStaysWhereAnotherPartCrossesItsShell)
   const double volume = shape::ComputeEnclosedVolume(solid.Surface);
   EXPECT_GT(volume, hollow);
   EXPECT_LT(volume, hollow + shape::ComputeEnclosedVolume(knob));
-  EXPECT_EQ(CountOrigin(solid, TriangleOrigin::Made), 0);
+  EXPECT_EQ(CountFrom(solid, TriangleOrigin::Made), 0);
 }
 
 TEST(SolidSurface, TheHoleOfATorusStays)
@@ -143,9 +143,9 @@ TEST(SolidSurface, AFlippedPatchIsReversed)
   {
     std::swap(box.Triangles(t, 1), box.Triangles(t, 2));
   }
-  const shape::MendedSurface solid = ExpectSolid(box, 1.0, 1e-12, 2);
-  EXPECT_EQ(CountOrigin(solid, TriangleOrigin::Kept), 9);
-  EXPECT_EQ(CountOrigin(solid, TriangleOrigin::Mended), 3);
+  const shape::MendedSurface solid = ExpectUnion(box, 1.0, 1e-12, 2);
+  EXPECT_EQ(CountFrom(solid, TriangleOrigin::Kept), 9);
+  EXPECT_EQ(CountFrom(solid, TriangleOrigin::Mended), 3);
 }
 
 TEST(SolidSurface, RefusesWhatEnclosesNothing)

@@ -25,7 +25,7 @@ double ExpectWrap(const shape::Mesh& input, const shape::WrapSurfaceOptions& opt
   return shape::ComputeEnclosedVolume(wrap.Surface);
 }
 
-shape::Mesh UnitBox()
+shape::Mesh Cube()
 {
   return shapetest::Box(RowVector3d::Zero(), RowVector3d::Ones());
 }
@@ -50,23 +50,23 @@ shape::Mesh ToTangledSoup(const shape::Mesh& mesh)
 
 TEST(WrapSurface, ASheetBecomesAPlate)
 {
-  // 1.8 times the spacing thick, and rounded at the border.
+  // The square has sides of 2; the plate is 1.8 times the spacing thick, and rounded at the border.
   constexpr double spacing = 0.02, half = 0.9 * spacing;
   const double volume = ExpectWrap(shapetest::FlatSquare(4, 0.0), { {}, spacing, 0.1 }, 2);
-  const double plate = 2.0 * half, border = 4.0 * 0.5 * M_PI * half * half;
+  const double plate = 4.0 * 2.0 * half, border = 8.0 * 0.5 * M_PI * half * half;
   EXPECT_NEAR(volume, plate + border, 0.05 * plate);
 }
 
 TEST(WrapSurface, TheCreasesOfABoxStay)
 {
-  EXPECT_NEAR(ExpectWrap(ToTangledSoup(UnitBox()), { {}, 0.043, 0.2 }, 2), 1.0, 1e-9);
+  EXPECT_NEAR(ExpectWrap(ToTangledSoup(Cube()), { {}, 0.043, 0.2 }, 2), 1.0, 1e-9);
 }
 
 TEST(WrapSurface, GapsUpToTheSizeAreClosed)
 {
   // A box with a slit of the width 0.1 in its top. Wrapped with a larger gap size, it is full; with a
   // smaller one, the air enters, and only the walls are left.
-  shape::Mesh box = shapetest::WithoutLast(UnitBox(), 0);
+  shape::Mesh box = shapetest::WithoutLast(Cube(), 0);
   const shape::Mesh left = shapetest::Box(RowVector3d::Zero(), RowVector3d(0.45, 1.0, 1.0));
   const shape::Mesh right =
     shapetest::Box(RowVector3d(0.55, 0.0, 0.0), RowVector3d::Ones());
@@ -95,7 +95,7 @@ TEST(WrapSurface, TheHoleOfATorusStaysIfItIsLarger)
 
 TEST(WrapSurface, RefusesOptionsOutOfRange)
 {
-  EXPECT_REFUSED(shape::WrapSurface(UnitBox(), { {}, -1.0, 0.0 }), "DetailSize is -1");
-  EXPECT_REFUSED(shape::WrapSurface(UnitBox(), { {}, 0.1, 0.1 }), "GapSize is 0.1", "DetailSize");
-  EXPECT_REFUSED(shape::WrapSurface(UnitBox(), { {}, 1e-5, 0.0 }), "points", "raise DetailSize");
+  EXPECT_REFUSED(shape::WrapSurface(Cube(), { {}, -1.0, 0.0 }), "DetailSize is -1");
+  EXPECT_REFUSED(shape::WrapSurface(Cube(), { {}, 0.1, 0.1 }), "GapSize is 0.1", "DetailSize");
+  EXPECT_REFUSED(shape::WrapSurface(Cube(), { {}, 1e-5, 0.0 }), "points", "raise DetailSize");
 }

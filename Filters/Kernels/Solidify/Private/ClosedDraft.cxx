@@ -132,6 +132,7 @@ OrientedDraft DraftSurface(
     RemoveRedundantSheets(draft, progress.Part(0.2, 0.7, "removing redundant sheets"));
   const SeparatedSheets separated =
     SeparateSheets(draft, progress.Part(0.7, 1.0, "separating sheets"));
+  drafted.SplitPoints = separated.SplitPoints;
   drafted.ReversedTriangles = separated.Reversed;
   drafted.RemovedPieces = RemoveSmallPieces(draft, options.SmallestPiece);
   if (draft.Triangles.empty())

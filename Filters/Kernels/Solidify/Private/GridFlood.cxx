@@ -69,7 +69,7 @@ private:
 } // namespace
 
 std::vector<char> FloodGrid(const SampledGrid& grid, const std::vector<int>& starts,
-  const std::function<bool(int from, int to, int axis, bool up)>& passes, const Progress& progress)
+  const std::function<bool(int from, int to)>& passes, const Progress& progress)
 {
   const std::array<int, 3> steps = { 1, grid.Counts(0), grid.Counts(0) * grid.Counts(1) };
   std::vector<char> isReached(grid.Counts.prod(), 0);
@@ -97,7 +97,7 @@ std::vector<char> FloodGrid(const SampledGrid& grid, const std::vector<int>& sta
           continue;
         }
         const int to = up ? from + steps[axis] : from - steps[axis];
-        if (isReached[to] == 0 && passes(from, to, axis, up))
+        if (isReached[to] == 0 && passes(from, to))
         {
           isReached[to] = 1;
           pending.push_back(to);

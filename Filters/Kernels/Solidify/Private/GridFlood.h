@@ -10,11 +10,9 @@ namespace shape
 {
 
 /// Returns the points of a grid that a flood reaches along edges: 1 or 0 for each point. starts:
-/// where it begins. passes: whether it goes from a point to the next one along an axis; axis: 0 to
-/// 2, up: whether the next point has the larger index. Throws Aborted.
+/// where it begins. passes: whether it goes from a point to a neighbour. Throws Aborted.
 std::vector<char> FloodGrid(const SampledGrid& grid, const std::vector<int>& starts,
-  const std::function<bool(int from, int to, int axis, bool up)>& passes,
-  const Progress& progress);
+  const std::function<bool(int from, int to)>& passes, const Progress& progress);
 
 /// Returns the distance of each point of a grid from the nearest point of a set, in the model's
 /// units (Felzenszwalb and Huttenlocher, "Distance transforms of sampled functions", 2012).
