@@ -21,6 +21,29 @@ namespace shape
 namespace
 {
 
+/// Thrown if no method of MakeSolid can help.
+class NoSolid : public InvalidInput
+{
+public:
+  using InvalidInput::InvalidInput;
+};
+
+/// Throws NoSolid if the fills are about as large as the rest: a sheet and the surface that spans
+/// its border enclose little, and fills of such holes are arbitrary.
+void RequireNoSheet(const ClosedDraft& closed)
+{
+  const auto count = static_cast<Eigen::Index>(closed.Draft.Triangles.size());
+  const double all = ComputeArea(closed.Result);
+  const double own = ComputeArea(closed.Draft.Surface);
+  constexpr double most = 0.45; // of a flat sheet with its fill, half is the fill
+  if (closed.Result.Triangles().rows() > count && all - own > most * all)
+  {
+    throw NoSolid("the solid of the surface is empty: the fills of its " +
+      std::to_string(closed.Filled.Holes.size()) +
+      " holes would be as large as the surface, which encloses nothing; choose the method Wrap");
+  }
+}
+
 /// A surface on its way to the boundary of a solid, and what it has in common with the input.
 struct Stage
 {
@@ -72,6 +95,7 @@ MendedSurface MakeSolidOfTriangles(
     again.Tolerance = round == 0 ? options.Tolerance : 0.0;
     const OrientedDraft drafted = DraftSurface(stage.Surface, again, part.Part(0.0, 0.3));
     const ClosedDraft closed = CloseDraft(drafted.Draft, part.Part(0.3, 0.4));
+    RequireNoSheet(closed);
     result.SplitPoints += drafted.SplitPoints + closed.SplitPoints();
     result.RemovedPieces += drafted.RemovedPieces;
     result.ReversedTriangles += drafted.ReversedTriangles;
@@ -150,6 +174,10 @@ MendedSurface MakeSolid(
   try
   {
     return MakeSolidOfTriangles(surface, options.Defects, progress.Part(0.0, 0.6));
+  }
+  catch (const NoSolid&)
+  {
+    throw;
   }
   catch (const InvalidInput&) // such as an edge that cannot be paired, or a hole without a loop
   {

@@ -59,6 +59,27 @@ shape::Mesh UnitBox()
   return shapetest::Box(RowVector3d::Zero(), RowVector3d::Ones());
 }
 
+/// 12 quads, in 24 triangles.
+shape::Mesh MoebiusStrip()
+{
+  constexpr int count = 12;
+  shape::Mesh strip{ Eigen::MatrixXd(2 * count, 3), Eigen::MatrixXi(2 * count, 3) };
+  for (int i = 0; i < count; ++i)
+  {
+    const double angle = 2.0 * M_PI * i / count;
+    const RowVector3d radial(std::cos(angle), std::sin(angle), 0.0);
+    const RowVector3d across =
+      std::cos(0.5 * angle) * radial + std::sin(0.5 * angle) * RowVector3d::UnitZ();
+    strip.Points.row(2 * i) = radial - 0.3 * across;
+    strip.Points.row(2 * i + 1) = radial + 0.3 * across;
+    const int a = 2 * i, b = a + 1;
+    const int c = i + 1 < count ? a + 2 : 1, d = i + 1 < count ? a + 3 : 0;
+    strip.Triangles.row(2 * i) << a, c, b;
+    strip.Triangles.row(2 * i + 1) << b, c, d;
+  }
+  return strip;
+}
+
 } // namespace
 
 TEST(SolidSurface, CrossingBoxesBecomeTheirUnion)
@@ -148,10 +169,20 @@ TEST(SolidSurface, AFlippedPatchIsReversed)
   EXPECT_EQ(CountFrom(solid, TriangleOrigin::Mended), 3);
 }
 
+TEST(SolidSurface, InvertedPartsAreUnited)
+{
+  const shape::Mesh ball = shapetest::Reversed(shapetest::Sphere(2, 1.0));
+  const shape::MendedSurface solid =
+    shape::MakeSolid(shapetest::Twice(ball, RowVector3d(0.1, 0.07, 0.03)));
+  EXPECT_TRUE(shape::FindSurfaceDefects(solid.Surface).Defects.empty());
+  EXPECT_GT(shape::ComputeEnclosedVolume(solid.Surface), -shape::ComputeEnclosedVolume(ball));
+}
+
 TEST(SolidSurface, RefusesWhatEnclosesNothing)
 {
   const shape::Mesh sheet = shapetest::FlatSquare(4, 0.0);
-  EXPECT_REFUSED(shape::MakeSolid(sheet), "is empty", "Wrap");
+  EXPECT_REFUSED(shape::MakeSolid(sheet), "is empty", "encloses nothing", "Wrap");
   EXPECT_REFUSED(shape::MakeSolid(UnitBox(), { {}, -1.0 }), "DetailSize is -1");
-  EXPECT_REFUSED(shape::MakeSolid(sheet, { {}, 1e-6 }), "points", "raise DetailSize");
+  // It has one side, so a grid is needed.
+  EXPECT_REFUSED(shape::MakeSolid(MoebiusStrip(), { {}, 1e-6 }), "points", "raise DetailSize");
 }

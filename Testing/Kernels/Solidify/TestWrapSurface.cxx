@@ -51,8 +51,8 @@ shape::Mesh ToTangledSoup(const shape::Mesh& mesh)
 TEST(WrapSurface, ASheetBecomesAPlate)
 {
   // The square has sides of 2; the plate is 1.8 times the spacing thick, and rounded at the border.
-  constexpr double spacing = 0.02, half = 0.9 * spacing;
-  const double volume = ExpectWrap(shapetest::FlatSquare(4, 0.0), { {}, spacing, 0.1 }, 2);
+  constexpr double spacing = 0.05, half = 0.9 * spacing;
+  const double volume = ExpectWrap(shapetest::FlatSquare(4, 0.0), { {}, spacing, 0.2 }, 2);
   const double plate = 4.0 * 2.0 * half, border = 8.0 * 0.5 * M_PI * half * half;
   EXPECT_NEAR(volume, plate + border, 0.05 * plate);
 }
@@ -74,23 +74,22 @@ TEST(WrapSurface, GapsUpToTheSizeAreClosed)
   const auto isNoTop = [](const RowVector3d& centre) { return centre(2) < 0.999; };
   const shape::Mesh slit = shapetest::Joined({ shapetest::Without(box, isTop),
     shapetest::Without(left, isNoTop), shapetest::Without(right, isNoTop) });
-  EXPECT_GT(ExpectWrap(slit, { {}, 0.025, 0.15 }, 2), 0.98);
-  const shape::MendedSurface open = shape::WrapSurface(slit, { {}, 0.0125, 0.05 });
-  EXPECT_LT(shape::ComputeEnclosedVolume(open.Surface), 0.25);
+  EXPECT_GT(ExpectWrap(slit, { {}, 0.05, 0.2 }, 2), 0.98);
+  const shape::MendedSurface open = shape::WrapSurface(slit, { {}, 0.02, 0.05 });
+  EXPECT_LT(shape::ComputeEnclosedVolume(open.Surface), 0.4);
 }
 
 TEST(WrapSurface, ASoupOfASphereWithAHoleBecomesABall)
 {
   const double ball = 4.0 / 3.0 * M_PI;
   const shape::Mesh soup = ToTangledSoup(shapetest::SphereWithoutCap(4, 5.0));
-  EXPECT_NEAR(ExpectWrap(soup, { {}, 0.05, 0.4 }, 2), ball, 0.01 * ball);
+  EXPECT_NEAR(ExpectWrap(soup, { {}, 0.1, 0.5 }, 2), ball, 0.01 * ball);
 }
 
-TEST(WrapSurface, TheHoleOfATorusStaysIfItIsLarger)
+TEST(WrapSurface, TheHoleOfATorusStays)
 {
   const shape::Mesh torus = ToTangledSoup(shapetest::Torus(1.0, 0.4, 60, 30));
-  ExpectWrap(torus, { {}, 0.05, 0.3 }, 0);
-  ExpectWrap(torus, { {}, 0.05, 1.5 }, 2);
+  ExpectWrap(torus, { {}, 0.1, 0.3 }, 0);
 }
 
 TEST(WrapSurface, RefusesOptionsOutOfRange)

@@ -38,9 +38,9 @@ MendedSurface AdoptGridSurface(const Mesh& made, double spacing, const Mesh& inp
   }
   if (pieces.empty())
   {
-    throw InvalidInput(name + " of the surface is empty (" + std::to_string(removed) +
-      " pieces are smaller than SmallestPiece): its triangles enclose nothing of the size of "
-      "DetailSize; lower DetailSize, or choose the method Wrap for sheets and unconnected triangles");
+    throw InvalidInput(name + " of the surface is empty: its triangles enclose nothing larger than " +
+      "DetailSize and SmallestPiece (" + std::to_string(removed) + " pieces are smaller); lower " +
+      "these, or choose the method Wrap");
   }
   MendedSurface result;
   result.Surface = JoinMeshes(pieces);

@@ -123,11 +123,20 @@ Mesh OrientCrossingPieces(const Mesh& surface, const Progress& progress)
 {
   const std::vector<Mesh> pieces = SplitComponents(surface);
   const shape::Surface whole = surface;
-  std::vector<char> isReversed(pieces.size(), 0);
+  // The largest piece is the outside of something.
+  std::vector<double> volumes;
+  for (const Mesh& piece : pieces)
+  {
+    volumes.push_back(ComputeEnclosedVolume(piece));
+  }
+  const double largest = *std::max_element(volumes.begin(), volumes.end(),
+    [](double a, double b) { return std::abs(a) < std::abs(b); });
+  const double side = largest < 0.0 ? -1.0 : 1.0;
+  std::vector<char> isReversed(pieces.size(), side < 0.0);
   for (std::size_t i = 0; i < pieces.size(); ++i)
   {
     progress(static_cast<double>(i) / static_cast<double>(pieces.size()));
-    if (ComputeEnclosedVolume(pieces[i]) >= 0.0)
+    if (side * volumes[i] >= 0.0)
     {
       continue;
     }
@@ -140,13 +149,16 @@ Mesh OrientCrossingPieces(const Mesh& surface, const Progress& progress)
       double winding = 0.0;
       for (std::size_t j = 0; j < pieces.size(); ++j)
       {
-        winding += j == i
+        winding += side * volumes[j] < 0.0
           ? 0.0
-          : std::abs(ComputeWindingNumber(pieces[j].Points, pieces[j].Triangles, position));
+          : side * ComputeWindingNumber(pieces[j].Points, pieces[j].Triangles, position);
       }
-      inside += std::lround(winding) % 2 != 0;
+      inside += winding > 0.5;
     }
-    isReversed[i] = 2 * inside <= count;
+    if (2 * inside <= count)
+    {
+      isReversed[i] = isReversed[i] == 0;
+    }
   }
   Mesh oriented = surface;
   for (Eigen::Index t = 0; t < oriented.Triangles.rows(); ++t)
