@@ -14,7 +14,7 @@ import shapemap
 import shapetesting
 from shapetesting import fact, points, read, triangles
 
-METHODS = {'Automatic': 0, 'Report': 1, 'Mend': 2}
+METHODS = {'Automatic': 0, 'Report': 1, 'Mend': 2, 'Solid': 3, 'Wrap': 4}
 
 
 def new(surface, method='Automatic', **properties):
@@ -124,13 +124,41 @@ assert names <= {mended.GetPointData().GetArrayName(i)
 assert fact(solid(sphere, 'Report', SmallestPiece=100.0)[0], 'Solidify.SmallPieces') == 1
 assert fact(solid(sphere, 'Report', Tolerance=0.2)[0], 'Solidify.DuplicatePoints') > 0
 
-# What it cannot mend, it refuses, and says what and where.
+# Parts that cross are an error for Mend, and become one solid otherwise; triangles that are not crossed stay.
 twice = simple.AppendDatasets(Input=[simple.Sphere(), simple.Sphere(Center=[0.3, 0.0, 0.0])])
 twice.UpdatePipeline()
-shapetesting.check_refused(new(shapetesting.output(twice)), 'intersects itself', 'pairs of triangles (first at (')
+crossing = shapetesting.output(twice)
+shapetesting.check_refused(new(crossing, 'Mend'), 'intersects itself', 'pairs of triangles (first at (')
+united = solid(crossing)[0]
+assert fact(united, 'Solidify.Method') == 'Solid' and fact(united, 'Solidify.GridSpacing') == 0
+assert fact(united, 'Solidify.Pieces') == 1 and fact(united, 'Solidify.EulerNumber') == 2
+assert open_or_tangled(united) == 0
+one = volume(shapetesting.output(simple.Sphere()))
+assert one < volume(united) < 2.0 * one
+assert fact(united, 'Solidify.Kept') > 0 and fact(united, 'Solidify.Made') == 0
+assert fact(united, 'Solidify.DistanceToInput') < 1e-6
+
+# Wrap makes a plate of a sheet and fills a hollow sphere; its sizes are lengths.
+sheet = simple.Plane(XResolution=4, YResolution=4)
+sheet.UpdatePipeline()
+shapetesting.check_refused(new(shapetesting.output(sheet), 'Solid', DetailSize=0.05), 'encloses nothing', 'Wrap')
+plate = solid(shapetesting.output(sheet), 'Automatic', DetailSize=0.05)[0]
+assert fact(plate, 'Solidify.Method') == 'Wrap' and fact(plate, 'Solidify.GridSpacing') == 0.05
+assert fact(plate, 'Solidify.EulerNumber') == 2 and open_or_tangled(plate) == 0
+assert abs(volume(plate) - 1.8 * 0.05) < 0.02
+assert (cells(plate, 'Origin') == 2).all()
+wrapped = solid(sphere, 'Wrap', DetailSize=0.1, GapSize=0.4)[0]
+assert fact(wrapped, 'Solidify.Method') == 'Wrap', 'a right surface is wrapped if one asks for it'
+names = {sphere.GetPointData().GetArrayName(i) for i in range(sphere.GetPointData().GetNumberOfArrays())}
+assert names <= {wrapped.GetPointData().GetArrayName(i)
+                 for i in range(wrapped.GetPointData().GetNumberOfArrays())}
+
+# What it cannot do, it refuses, and says why.
 tetrahedron = vtkUnstructuredGrid()
 tetrahedron.SetPoints(sphere.GetPoints())
 tetrahedron.InsertNextCell(VTK_TETRA, 4, [0, 1, 2, 3])
 shapetesting.check_refused(new(tetrahedron), 'vtkTetra', 'cell 0', 'Extract Surface')
 shapetesting.check_refused(new(sphere, Tolerance=-1.0), 'Tolerance is -1')
 shapetesting.check_refused(new(sphere, Tolerance=50.0), 'no triangle of the surface is left')
+shapetesting.check_refused(new(sphere, 'Wrap', DetailSize=1.0, GapSize=0.5), 'GapSize is 0.5')
+shapetesting.check_refused(new(sphere, 'Wrap', DetailSize=-1.0), 'DetailSize is -1')

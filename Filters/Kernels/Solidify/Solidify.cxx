@@ -1,10 +1,61 @@
 #include "Solidify/Solidify.h"
 
+#include "Base/Errors.h"
 #include "Mesh/Surface.h"
 #include "Solidify/Private/JoinedSoup.h"
+#include "Solidify/SolidSurface.h"
+#include "Solidify/WrapSurface.h"
+
 
 namespace shape
 {
+namespace
+{
+
+MendedSurface Apply(SolidifyMethod method, const Mesh& surface, const SolidifyOptions& options,
+  const Progress& progress)
+{
+  if (method == SolidifyMethod::Mend)
+  {
+    return MendSurface(surface, options.Defects, progress);
+  }
+  if (method == SolidifyMethod::Solid)
+  {
+    return MakeSolid(surface, { options.Defects, options.DetailSize }, progress);
+  }
+  return WrapSurface(surface, { options.Defects, options.DetailSize, options.GapSize }, progress);
+}
+
+/// Sets the result of the method, or of the first that succeeds.
+void ApplyFirst(SolidifyResult& result, const Mesh& surface, const SolidifyOptions& options,
+  const Progress& progress)
+{
+  result.Method = options.Method;
+  if (options.Method == SolidifyMethod::Automatic)
+  {
+    for (const auto method : { SolidifyMethod::Mend, SolidifyMethod::Solid })
+    {
+      const double begin = method == SolidifyMethod::Mend ? 0.0 : 0.3;
+      try
+      {
+        result.Method = method;
+        result.Mended = Apply(method, surface, options, progress.Part(begin, begin + 0.3));
+        return;
+      }
+      catch (const InvalidInput&) // not enough; the next method may be
+      {
+      }
+      catch (const SolveFailure&)
+      {
+      }
+    }
+    result.Method = SolidifyMethod::Wrap;
+  }
+  result.Mended = Apply(result.Method, surface, options,
+    options.Method == SolidifyMethod::Automatic ? progress.Part(0.6, 1.0) : progress);
+}
+
+} // namespace
 
 SolidifyResult Solidify(
   const Mesh& surface, const SolidifyOptions& options, const Progress& progress)
@@ -14,7 +65,9 @@ SolidifyResult Solidify(
     FindSurfaceDefects(surface, options.Defects, progress.Part(0.0, 0.3, "looking for defects"));
   result.Pieces = result.Defects.Pieces;
   result.EulerNumber = result.Defects.EulerNumber;
-  if (result.Defects.Defects.empty() || options.Method == SolidifyMethod::Report)
+  const bool isSound =
+    result.Defects.Defects.empty() && options.Method != SolidifyMethod::Wrap;
+  if (isSound || options.Method == SolidifyMethod::Report)
   {
     result.Mended.Surface = surface;
     result.Mended.Origin = Eigen::VectorXi::Zero(surface.Triangles.rows());
@@ -22,8 +75,7 @@ SolidifyResult Solidify(
     progress(1.0);
     return result;
   }
-  result.Method = SolidifyMethod::Mend;
-  result.Mended = MendSurface(surface, options.Defects, progress.Part(0.3, 0.9));
+  ApplyFirst(result, surface, options, progress.Part(0.3, 0.9));
   const Surface solid = result.Mended.Surface;
   result.Pieces = solid.Topology().Components;
   result.EulerNumber = solid.Topology().EulerNumber;

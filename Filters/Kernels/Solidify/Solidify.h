@@ -12,15 +12,20 @@ namespace shape
 /// How much is done to a surface.
 enum class SolidifyMethod
 {
-  Automatic, ///< nothing if the surface bounds a solid, otherwise Mend
+  Automatic, ///< nothing if the surface bounds a solid, else the first of Mend, Solid and Wrap
+             ///< that succeeds
   Report,    ///< defects are found, and the surface stays as it is
-  Mend       ///< see MendSurface
+  Mend,      ///< see MendSurface
+  Solid,     ///< see MakeSolid
+  Wrap       ///< see WrapSurface
 };
 
 struct SolidifyOptions
 {
   SolidifyMethod Method = SolidifyMethod::Automatic;
-  SurfaceDefectOptions Defects; ///< the tolerances of Report and Mend
+  SurfaceDefectOptions Defects; ///< the tolerances of every method
+  double DetailSize = 0.0;      ///< see SolidSurfaceOptions and WrapSurfaceOptions
+  double GapSize = 0.0;         ///< see WrapSurfaceOptions
 };
 
 struct SolidifyResult
@@ -35,9 +40,9 @@ struct SolidifyResult
   HausdorffDistances Distances;
 };
 
-/// Turns triangles into the boundary of a solid, by the least method that is enough. An input
-/// without defects (FindSurfaceDefects) is returned bit for bit. Throws the exceptions of
-/// FindSurfaceDefects and MendSurface.
+/// Turns triangles into the boundary of a solid. An input without defects (FindSurfaceDefects) is
+/// returned bit for bit, except with Wrap. Throws the exceptions of FindSurfaceDefects and of the
+/// method; with Automatic, those of Wrap.
 SolidifyResult Solidify(
   const Mesh& surface, const SolidifyOptions& options = {}, const Progress& progress = {});
 

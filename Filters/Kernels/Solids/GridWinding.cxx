@@ -48,46 +48,74 @@ struct Lines
   int First, End;
 };
 
-/// Where the line along x through (y, z) meets a triangle's plane, within the triangle's box.
-double CrossingOf(const Eigen::Matrix3d& corners, const Eigen::RowVector2d& line)
+/// The coordinates across an axis, in cyclic order.
+Eigen::RowVector2d Across(const Eigen::RowVector3d& position, int axis)
+{
+  return { position((axis + 1) % 3), position((axis + 2) % 3) };
+}
+
+/// Where the line along an axis meets a triangle's plane, within the triangle's box.
+double CrossingOf(const Eigen::Matrix3d& corners, const Eigen::RowVector2d& line, int axis)
 {
   const Eigen::RowVector3d normal =
     (corners.row(1) - corners.row(0)).cross(corners.row(2) - corners.row(0));
-  const double step = (corners.row(0).tail<2>() - line).dot(normal.tail<2>());
-  const double position = normal(0) == 0.0 ? corners(0, 0) : corners(0, 0) + step / normal(0);
-  return std::clamp(position, corners.col(0).minCoeff(), corners.col(0).maxCoeff());
+  const double step = (Across(corners.row(0), axis) - line).dot(Across(normal, axis));
+  const double position =
+    normal(axis) == 0.0 ? corners(0, axis) : corners(0, axis) + step / normal(axis);
+  return std::clamp(position, corners.col(axis).minCoeff(), corners.col(axis).maxCoeff());
 }
 
 } // namespace
 
-Eigen::VectorXi ComputeGridWindingNumbers(const Mesh& mesh, const SampledGrid& grid)
+void ForEachGridCrossing(const Mesh& mesh, const SampledGrid& grid, int axis,
+  const std::function<void(const GridCrossing&)>& visit, const Progress& progress)
 {
-  // First the change of the number at each point relative to the previous one.
-  Eigen::VectorXi winding = Eigen::VectorXi::Zero(grid.Counts.prod());
+  const int second = (axis + 1) % 3, third = (axis + 2) % 3;
   for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
   {
+    progress(static_cast<double>(t) / static_cast<double>(mesh.Triangles.rows()));
     const Eigen::Matrix3d corners = GetCorners(mesh, t);
-    const Eigen::Matrix<double, 3, 2> shadow = corners.rightCols<2>();
+    Eigen::Matrix<double, 3, 2> shadow;
+    shadow << corners.col(second), corners.col(third);
     const Eigen::RowVector2d low = shadow.colwise().minCoeff(), high = shadow.colwise().maxCoeff();
-    const Lines ys(grid, 1, low(0), high(0)), zs(grid, 2, low(1), high(1));
-    for (int z = zs.First; z < zs.End; ++z)
+    const Lines rows(grid, second, low(0), high(0)), layers(grid, third, low(1), high(1));
+    Eigen::RowVector3i point;
+    for (point(third) = layers.First; point(third) < layers.End; ++point(third))
     {
-      for (int y = ys.First; y < ys.End; ++y)
+      for (point(second) = rows.First; point(second) < rows.End; ++point(second))
       {
-        const Eigen::RowVector2d line = grid.Point(0, y, z).tail<2>();
+        const Eigen::RowVector2d line(grid.Origin(second) + grid.Spacing * point(second),
+          grid.Origin(third) + grid.Spacing * point(third));
         const int side = SideOf(shadow.row(0), shadow.row(1), line);
         if (side == 0 || SideOf(shadow.row(1), shadow.row(2), line) != side ||
           SideOf(shadow.row(2), shadow.row(0), line) != side)
         {
           continue;
         }
-        if (const int x = FirstBeyond(grid, 0, CrossingOf(corners, line)); x < grid.Counts(0))
-        {
-          winding(grid.Index(x, y, z)) -= side;
-        }
+        const double position = CrossingOf(corners, line, axis);
+        point(axis) = FirstBeyond(grid, axis, position) - 1;
+        visit({ static_cast<int>(t), point, position, side });
       }
     }
   }
+}
+
+Eigen::VectorXi ComputeGridWindingNumbers(
+  const Mesh& mesh, const SampledGrid& grid, const Progress& progress)
+{
+  // First the change of the number at each point relative to the previous one.
+  Eigen::VectorXi winding = Eigen::VectorXi::Zero(grid.Counts.prod());
+  ForEachGridCrossing(
+    mesh, grid, 0,
+    [&](const GridCrossing& crossing)
+    {
+      const Eigen::RowVector3i& before = crossing.Before;
+      if (before(0) + 1 < grid.Counts(0))
+      {
+        winding(grid.Index(before(0) + 1, before(1), before(2))) -= crossing.Side;
+      }
+    },
+    progress);
   // The sums of the changes along each line are the winding numbers; a line begins outside.
   for (Eigen::Index line = 0; line < winding.size(); line += grid.Counts(0))
   {

@@ -45,6 +45,10 @@ constexpr std::array<const char*, shape::NumberOfDefectKinds> DefectFacts = { "N
   "NonManifoldPoints", "MisorientedEdges", "InvertedPieces", "OpenLoops", "SelfIntersections",
   "SmallPieces" };
 
+/// In the order of shape::SolidifyMethod.
+constexpr std::array<const char*, 5> MethodNames = { "Automatic", "Report", "Mend", "Solid",
+  "Wrap" };
+
 /// Throws shape::InvalidInput if a block has no cells at all, such as a table.
 void RequireDataSets(vtkDataObject* data)
 {
@@ -104,7 +108,7 @@ void WriteDefects(const shape::SurfaceDefects& defects, vtkPolyData* output)
 } // namespace
 
 // 1. Triangulate the polygons.
-// 2. Find the defects, and mend them.
+// 2. Find the defects, and make a solid.
 // 3. Write the surface, the defects and the facts.
 void vtkShapeSolidify::Execute(const shape::Progress& progress)
 {
@@ -142,7 +146,7 @@ void vtkShapeSolidify::AddFacts(const shape::SolidifyResult& result)
   vtkDataObject* output = this->GetOutputDataObject(0);
   const auto add = [&](const std::string& name, auto value)
   { vtkShapeConvert::AddFact(output, "Solidify." + name, value); };
-  add("Method", std::string(result.Method == shape::SolidifyMethod::Report ? "Report" : "Mend"));
+  add("Method", std::string(MethodNames[static_cast<std::size_t>(result.Method)]));
   add("Defects", static_cast<double>(result.Defects.Defects.size()));
   for (std::size_t kind = 0; kind < DefectFacts.size(); ++kind)
   {
@@ -160,6 +164,7 @@ void vtkShapeSolidify::AddFacts(const shape::SolidifyResult& result)
     { "ReversedTriangles", result.Mended.ReversedTriangles },
     { "RemovedTriangles", result.Mended.RemovedTriangles },
     { "RemovedPieces", result.Mended.RemovedPieces },
+    { "GridSpacing", result.Mended.GridSpacing },
     { "DistanceFromInput", result.Distances.FromFirst },
     { "DistanceToInput", result.Distances.FromSecond } };
   for (const auto& [fact, value] : facts)

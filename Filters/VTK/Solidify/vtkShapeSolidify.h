@@ -9,7 +9,7 @@
  * Outputs
  * - Solid: the surface (vtkPolyData). If nothing has to be changed, it has the points and polygons
  *   of Input, bit for bit and in the same order. Otherwise, it consists of triangles: those of
- *   Input first, in order, then new ones. Point and cell data are carried (vtkShapeCarry). Cell
+ *   Input and their parts first, in order, then new ones. Point and cell data are carried (vtkShapeCarry). Cell
  *   array `Origin` (int): 0 for a cell of Input, 1 for a changed one, 2 for a new one.
  * - Defects: a vertex at each defect of Input, with the point array `Defect` (int), the value of
  *   shape::DefectKind.
@@ -24,6 +24,7 @@
  * - .Kept, .Mended, .Made: numbers of cells with Origin 0, 1 and 2.
  * - .GapsClosed, .SplitPoints, .ReversedTriangles, .RemovedTriangles, .RemovedPieces: what was
  *   changed.
+ * - .GridSpacing: of the grid on which the surface was made, or 0.
  * - .DistanceFromInput, .DistanceToInput: the largest distance of a position on Input from Solid,
  *   and of a position on Solid from Input.
  *
@@ -48,8 +49,10 @@ public:
   /// The properties. Effects and ranges: vtkShapeSolidify.xml. Enumerations and defaults:
   /// shape::SolidifyOptions, shape::SurfaceDefectOptions.
   vtkShapeEnumOption(
-    Method, shape::SolidifyMethod, shape::SolidifyMethod::Automatic, shape::SolidifyMethod::Mend);
+    Method, shape::SolidifyMethod, shape::SolidifyMethod::Automatic, shape::SolidifyMethod::Wrap);
   vtkShapeOptionOf(Options.Defects, Tolerance, double);
+  vtkShapeOption(DetailSize, double);
+  vtkShapeOption(GapSize, double);
   vtkShapeOptionOf(Options.Defects, SmallestPiece, double);
   ///@}
 

@@ -29,7 +29,7 @@
 namespace
 {
 
-constexpr const char* Usage = R"(MODEL [MUTATION ...] [Seed=1] [Wrap=0]
+constexpr const char* Usage = R"(MODEL [MUTATION ...] [Seed=1] [Wrap=0] [Method=0]
 
 Damages a model (OFF) by the mutations in order, and turns the result into a solid (Automatic):
   soup        no two triangles share a point
@@ -43,13 +43,19 @@ Damages a model (OFF) by the mutations in order, and turns the result into a sol
 
 Figures: triangles before and after, kept, mended, made; valid: whether CGAL finds the result a closed
 manifold without self-intersections that bounds a volume; same: whether no bit of the input changed;
-distance: the larger Hausdorff distance from the undamaged model, in % of its longest box edge.
+grid: the spacing of the grid that was used, or 0; distance: the larger Hausdorff distance from the
+undamaged model, in % of its longest box edge; away: the largest distance of a position on the result
+from the damaged model. Method=1 to 4 sets the method: Report, Mend, Solid or Wrap.
 With Wrap=1, a row of CGAL's alpha wrapping of the same input, whose alpha is chosen such that it has
 about as many triangles; its offset is alpha / 30. An input that is refused has no figures, but an error.)";
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using CgalMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 namespace pmp = CGAL::Polygon_mesh_processing;
+
+/// In the order of shape::SolidifyMethod; Report changes nothing.
+constexpr std::array<const char*, 5> Methods = { "Automatic", "unchanged", "Mend", "Solid",
+  "Wrap" };
 
 /// Random numbers from 0 to 1.
 class Chance
@@ -250,6 +256,12 @@ CgalMesh Wrap(const CgalSoup& soup, double alpha)
   return wrapped;
 }
 
+double AwayFrom(const shape::Mesh& input, const shape::Mesh& result)
+{
+  return 100.0 * shape::ComputeHausdorffDistance(input, result).FromSecond /
+    shape::ComputeLongestBoxEdge(input.Points);
+}
+
 /// The wrap with about `triangles` triangles, and its cost.
 void WrapByCgal(const shape::Mesh& model, const shape::Mesh& input, Eigen::Index triangles,
   benchmark::Figures& figures)
@@ -285,6 +297,8 @@ void WrapByCgal(const shape::Mesh& model, const shape::Mesh& input, Eigen::Index
                   .Add("after", result.Triangles.rows())
                   .Add("valid", static_cast<int>(IsValidForCgal(result)))
                   .Add("distance", DistanceFrom(model, result))
+                  .Add("away", AwayFrom(input, result))
+                  .Add("cpu", cost.Cpu)
                   .Add("wall", cost.Wall));
 }
 
@@ -294,6 +308,11 @@ void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
   const std::vector<std::string> mutations = arguments.RemainingWords();
   Chance chance(static_cast<unsigned int>(arguments.Setting("Seed", 1)));
   const bool wrap = arguments.Setting("Wrap", false);
+  const int method = arguments.Setting("Method", 0);
+  if (method < 0 || method >= static_cast<int>(Methods.size()))
+  {
+    throw benchmark::UsageError("Method is 0 to 4");
+  }
   arguments.RequireAllRead();
   shape::Mesh input = model;
   for (const std::string& mutation : mutations)
@@ -307,6 +326,7 @@ void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
   }
   shape::SolidifyResult result;
   shape::SolidifyOptions options;
+  options.Method = static_cast<shape::SolidifyMethod>(method);
   // Debris is known to be smaller than this.
   options.Defects.SmallestPiece =
     std::find(mutations.begin(), mutations.end(), "debris") == mutations.end() ? 0.0 : 0.005;
@@ -320,8 +340,7 @@ void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
     solid.Triangles == input.Triangles;
   figures.Print(
     benchmark::Row()
-      .Add("method",
-        std::string(result.Method == shape::SolidifyMethod::Report ? "unchanged" : "Mend"))
+      .Add("method", std::string(Methods[static_cast<std::size_t>(result.Method)]))
       .Add("before", input.Triangles.rows())
       .Add("after", solid.Triangles.rows())
       .Add("kept", count(shape::TriangleOrigin::Kept))
@@ -331,8 +350,11 @@ void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
       .Add("pieces", result.Pieces)
       .Add("euler", result.EulerNumber)
       .Add("same", static_cast<int>(isSame))
+      .Add("grid", result.Mended.GridSpacing)
       .Add("valid", static_cast<int>(IsValidForCgal(solid)))
       .Add("distance", DistanceFrom(model, solid))
+      .Add("away", AwayFrom(input, solid))
+      .Add("cpu", cost.Cpu)
       .Add("wall", cost.Wall));
   if (wrap)
   {

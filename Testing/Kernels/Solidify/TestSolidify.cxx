@@ -15,7 +15,8 @@ TEST(Solidify, ARightSurfaceIsReturnedBitForBit)
   const shape::Mesh solid = shapetest::Joined(
     { shapetest::Reversed(shapetest::Sphere(2, 1.0)), shapetest::Sphere(2, 2.0) });
   for (const SolidifyMethod method :
-    { SolidifyMethod::Automatic, SolidifyMethod::Report, SolidifyMethod::Mend })
+    { SolidifyMethod::Automatic, SolidifyMethod::Report, SolidifyMethod::Mend,
+      SolidifyMethod::Solid })
   {
     const shape::SolidifyResult result = shape::Solidify(solid, { method, {} });
     EXPECT_EQ(result.Method, SolidifyMethod::Report);
@@ -51,4 +52,17 @@ TEST(Solidify, DistancesGoBothWays)
   const Eigen::MatrixXd points = open.Points(used, Eigen::all);
   const double nearest = (points.rowwise() - shapetest::CapAxis()).rowwise().norm().minCoeff();
   EXPECT_NEAR(result.Distances.FromSecond, nearest, 0.01);
+}
+
+TEST(Solidify, AutomaticTakesTheFirstMethodThatSucceeds)
+{
+  const shape::Mesh box = shapetest::Box(Eigen::RowVector3d::Zero(), Eigen::RowVector3d::Ones());
+  EXPECT_EQ(shape::Solidify(shapetest::WithoutLast(box)).Method, SolidifyMethod::Mend);
+  const shape::Mesh crossing = shapetest::Twice(box, Eigen::RowVector3d::Constant(0.4));
+  EXPECT_EQ(shape::Solidify(crossing).Method, SolidifyMethod::Solid);
+  shape::SolidifyOptions coarse;
+  coarse.DetailSize = 0.1;
+  const shape::SolidifyResult plate = shape::Solidify(shapetest::FlatSquare(4, 0.0), coarse);
+  EXPECT_EQ(plate.Method, SolidifyMethod::Wrap);
+  EXPECT_EQ(plate.EulerNumber, 2);
 }

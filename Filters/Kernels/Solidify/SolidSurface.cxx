@@ -1,0 +1,191 @@
+#include "Solidify/SolidSurface.h"
+
+#include "Base/Errors.h"
+#include "Geometry/SelfIntersections.h"
+#include "Mesh/Surface.h"
+#include "Solidify/Private/ClosedDraft.h"
+#include "Solidify/Private/ContactSplit.h"
+#include "Solidify/Private/GridSurface.h"
+#include "Solidify/Private/JoinedSoup.h"
+#include "Solidify/Private/SolidSampling.h"
+#include "Solidify/Private/WindingBoundary.h"
+#include "Solids/Nesting.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// Thrown if no method of MakeSolid can help.
+class NoSolid : public InvalidInput
+{
+public:
+  using InvalidInput::InvalidInput;
+};
+
+/// Throws NoSolid if the fills are about as large as the rest: a sheet and the surface that spans
+/// its border enclose little, and fills of such holes are arbitrary.
+void RequireNoSheet(const ClosedDraft& closed)
+{
+  const auto count = static_cast<Eigen::Index>(closed.Draft.Triangles.size());
+  const double all = ComputeArea(closed.Result);
+  const double own = ComputeArea(closed.Draft.Surface);
+  constexpr double most = 0.45; // of a flat sheet with its fill, half is the fill
+  if (closed.Result.Triangles().rows() > count && all - own > most * all)
+  {
+    throw NoSolid("the solid of the surface is empty: the fills of its " +
+      std::to_string(closed.Filled.Holes.size()) +
+      " holes would be as large as the surface, which encloses nothing; choose the method Wrap");
+  }
+}
+
+/// A surface on its way to the boundary of a solid, and what it has in common with the input.
+struct Stage
+{
+  Mesh Surface;
+  shape::Provenance Provenance; ///< from the input
+  std::vector<char> IsMade;     ///< for each triangle
+};
+
+/// Splits the triangles of a closed surface that cross others, and keeps those on the boundary of
+/// the region with a winding number of at least 1.
+Stage UniteParts(const Stage& closed, const std::vector<Crossing>& crossings, const Progress& progress)
+{
+  SplitContacts split =
+    SplitAtContacts(closed.Surface, crossings, progress.Part(0.0, 0.4, "splitting triangles"));
+  // The same points of different triangles are joined, which leaves some triangles without area.
+  JoinedSoup soup = JoinSoup(split.Surface, 0.0, progress.Part(0.4, 0.5));
+  MendedDraft draft{ std::move(soup.Surface), std::move(soup.Triangles), {} };
+  SplitAtCollinearCorners(draft);
+  const WindingBoundary boundary =
+    ExtractWindingBoundary(draft.Surface, progress.Part(0.5, 1.0, "evaluating winding numbers"));
+  Stage united;
+  united.Surface = boundary.Surface;
+  const Eigen::VectorXi triangles = Eigen::Map<const Eigen::VectorXi>(
+    draft.Triangles.data(), static_cast<Eigen::Index>(draft.Triangles.size()));
+  split.Provenance.Cells =
+    ComposeIndices(split.Provenance.Cells, ComposeIndices(triangles, boundary.Parents));
+  united.Provenance = Compose(closed.Provenance, split.Provenance);
+  for (const int parent : split.Provenance.Cells)
+  {
+    united.IsMade.push_back(closed.IsMade[parent]);
+  }
+  return united;
+}
+
+/// The steps 1 and 2 of MakeSolid. Throws InvalidInput or SolveFailure if they do not succeed.
+MendedSurface MakeSolidOfTriangles(
+  const Mesh& surface, const SurfaceDefectOptions& options, const Progress& progress)
+{
+  Stage stage{ surface, TraceIdentity(surface.Points.rows(), surface.Triangles.rows()),
+    std::vector<char>(surface.Triangles.rows(), 0) };
+  MendedSurface result;
+  std::vector<Crossing> crossings;
+  constexpr int rounds = 5;
+  for (int round = 0; round < rounds; ++round)
+  {
+    const Progress part = progress.Part(
+      round / static_cast<double>(rounds), (round + 1) / static_cast<double>(rounds));
+    SurfaceDefectOptions again = options;
+    again.Tolerance = round == 0 ? options.Tolerance : 0.0;
+    const OrientedDraft drafted = DraftSurface(stage.Surface, again, part.Part(0.0, 0.3));
+    const ClosedDraft closed = CloseDraft(drafted.Draft, part.Part(0.3, 0.4));
+    RequireNoSheet(closed);
+    result.SplitPoints += drafted.SplitPoints + closed.SplitPoints();
+    result.RemovedPieces += drafted.RemovedPieces;
+    result.ReversedTriangles += drafted.ReversedTriangles;
+    result.GapsClosed += static_cast<int>(closed.Filled.Holes.size());
+    stage.Provenance = Compose(stage.Provenance, TraceClosing(closed, stage.Surface.Points.rows()));
+    std::vector<char> isMade(closed.Result.Triangles().rows(), 1);
+    std::transform(closed.Draft.Triangles.begin(), closed.Draft.Triangles.end(), isMade.begin(),
+      [&](int triangle) { return stage.IsMade[triangle]; });
+    stage.IsMade = std::move(isMade);
+    stage.Surface = closed.Result;
+    crossings =
+      FindSelfIntersections(closed.Result, part.Part(0.4, 0.5, "looking for self-intersections"));
+    if (crossings.empty())
+    {
+      break;
+    }
+    if (round == 0)
+    {
+      stage.Surface = OrientCrossingPieces(closed.Result, part.Part(0.5, 0.6));
+    }
+    stage = UniteParts(stage, crossings, part.Part(0.6, 1.0));
+    if (stage.Surface.Triangles.rows() == 0)
+    {
+      break;
+    }
+  }
+  if (!crossings.empty())
+  {
+    throw SolveFailure("intersections remain after rounding"); // the grid takes over
+  }
+  const shape::Surface oriented = OrientByNesting(stage.Surface, "the solid");
+  result.Surface = oriented;
+  result.Provenance = stage.Provenance;
+  result.Origin = FindOrigins(result.Surface, surface, stage.Provenance.Cells, stage.IsMade);
+  std::vector<char> isUsed(surface.Triangles.rows(), 0);
+  for (const int cell : stage.Provenance.Cells)
+  {
+    if (cell >= 0)
+    {
+      isUsed[cell] = 1;
+    }
+  }
+  result.RemovedTriangles = static_cast<int>(std::count(isUsed.begin(), isUsed.end(), 0));
+  if (!FindSurfaceDefects(result.Surface).Defects.empty())
+  {
+    throw SolveFailure("defects remain after rounding"); // the grid takes over
+  }
+  return result;
+}
+
+/// Step 3 of MakeSolid.
+MendedSurface MakeSolidOnGrid(
+  const Mesh& surface, const SolidSurfaceOptions& options, const Progress& progress)
+{
+  Mesh oriented = JoinSoup(surface, options.Defects.Tolerance, progress.Part(0.0, 0.05)).Surface;
+  try
+  {
+    oriented = DraftSurface(surface, options.Defects, progress.Part(0.05, 0.2)).Draft.Surface;
+    oriented = OrientCrossingPieces(oriented, progress.Part(0.2, 0.3));
+  }
+  catch (const InvalidInput&) // it has no orientation of its own
+  {
+  }
+  const double spacing = ChooseDetailSize(oriented, options.DetailSize);
+  const Mesh made = ContourWinding(
+    CloseByCones(oriented), spacing, progress.Part(0.3, 0.7, "sampling winding numbers"));
+  return AdoptGridSurface(made, spacing, surface, options.Defects.SmallestPiece, "the solid", progress.Part(0.7, 1.0));
+}
+
+} // namespace
+
+MendedSurface MakeSolid(
+  const Mesh& surface, const SolidSurfaceOptions& options, const Progress& progress)
+{
+  ChooseDetailSize(surface, options.DetailSize);
+  try
+  {
+    return MakeSolidOfTriangles(surface, options.Defects, progress.Part(0.0, 0.6));
+  }
+  catch (const NoSolid&)
+  {
+    throw;
+  }
+  catch (const InvalidInput&) // such as an edge that cannot be paired, or a hole without a loop
+  {
+  }
+  catch (const SolveFailure&)
+  {
+  }
+  return MakeSolidOnGrid(surface, options, progress.Part(0.6, 1.0));
+}
+
+} // namespace shape
