@@ -27,8 +27,8 @@ public:
   {
     if (this->Count > 0)
     {
-      throw InvalidInput(std::to_string(this->Count) + " " + fault +
-        " (first: node " + std::to_string(this->First) + "); " + remedy);
+      throw InvalidInput(fault + ": " + std::to_string(this->Count) + " (first: node " +
+        std::to_string(this->First) + "); " + remedy);
     }
   }
 

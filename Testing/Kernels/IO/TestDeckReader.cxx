@@ -178,7 +178,7 @@ TEST(DeckReader, RefusesWrongDecksWithTheLine)
   const std::string node = "*NODE\n1, 0, 0, 0\n";
   EXPECT_REFUSED(Read("a.stl", node), ".STL", ".inp");
   EXPECT_REFUSED(Read("a.inp", "*HEADING\n"), "no nodes");
-  EXPECT_REFUSED(Read("a.inp", node + "1, 1, 0, 0\n2, 1, 0, 0\n2, 1, 1, 0\n"), "2 nodes", "first: 1");
+  EXPECT_REFUSED(Read("a.inp", node + "1, 1, 0, 0\n2, 1, 0, 0\n2, 1, 1, 0\n"), "another node: 2", "first: node 1");
   EXPECT_REFUSED(Read("a.inp", node + "2, x, 0, 0\n"), "line 3", "'x'");
   EXPECT_REFUSED(Read("a.inp", node + "2, 1e999, 0, 0\n"), "line 3", "1e999");
   EXPECT_REFUSED(Read("a.inp", node + "*ELEMENT, TYPE=T3D2\n4, 1, 5\n"), "element 4", "node 5");

@@ -119,9 +119,8 @@ void DeckBuilder::FindCorners()
   std::int64_t first = 0;
   if (const int duplicates = numbers.CountDuplicates(first))
   {
-    throw InvalidInput(std::to_string(duplicates) +
-      " nodes have the number of another node (first: " + std::to_string(first) +
-      "); give each node its own number");
+    throw InvalidInput("nodes have the number of another node: " + std::to_string(duplicates) +
+      " (first: node " + std::to_string(first) + "); give each node its own number");
   }
   Eigen::VectorXi& corners = this->Result.Mesh.Corners;
   corners.resize(static_cast<Eigen::Index>(this->Corners.size()));
