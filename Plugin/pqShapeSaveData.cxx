@@ -105,7 +105,9 @@ void pqShapeSaveData::startup()
   this->FindActions();
 }
 
-void pqShapeSaveData::shutdown() {}
+void pqShapeSaveData::shutdown()
+{
+}
 
 /// ParaView's reaction goes on enabling the action.
 void pqShapeSaveData::FindActions()
@@ -135,8 +137,8 @@ void pqShapeSaveData::Save()
     return;
   }
   static QString extension = "pvd"; // of the last file
-  pqFileDialog dialog(
-    port->getServer(), pqCoreUtilities::mainWidget(), tr("Save File:"), QString(), types,
+  pqFileDialog dialog(port->getServer(), pqCoreUtilities::mainWidget(), tr("Save File:"), QString(),
+    types,
     /*groupFiles=*/false);
   dialog.setObjectName("FileSaveDialog");
   dialog.setRecentlyUsedExtension(extension);
@@ -176,5 +178,7 @@ void pqShapeSaveData::Write(pqOutputPort* port, const QString& name, const QStri
   }
   writer->UpdateVTKObjects();
   writer->UpdatePipeline();
-  SM_SCOPED_TRACE(TraceText).arg(ToPython(port, writer).toUtf8().data()).arg("comment", "save data");
+  SM_SCOPED_TRACE(TraceText)
+    .arg(ToPython(port, writer).toUtf8().data())
+    .arg("comment", "save data");
 }

@@ -9,10 +9,10 @@ class pqOutputPort;
 /**
  * Makes File > Save Data write the file type that the user chooses.
  *
- * Two writers may have the same extension: a deck is written anew, or with its nodes moved. ParaView
- * 5.11 shows both types, and takes the first writer of the extension, whatever type is chosen. This
- * class runs the dialog in its stead. If the chosen writer is the one that ParaView takes, ParaView
- * goes on.
+ * Two writers may have the same extension: a deck is written anew, or with its nodes moved.
+ * ParaView 5.11 shows both types, and takes the first writer of the extension, whatever type is
+ * chosen. This class runs the dialog in its stead. If the chosen writer is the one that ParaView
+ * takes, ParaView goes on.
  */
 class pqShapeSaveData : public QObject
 {

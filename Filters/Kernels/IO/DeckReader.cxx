@@ -10,8 +10,8 @@
 namespace shape
 {
 
-Deck ReadDeck(const std::string& name, std::string content, const ReadNamedFile& read,
-  const Progress& progress)
+Deck ReadDeck(
+  const std::string& name, std::string content, const ReadNamedFile& read, const Progress& progress)
 {
   const std::string extension = InUpperCase(name.substr(std::min(name.rfind('.'), name.size())));
   const auto parse = extension == ".INP"                              ? ParseAbaqusDeck

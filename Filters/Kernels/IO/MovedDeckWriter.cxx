@@ -46,8 +46,7 @@ void RequireText(const Deck& deck, const Eigen::MatrixXd& positions)
     bool isLost = false;
     for (int k = 0; k < 3; ++k)
     {
-      isLost = isLost ||
-        (deck.Nodes[i].Begin[k] == DeckNode::NoText && positions(row, k) != 0.0);
+      isLost = isLost || (deck.Nodes[i].Begin[k] == DeckNode::NoText && positions(row, k) != 0.0);
     }
     isLost ? faults.Add(deck.Nodes[i].Number) : void();
   }
@@ -103,8 +102,8 @@ Eigen::MatrixXd FindMovedNodes(const Deck& deck, const NumberedPoints& moved)
 
 bool HasNodes(const Deck& deck, int file)
 {
-  return std::any_of(deck.Nodes.begin(), deck.Nodes.end(),
-    [&](const DeckNode& node) { return node.File == file; });
+  return std::any_of(
+    deck.Nodes.begin(), deck.Nodes.end(), [&](const DeckNode& node) { return node.File == file; });
 }
 
 void WriteMovedFile(std::ostream& file, const Deck& deck, int index,

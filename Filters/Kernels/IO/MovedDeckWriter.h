@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "IO/DeckReader.h"
+#include "IO/Deck.h"
 
 #include <Eigen/Core>
 

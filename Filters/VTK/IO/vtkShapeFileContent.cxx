@@ -113,8 +113,7 @@ vtkSmartPointer<vtkIdTypeArray> ToIds(const char* name, std::size_t count, const
   return array;
 }
 
-void AddWords(
-  const char* name, const std::vector<std::string>& words, vtkUnstructuredGrid* output)
+void AddWords(const char* name, const std::vector<std::string>& words, vtkUnstructuredGrid* output)
 {
   vtkNew<vtkStringArray> array;
   array->SetName(name);

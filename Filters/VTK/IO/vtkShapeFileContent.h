@@ -26,8 +26,7 @@ std::string Read(const std::string& path);
 std::string FindBeside(const std::string& path, const std::string& name);
 
 /// Reads a deck and the files that it includes. Throws as shape::ReadDeck does.
-shape::Deck ReadDeck(
-  const std::string& path, std::string content, const shape::Progress& progress);
+shape::Deck ReadDeck(const std::string& path, std::string content, const shape::Progress& progress);
 
 /// Fills a surface with points, faces and the arrays of vtkShapeOFFReader.
 void ToPolyData(const shape::OFFSurface& surface, vtkPolyData* output);

@@ -41,8 +41,8 @@ struct vtkShapeFileWriter::OutputFile
 {
   std::string Name; ///< as the user or a deck names it
   Content Write;
-  fs::path Path;        ///< the file that is replaced: the target of a symbolic link, not the link
-  fs::path Part;        ///< where the content is until all files are complete; empty: directly
+  fs::path Path; ///< the file that is replaced: the target of a symbolic link, not the link
+  fs::path Part; ///< where the content is until all files are complete; empty: directly
   fs::perms Permissions = fs::perms::unknown; ///< of the older file
 };
 

@@ -87,8 +87,8 @@ std::string vtkShapeMovedDeckWriter::FindDeck() const
   return name->GetValue(0);
 }
 
-void vtkShapeMovedDeckWriter::AddIncludedFiles(const std::string& path,
-  const std::function<Content(int)>& contentOf, const shape::Deck& deck)
+void vtkShapeMovedDeckWriter::AddIncludedFiles(
+  const std::string& path, const std::function<Content(int)>& contentOf, const shape::Deck& deck)
 {
   for (int file = 1; file < static_cast<int>(deck.Files.size()); ++file)
   {
@@ -112,8 +112,8 @@ void vtkShapeMovedDeckWriter::AddIncludedFiles(const std::string& path,
 vtkShapeFileWriter::Content vtkShapeMovedDeckWriter::ReadInput(const shape::Progress& progress)
 {
   const std::string path = this->FindDeck();
-  auto deck = std::make_shared<shape::Deck>(vtkShapeFileContent::ReadDeck(
-    path, vtkShapeFileContent::Read(path), progress.Part(0.0, 0.8)));
+  auto deck = std::make_shared<shape::Deck>(
+    vtkShapeFileContent::ReadDeck(path, vtkShapeFileContent::Read(path), progress.Part(0.0, 0.8)));
   if (fs::path(path).extension() != fs::path(this->FileName).extension())
   {
     throw shape::InvalidInput("the deck is '" + fs::path(path).filename().string() +

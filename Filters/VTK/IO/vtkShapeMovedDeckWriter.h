@@ -47,8 +47,8 @@ private:
   void operator=(const vtkShapeMovedDeckWriter&) = delete;
 
   std::string FindDeck() const;
-  void AddIncludedFiles(const std::string& path, const std::function<Content(int)>& contentOf,
-    const shape::Deck& deck);
+  void AddIncludedFiles(
+    const std::string& path, const std::function<Content(int)>& contentOf, const shape::Deck& deck);
 
   std::string Deck;
 };

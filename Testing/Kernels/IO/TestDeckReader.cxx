@@ -47,10 +47,11 @@ using Words = std::vector<std::string>;
 
 TEST(DeckReader, FindsTheTextOfEachCoordinate)
 {
-  const shape::Deck deck =
-    Read("a.inp", "** comment\r\n*Node , nset=ALL\r\n 7, 1.5D0,\t-2. , +3e-1\r\n9,,4,5\r\n3, 1-2\r\n");
+  const shape::Deck deck = Read(
+    "a.inp", "** comment\r\n*Node , nset=ALL\r\n 7, 1.5D0,\t-2. , +3e-1\r\n9,,4,5\r\n3, 1-2\r\n");
   EXPECT_EQ(NumbersOf(deck), (Numbers{ 7, 9, 3 }));
-  EXPECT_EQ(deck.Mesh.Points, (Eigen::MatrixXd(3, 3) << 1.5, -2, 0.3, 0, 4, 5, 0.01, 0, 0).finished());
+  EXPECT_EQ(
+    deck.Mesh.Points, (Eigen::MatrixXd(3, 3) << 1.5, -2, 0.3, 0, 4, 5, 0.01, 0, 0).finished());
   EXPECT_EQ(TextOf(deck, 0, 0), "1.5D0");
   EXPECT_EQ(TextOf(deck, 0, 1), "-2.");
   EXPECT_EQ(TextOf(deck, 0, 2), "+3e-1");
@@ -101,29 +102,34 @@ TEST(DeckReader, PartsNumberTheirNodesIndependently)
                             "*Part, name=B\n*Node\n1, 5., 0., 0.\n2, 6., 0., 0.\n"
                             "*Element, type=T3D2\n1, 2, 1\n*End Part\n*Assembly, name=All\n";
   const shape::Deck deck = Read("a.inp",
-    parts + "*Instance, name=A-1, part=A\n*End Instance\n*Instance, name=B-1, part=B\n0., 0., 0.\n"
-            "*End Instance\n*Node\n1, 9., 0., 0.\n*End Assembly\n");
+    parts +
+      "*Instance, name=A-1, part=A\n*End Instance\n*Instance, name=B-1, part=B\n0., 0., 0.\n"
+      "*End Instance\n*Node\n1, 9., 0., 0.\n*End Assembly\n");
   EXPECT_EQ(NumbersOf(deck), (Numbers{ 1, 2, 1, 2, 1 }));
   EXPECT_EQ(deck.Mesh.Corners, (Eigen::VectorXi(4) << 0, 1, 3, 2).finished());
   EXPECT_TRUE(deck.HasParts);
   EXPECT_EQ(deck.Nodes[4].Part, 0);
   EXPECT_REFUSED(Read("a.inp", parts + "*Instance, name=A-1, part=A\n0., 2., 0.\n"), "line 17",
     "A-1", "translated");
-  EXPECT_REFUSED(Read("a.inp",
-                   parts + "*Instance, name=A-1, part=A\n*End Instance\n*Instance, name=A-2, part=A\n"),
+  EXPECT_REFUSED(
+    Read(
+      "a.inp", parts + "*Instance, name=A-1, part=A\n*End Instance\n*Instance, name=A-2, part=A\n"),
     "part A", "2 instances");
 }
 
 TEST(DeckReader, ReadsColumnsCommasAndWiderFormatsOfDyna)
 {
-  const std::string node = "       1             1.5            -2.0          3.0E-1       0       0\n";
+  const std::string node =
+    "       1             1.5            -2.0          3.0E-1       0       0\n";
   const shape::Deck deck = Read("a.k",
     "*KEYWORD\n$ comment\n*NODE\n" + node +
       "       2-1.2345678901234-1.2345678901234\n3,4,5,6\n*NODE %\n"
       "         4               7               8               9\n*NODE+\n"
       "                   5                   1                   2                   3\n"
-      "*ELEMENT_SOLID\n       9       4       1       2       3       4       4       4       4       4\n"
-      "*ELEMENT_SOLID\n      10       4\n       1       2       3       4       5       5       5       5\n"
+      "*ELEMENT_SOLID\n       9       4       1       2       3       4       4       4       4    "
+      "   4\n"
+      "*ELEMENT_SOLID\n      10       4\n       1       2       3       4       5       5       5  "
+      "     5\n"
       "*ELEMENT_SHELL_THICKNESS\n11,7,1,2,3,3\n1.,1.,1.,1.\n12,7,1,2,3,4\n1.,1.,1.,1.\n"
       "*ELEMENT_MASS\n 1 2\n*END\n*NODE\nnonsense");
   EXPECT_EQ(NumbersOf(deck), (Numbers{ 1, 2, 3, 4, 5 }));
@@ -141,13 +147,15 @@ TEST(DeckReader, ReadsColumnsCommasAndWiderFormatsOfDyna)
 
 TEST(DeckReader, ReadsSectionsOfFebio)
 {
-  const std::string head = "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\n<!-- <node id=\"8\">\xe9 -->\n"
-                           "<febio_spec version='4.0'><Mesh><Nodes name=\"All\">\n";
+  const std::string head =
+    "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\n<!-- <node id=\"8\">\xe9 -->\n"
+    "<febio_spec version='4.0'><Mesh><Nodes name=\"All\">\n";
   const shape::Deck deck = Read("a.feb",
-    head + "<node id=\"1\">0,0, 0</node>\n<node  id='2' >1 ,0,0</node><node id=\"3\">0,1,0</node>\n"
-           "<node id=\"4\">\n0,0,1.50\n</node></Nodes>\n<Elements type=\"tet4\" name=\"Bone\">\n"
-           "<elem id=\"1\"> 1, 2,3,4</elem></Elements>\n<Elements type=\"hex27\"><elem id=\"2\">1</elem>"
-           "</Elements><NodeSet name=\"s\"><n id=\"1\"/></NodeSet></Mesh></febio_spec>");
+    head +
+      "<node id=\"1\">0,0, 0</node>\n<node  id='2' >1 ,0,0</node><node id=\"3\">0,1,0</node>\n"
+      "<node id=\"4\">\n0,0,1.50\n</node></Nodes>\n<Elements type=\"tet4\" name=\"Bone\">\n"
+      "<elem id=\"1\"> 1, 2,3,4</elem></Elements>\n<Elements type=\"hex27\"><elem id=\"2\">1</elem>"
+      "</Elements><NodeSet name=\"s\"><n id=\"1\"/></NodeSet></Mesh></febio_spec>");
   EXPECT_EQ(NumbersOf(deck), (Numbers{ 1, 2, 3, 4 }));
   EXPECT_EQ(TextOf(deck, 1, 0), "1");
   EXPECT_EQ(TextOf(deck, 3, 2), "1.50");
@@ -155,7 +163,8 @@ TEST(DeckReader, ReadsSectionsOfFebio)
   EXPECT_EQ(deck.RegionNames, Words{ "Bone" });
   EXPECT_EQ(deck.Skipped[0].first, "hex27");
   const shape::Deck old = Read("a.feb",
-    "<febio_spec version=\"1.2\"><Geometry><Nodes><node id=\"1\">0,0,0</node><node id=\"2\">1,0,0</node>"
+    "<febio_spec version=\"1.2\"><Geometry><Nodes><node id=\"1\">0,0,0</node><node "
+    "id=\"2\">1,0,0</node>"
     "<node id=\"3\">0,1,0</node></Nodes><Elements><tri3 id=\"1\" mat=\"1\">1,2,3</tri3></Elements>"
     "</Geometry></febio_spec>");
   EXPECT_EQ(old.Mesh.Kinds, Eigen::VectorXi::Constant(1, 5));
@@ -168,7 +177,8 @@ TEST(DeckReader, RefusesNodesThatAreNotWhereTheirCoordinatesSay)
   EXPECT_NO_THROW(Read("a.inp", "*SYSTEM\n" + node));
   EXPECT_REFUSED(Read("a.inp", "*NODE, SYSTEM=C\n1, 0, 0, 0\n"), "line 1", "SYSTEM=C");
   EXPECT_REFUSED(Read("a.inp", node + "*NGEN\n1, 5\n"), "line 3", "*NGEN");
-  EXPECT_REFUSED(Read("a.k", "*NODE\n1,0,0,0\n*NODE_TRANSFORM\n1,2\n"), "line 3", "*NODE_TRANSFORM");
+  EXPECT_REFUSED(
+    Read("a.k", "*NODE\n1,0,0,0\n*NODE_TRANSFORM\n1,2\n"), "line 3", "*NODE_TRANSFORM");
   EXPECT_REFUSED(Read("a.k", "*INCLUDE_TRANSFORM\nb.k\n"), "*INCLUDE_TRANSFORM");
   EXPECT_REFUSED(Read("a.feb", "<febio_spec><Mesh from=\"b.feb\"/></febio_spec>"), "<Mesh>");
 }
@@ -178,7 +188,8 @@ TEST(DeckReader, RefusesWrongDecksWithTheLine)
   const std::string node = "*NODE\n1, 0, 0, 0\n";
   EXPECT_REFUSED(Read("a.stl", node), ".STL", ".inp");
   EXPECT_REFUSED(Read("a.inp", "*HEADING\n"), "no nodes");
-  EXPECT_REFUSED(Read("a.inp", node + "1, 1, 0, 0\n2, 1, 0, 0\n2, 1, 1, 0\n"), "another node: 2", "first: node 1");
+  EXPECT_REFUSED(Read("a.inp", node + "1, 1, 0, 0\n2, 1, 0, 0\n2, 1, 1, 0\n"), "another node: 2",
+    "first: node 1");
   EXPECT_REFUSED(Read("a.inp", node + "2, x, 0, 0\n"), "line 3", "'x'");
   EXPECT_REFUSED(Read("a.inp", node + "2, 1e999, 0, 0\n"), "line 3", "1e999");
   EXPECT_REFUSED(Read("a.inp", node + "*ELEMENT, TYPE=T3D2\n4, 1, 5\n"), "element 4", "node 5");

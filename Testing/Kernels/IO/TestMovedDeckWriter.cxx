@@ -1,3 +1,4 @@
+#include "IO/DeckReader.h"
 #include "IO/MovedDeckWriter.h"
 
 #include "IO/Private/ColumnText.h"
@@ -42,18 +43,22 @@ std::string Rest(const shape::Deck& deck)
 }
 
 /// All that may be around nodes: CR LF, tabs, bytes of Latin 1, no line end at the end.
-const char* const Abaqus = "** b\xfchne\r\n*Node , nset=ALL\r\n 1, 0.10 ,\t2.,3\r\n\r\n** 5, 5\r\n2, -1E0,,0\r\n"
-                           "*Element,type=T3D2\r\n1,1,2\r\n*STEP\r\n*NODE PRINT\r\nU";
-const char* const Dyna = "*KEYWORD\n*NODE\n       1             0.1              2.               3       7       0\n"
-                         "$ x\n2, 1.0 , 2,3,4\n*SET_NODE\n       1\n";
-const char* const Febio = "<febio_spec>\n<Nodes><node id=\"1\"> 0.1,2, 3 </node><node id=\"2\">1,1,1</node></Nodes>\n"
-                          "<!-- \xe9 --></febio_spec>\n\n";
+const char* const Abaqus =
+  "** b\xfchne\r\n*Node , nset=ALL\r\n 1, 0.10 ,\t2.,3\r\n\r\n** 5, 5\r\n2, -1E0,,0\r\n"
+  "*Element,type=T3D2\r\n1,1,2\r\n*STEP\r\n*NODE PRINT\r\nU";
+const char* const Dyna =
+  "*KEYWORD\n*NODE\n       1             0.1              2.               3       7       0\n"
+  "$ x\n2, 1.0 , 2,3,4\n*SET_NODE\n       1\n";
+const char* const Febio =
+  "<febio_spec>\n<Nodes><node id=\"1\"> 0.1,2, 3 </node><node id=\"2\">1,1,1</node></Nodes>\n"
+  "<!-- \xe9 --></febio_spec>\n\n";
 
 } // namespace
 
 TEST(MovedDeckWriter, TheIdentityWritesTheSameBytes)
 {
-  for (const auto& [name, content] : { std::pair("a.inp", Abaqus), { "a.k", Dyna }, { "a.feb", Febio } })
+  for (const auto& [name, content] :
+    { std::pair("a.inp", Abaqus), { "a.k", Dyna }, { "a.feb", Febio } })
   {
     const shape::Deck deck = Read(name, content);
     EXPECT_EQ(Write(deck, deck.Mesh.Points), content);
@@ -64,7 +69,8 @@ TEST(MovedDeckWriter, OnlyCoordinatesChangeAndAreReadBack)
 {
   std::mt19937_64 generator(5);
   std::normal_distribution<double> normal;
-  for (const auto& [name, content] : { std::pair("a.inp", Abaqus), { "a.k", Dyna }, { "a.feb", Febio } })
+  for (const auto& [name, content] :
+    { std::pair("a.inp", Abaqus), { "a.k", Dyna }, { "a.feb", Febio } })
   {
     const shape::Deck deck = Read(name, content);
     for (int repeat = 0; repeat < 50; ++repeat)
@@ -121,7 +127,8 @@ TEST(MovedDeckWriter, TheTextInColumnsIsTheNearestOfItsLength)
     const std::size_t point = text.find('.'), exponent = text.find('e');
     const std::size_t digits = std::min(exponent, text.size()) - point - 1;
     const double unit = std::pow(10.0,
-      (exponent == std::string::npos ? 0.0 : std::stod(text.substr(exponent + 1))) - double(digits));
+      (exponent == std::string::npos ? 0.0 : std::stod(text.substr(exponent + 1))) -
+        double(digits));
     EXPECT_LE(std::abs(read - value), 0.5000001 * unit + 1e-15 * std::abs(value)) << text;
   }
 }

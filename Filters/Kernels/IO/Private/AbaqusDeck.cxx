@@ -189,13 +189,14 @@ private:
     if (name == "NGEN" || name == "NFILL" || name == "NCOPY" || name == "NMAP")
     {
       this->Builder.Refuse(file, at,
-        "*" + name + " makes nodes from others, which a map does not move; write each node in *NODE");
+        "*" + name +
+          " makes nodes from others, which a map does not move; write each node in *NODE");
     }
     const std::string system = InUpperCase(keyword.Get("SYSTEM"));
     if (name == "NODE" && !system.empty() && system != "R")
     {
-      this->Builder.Refuse(file, at,
-        "*NODE has SYSTEM=" + system + "; write its nodes in rectangular coordinates");
+      this->Builder.Refuse(
+        file, at, "*NODE has SYSTEM=" + system + "; write its nodes in rectangular coordinates");
     }
   }
 

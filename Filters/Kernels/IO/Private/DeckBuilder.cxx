@@ -76,8 +76,8 @@ int DeckBuilder::FindRegion(const std::string& name)
   return found->second;
 }
 
-void DeckBuilder::AddElement(int region, int part, std::int64_t number, int kind,
-  const std::int64_t* nodes, int count)
+void DeckBuilder::AddElement(
+  int region, int part, std::int64_t number, int kind, const std::int64_t* nodes, int count)
 {
   if (this->Corners.size() + count > static_cast<std::size_t>(std::numeric_limits<int>::max()))
   {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "IO/DeckReader.h"
+#include "IO/Deck.h"
 
 #include <cstdint>
 #include <map>
@@ -38,8 +38,8 @@ public:
   void AddNode(const DeckNode& node, const Eigen::RowVector3d& position);
   /// Returns the number of a region. A new name is a new region.
   int FindRegion(const std::string& name);
-  void AddElement(int region, int part, std::int64_t number, int kind,
-    const std::int64_t* nodes, int count);
+  void AddElement(
+    int region, int part, std::int64_t number, int kind, const std::int64_t* nodes, int count);
   void SkipElement(const std::string& type) { ++this->Skipped[type]; }
 
   /// Reports how far the file is read; call it for each line or node.

@@ -105,8 +105,8 @@ bool ReadDeckNumber(std::string_view text, double& value)
   std::string rewritten;
   for (const char letter : text)
   {
-    const bool isBare = (letter == '+' || letter == '-') && !rewritten.empty() &&
-      rewritten.back() != 'e';
+    const bool isBare =
+      (letter == '+' || letter == '-') && !rewritten.empty() && rewritten.back() != 'e';
     rewritten += isBare ? "e" : "";
     rewritten += std::strchr("dDeE", letter) ? 'e' : letter;
   }

@@ -64,7 +64,8 @@ public:
     }
     if (!isFebio)
     {
-      this->Builder.Refuse(0, 0, "the file does not begin with <febio_spec>; choose a file of FEBio");
+      this->Builder.Refuse(
+        0, 0, "the file does not begin with <febio_spec>; choose a file of FEBio");
     }
   }
 
@@ -194,15 +195,16 @@ private:
     if (this->Fields.size() != 3)
     {
       this->Builder.Refuse(0, tag.At,
-        "node " + std::to_string(node.Number) + " does not have three coordinates; repair the file");
+        "node " + std::to_string(node.Number) +
+          " does not have three coordinates; repair the file");
     }
     for (int k = 0; k < 3; ++k)
     {
       const std::string_view field = Trimmed(this->Fields[k]);
       if (field.empty() || !ReadDeckNumber(field, position(k)))
       {
-        this->Builder.Refuse(0, tag.At,
-          "'" + std::string(field) + "' is no coordinate of a node; repair the file");
+        this->Builder.Refuse(
+          0, tag.At, "'" + std::string(field) + "' is no coordinate of a node; repair the file");
       }
       node.Begin[k] = field.data() - this->Text.data();
       node.Length[k] = static_cast<std::uint32_t>(field.size());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "IO/DeckReader.h"
+#include "IO/Deck.h"
 
 #include <cstdint>
 #include <utility>
