@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 
+import numpy
 from paraview.simple import *
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
@@ -377,6 +378,21 @@ def AbaqusWriter():
     solid = ShapeHexRemesh(Surface=shape('BentBar.vtp'), CellsOnLongestSide=16)
     show(OutputPort(solid, 1), array='Patch', kind='CELLS', preset='Turbo', limits=(0, 5), discrete=6,
          edges=True)
+    return (0.5, 0.6, 1.0), (0, 1, 0)
+
+
+@drawing
+def DeckReader():
+    """The mesh of a deck, and the same deck moved."""
+    path = os.path.join(tempfile.mkdtemp(), 'bar.inp')
+    SaveData(path, ShapeHexRemesh(Surface=shape('BentBar.vtp'), CellsOnLongestSide=16))
+    deck = ShapeDeckReader(FileNames=[path])
+    deck.UpdatePipeline()
+    low, high = (numpy.array(deck.GetDataInformation().GetBounds())[k::2] for k in (0, 1))
+    size = (high - low).max()
+    wave = 'coords + %g*sin(6*(coordsX - %g)/%g)*kHat' % (0.12 * size, low[0], size)
+    show(deck, (0, 0.4 * size, 0), edges=True)
+    show(Calculator(Input=deck, CoordinateResults=1, Function=wave), (0, -0.4 * size, 0), array='NodeId', edges=True)
     return (0.5, 0.6, 1.0), (0, 1, 0)
 
 

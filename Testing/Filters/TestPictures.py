@@ -99,12 +99,12 @@ def Example():
 
 view = illustrations.open_view(SIZE)
 scenes = {scene.__name__: scene for scene in (Landmarks, LandmarksReader, OFFReader, MeditReader, Example)}
-# The picture of what Shape Medit Reader reads shows what the writer wrote, too. Others' programs read the files of
+# The picture of what Shape Medit Reader and Shape Deck Reader read shows what the writer wrote, too. Others' programs read the files of
 # the other writers, or a test does. The web page of Shape HTML Writer
 # is tested in a browser.
 for name in proxies.proxies():
     stem = name[len('Shape'):]
-    if stem not in ('DynaWriter', 'FebioWriter', 'GmshWriter', 'MeditWriter', 'HTMLWriter'):
+    if stem not in ('DynaWriter', 'FebioWriter', 'GmshWriter', 'MeditWriter', 'MovedDeckWriter', 'HTMLWriter'):
         scenes.setdefault(stem, illustrations.drawings.get(stem))
 assert None not in scenes.values(), scenes
 

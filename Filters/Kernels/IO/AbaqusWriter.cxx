@@ -1,11 +1,11 @@
 #include "IO/AbaqusWriter.h"
 
+#include "IO/Private/ColumnText.h"
+
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <numeric>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace shape
@@ -17,46 +17,6 @@ using namespace cell_kind;
 
 constexpr std::size_t Columns = 20; ///< columns of a number that Abaqus reads
 constexpr int PerLine = 16;         ///< maximum number of entries in a line of a set
-
-/// Removes redundant zeros: 0.5 becomes .5, 1e-05 becomes 1e-5. An integer gets a decimal point.
-std::string Shortened(std::string_view digits)
-{
-  std::string text(digits);
-  if (const auto zero = text.find("0."); zero == 0 || (zero == 1 && text[0] == '-'))
-  {
-    text.erase(zero, 1);
-  }
-  const auto exponent = text.find('e');
-  if (exponent == std::string::npos)
-  {
-    return text.find('.') == std::string::npos ? text + '.' : text;
-  }
-  if (text[exponent + 1] == '+')
-  {
-    text.erase(exponent + 1, 1);
-  }
-  const auto digit = text.find_first_of("0123456789", exponent);
-  if (text[digit] == '0' && digit + 1 < text.size())
-  {
-    text.erase(digit, 1);
-  }
-  return text;
-}
-
-/// Returns the shortest text that represents the number exactly; rounded if that is too long.
-std::string ToShortText(double value)
-{
-  char buffer[40];
-  const auto text = [&](const std::to_chars_result& end)
-  { return Shortened(std::string_view(buffer, end.ptr - buffer)); };
-  std::string best = text(std::to_chars(buffer, buffer + sizeof buffer, value));
-  for (int precision = 16; best.size() > Columns; --precision)
-  {
-    best = text(std::to_chars(
-      buffer, buffer + sizeof buffer, value, std::chars_format::scientific, precision));
-  }
-  return best;
-}
 
 struct ElementKind
 {
@@ -89,7 +49,7 @@ void WriteNodes(std::ostream& file, const Eigen::MatrixXd& points, const Progres
     file << i + 1;
     for (int k = 0; k < 3; ++k)
     {
-      file << ", " << ToShortText(points(i, k));
+      file << ", " << ToColumnText(points(i, k), Columns);
     }
     file << '\n';
     if (i % 65536 == 0)

@@ -1,15 +1,14 @@
 #include "IO/DynaWriter.h"
 
 #include "Base/Errors.h"
+#include "IO/Private/ColumnText.h"
 #include "IO/Private/ElementBlocks.h"
-#include "IO/Private/ExactText.h"
 
 #include <algorithm>
 #include <iomanip>
 #include <map>
 #include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace shape
@@ -20,21 +19,6 @@ namespace
 using namespace cell_kind;
 
 constexpr int IdColumns = 8, SetColumns = 10, NumberColumns = 16;
-
-/// Returns the number with as many digits as fit in its columns.
-std::string ToColumns(double value, std::size_t columns = NumberColumns)
-{
-  std::string text = ToExactText(value);
-  char buffer[40];
-  for (int digits = 16; text.size() > columns; --digits)
-  {
-    text = {
-      buffer,
-      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr
-    };
-  }
-  return text;
-}
 
 /// Returns the eight nodes of a solid element, as indices into the corners of the cell. The nodes
 /// of degenerate hexahedra are repeated as the manual says.
@@ -64,7 +48,7 @@ void WriteDynaNodes(std::ostream& file, const Eigen::MatrixXd& points, const Pro
     file << std::setw(IdColumns) << i + 1;
     for (int k = 0; k < 3; ++k)
     {
-      file << std::setw(NumberColumns) << ToColumns(points(i, k));
+      file << std::setw(NumberColumns) << ToColumnText(points(i, k), NumberColumns);
     }
     file << '\n';
     if (i % 65536 == 0)
@@ -135,7 +119,7 @@ void WriteDynaParts(
   for (const auto& [number, material] : materials.ByNumber)
   {
     // A number of SetColumns columns would touch the next one.
-    const auto text = [](double value) { return ToColumns(value, SetColumns - 1); };
+    const auto text = [](double value) { return ToColumnText(value, SetColumns - 1); };
     file << "*MAT_ELASTIC\n"
          << std::setw(SetColumns) << number + 1 << std::setw(SetColumns) << text(material.Density)
          << std::setw(SetColumns) << text(material.Modulus) << std::setw(SetColumns)

@@ -5,17 +5,21 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include "Base/Errors.h"
+#include "IO/DeckReader.h"
 #include "IO/MeditReader.h"
 #include "IO/OFFReader.h"
 
@@ -25,6 +29,7 @@
 #include <fstream>
 #include <numeric>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace
@@ -83,6 +88,40 @@ vtkSmartPointer<vtkFloatArray> ToFloats(const Eigen::MatrixXd& values, const cha
   array->DeepCopy(vtkShapeConvert::ToArray(values, name));
   array->SetName(name);
   return array;
+}
+
+/// Adds the cells, of any kinds.
+void SetGridCells(const shape::Cells& cells, vtkUnstructuredGrid* output)
+{
+  output->SetPoints(ToPoints(cells.Points));
+  std::vector<int> all(cells.Kinds.size()), kinds(cells.Kinds.begin(), cells.Kinds.end());
+  std::iota(all.begin(), all.end(), 0);
+  output->SetCells(kinds.data(), ToCellArray(cells, all));
+}
+
+/// Returns numberOf(0), ..., numberOf(count - 1) as an array of ids.
+template <typename Number>
+vtkSmartPointer<vtkIdTypeArray> ToIds(const char* name, std::size_t count, const Number& numberOf)
+{
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    array->SetValue(static_cast<vtkIdType>(i), static_cast<vtkIdType>(numberOf(i)));
+  }
+  return array;
+}
+
+void AddWords(const char* name, const std::vector<std::string>& words, vtkUnstructuredGrid* output)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  for (const std::string& word : words)
+  {
+    array->InsertNextValue(word);
+  }
+  output->GetFieldData()->AddArray(array);
 }
 
 } // namespace
@@ -158,11 +197,48 @@ void vtkShapeFileContent::ToPolyData(const shape::OFFSurface& surface, vtkPolyDa
 
 void vtkShapeFileContent::ToGrid(const shape::MeditMesh& mesh, vtkUnstructuredGrid* output)
 {
-  const shape::Cells& cells = mesh.Mesh;
-  output->SetPoints(ToPoints(cells.Points));
-  std::vector<int> all(cells.Kinds.size()), kinds(cells.Kinds.begin(), cells.Kinds.end());
-  std::iota(all.begin(), all.end(), 0);
-  output->SetCells(kinds.data(), ToCellArray(cells, all));
+  SetGridCells(mesh.Mesh, output);
   output->GetPointData()->AddArray(vtkShapeConvert::ToIntegers(mesh.PointReferences, "Reference"));
   output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(mesh.CellReferences, "Reference"));
+}
+
+std::string vtkShapeFileContent::FindBeside(const std::string& path, const std::string& name)
+{
+  return (std::filesystem::path(path).parent_path() / name).string();
+}
+
+shape::Deck vtkShapeFileContent::ReadDeck(
+  const std::string& path, std::string content, const shape::Progress& progress)
+{
+  const auto read = [&](const std::string& name) { return Read(FindBeside(path, name)); };
+  return shape::ReadDeck(path, std::move(content), read, progress);
+}
+
+void vtkShapeFileContent::ToGrid(
+  const shape::Deck& deck, const std::string& path, vtkUnstructuredGrid* output)
+{
+  SetGridCells(deck.Mesh, output);
+  output->GetPointData()->AddArray(
+    ToIds("NodeId", deck.Nodes.size(), [&](std::size_t i) { return deck.Nodes[i].Number; }));
+  if (deck.HasParts)
+  {
+    Eigen::VectorXi parts(static_cast<Eigen::Index>(deck.Nodes.size()));
+    std::transform(deck.Nodes.begin(), deck.Nodes.end(), parts.begin(),
+      [](const shape::DeckNode& node) { return node.Part; });
+    output->GetPointData()->AddArray(vtkShapeConvert::ToIntegers(parts, "NodePart"));
+  }
+  output->GetCellData()->AddArray(ToIds("ElementId", deck.ElementNumbers.size(),
+    [&](std::size_t i) { return deck.ElementNumbers[i]; }));
+  output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(deck.Regions, "RegionId"));
+  AddWords("RegionName", deck.RegionNames, output);
+  AddWords("Deck", { std::filesystem::absolute(path).string() }, output);
+  int count = 0;
+  std::string types;
+  for (const auto& [type, elements] : deck.Skipped)
+  {
+    count += elements;
+    types += (types.empty() ? "" : ", ") + std::to_string(elements) + " " + type;
+  }
+  vtkShapeConvert::AddFact(output, "DeckReader.SkippedElements", count);
+  vtkShapeConvert::AddFact(output, "DeckReader.Skipped", types.empty() ? "none" : types);
 }

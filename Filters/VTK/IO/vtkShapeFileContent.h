@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Base/Progress.h"
 #include "Mesh/Cells.h"
 
 #include <string>
@@ -9,6 +10,7 @@ class vtkUnstructuredGrid;
 
 namespace shape
 {
+struct Deck;
 struct MeditMesh;
 struct OFFSurface;
 } // namespace shape
@@ -20,10 +22,19 @@ namespace vtkShapeFileContent
 /// Returns all bytes of a file. Throws shape::InvalidInput if it cannot be read.
 std::string Read(const std::string& path);
 
+/// Returns the path of a file that another file names. Relative names start from its folder.
+std::string FindBeside(const std::string& path, const std::string& name);
+
+/// Reads a deck and the files that it includes. Throws as shape::ReadDeck does.
+shape::Deck ReadDeck(const std::string& path, std::string content, const shape::Progress& progress);
+
 /// Fills a surface with points, faces and the arrays of vtkShapeOFFReader.
 void ToPolyData(const shape::OFFSurface& surface, vtkPolyData* output);
 
 /// Fills a grid with points, cells and the arrays of vtkShapeMeditReader.
 void ToGrid(const shape::MeditMesh& mesh, vtkUnstructuredGrid* output);
+
+/// Fills a grid with the nodes, elements and arrays of vtkShapeDeckReader. path: of the deck.
+void ToGrid(const shape::Deck& deck, const std::string& path, vtkUnstructuredGrid* output);
 
 } // namespace vtkShapeFileContent

@@ -13,8 +13,11 @@
 #include <new>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include <unistd.h>
+
+namespace fs = std::filesystem;
 
 namespace
 {
@@ -33,13 +36,46 @@ public:
 
 } // namespace
 
+/// A file to be written.
+struct vtkShapeFileWriter::OutputFile
+{
+  std::string Name; ///< as the user or a deck names it
+  Content Write;
+  fs::path Path; ///< the file that is replaced: the target of a symbolic link, not the link
+  fs::path Part; ///< where the content is until all files are complete; empty: directly
+  fs::perms Permissions = fs::perms::unknown; ///< of the older file
+};
+
+vtkShapeFileWriter::vtkShapeFileWriter() = default;
+
+vtkShapeFileWriter::~vtkShapeFileWriter() = default;
+
 std::string vtkShapeFileWriter::GetLabel()
 {
   return vtkShapeAlgorithm::LabelOf(this->GetClassName());
 }
 
+void vtkShapeFileWriter::AddFile(const std::string& path, Content content)
+{
+  OutputFile file{ path, std::move(content), path, {} };
+  std::error_code error;
+  const fs::path resolved = fs::canonical(path, error);
+  file.Path = error ? file.Path : resolved;
+  const fs::file_status old = fs::status(file.Path, error);
+  // A device or a pipe is written directly, and so is a file that is protected from writing: the
+  // error says so, and renaming would replace it.
+  if (!fs::exists(old) || (fs::is_regular_file(old) && access(file.Path.c_str(), W_OK) == 0))
+  {
+    file.Part = file.Path.parent_path() /
+      (".shapemap-" + std::to_string(getpid()) + "-" + std::to_string(this->Files.size()) +
+        ".part");
+    file.Permissions = fs::exists(old) ? old.permissions() : fs::perms::unknown;
+  }
+  this->Files.push_back(std::move(file));
+}
+
 void vtkShapeFileWriter::WriteTo(
-  const std::string& path, const Content& content, const shape::Progress& progress)
+  const OutputFile& output, const std::string& path, const shape::Progress& progress) const
 {
   const auto why = [] { return " (" + std::generic_category().message(errno) + "); "; };
   // Streams do not report why they failed, but the system calls that they use set errno.
@@ -47,61 +83,63 @@ void vtkShapeFileWriter::WriteTo(
   std::ofstream file(path);
   if (!file)
   {
-    throw FileError("cannot open the file '" + this->FileName + "'" + why() +
+    throw FileError("cannot open the file '" + output.Name + "'" + why() +
         "choose an existing folder with write permission",
       vtkErrorCode::CannotOpenFileError);
   }
   file.imbue(std::locale::classic()); // otherwise digits may be grouped
-  content(file, progress);
+  output.Write(file, progress);
   file.close();
   if (!file)
   {
-    throw FileError("the file '" + this->FileName + "' could not be written completely" + why() +
+    throw FileError("the file '" + output.Name + "' could not be written completely" + why() +
         "free some space, or choose another disk",
       vtkErrorCode::OutOfDiskSpaceError);
   }
 }
 
-/// A regular file is written under another name in its folder, and then renamed: an older file is
-/// replaced only by a complete one. A device or a pipe is written directly.
-void vtkShapeFileWriter::WriteWhole(const Content& content, const shape::Progress& progress)
+void vtkShapeFileWriter::Replace(const OutputFile& file) const
 {
-  namespace fs = std::filesystem;
   std::error_code error;
-  // The target of a symbolic link is replaced, and not the link.
-  const fs::path resolved = fs::canonical(this->FileName, error);
-  const fs::path path = error ? fs::path(this->FileName) : resolved;
-  const fs::file_status old = fs::status(path, error);
-  if (fs::exists(old) && !fs::is_regular_file(old))
+  if (file.Permissions != fs::perms::unknown)
   {
-    this->WriteTo(this->FileName, content, progress);
-    return;
+    fs::permissions(file.Part, file.Permissions, error);
   }
-  if (fs::exists(old) && access(path.c_str(), W_OK) != 0)
+  fs::rename(file.Part, file.Path, error);
+  if (error)
   {
-    // Renaming would replace a file that is protected from writing: the error says so.
-    this->WriteTo(path, content, progress);
-    return;
+    throw FileError("the file '" + file.Name + "' could not be replaced (" + error.message() +
+        "); choose another name",
+      vtkErrorCode::CannotOpenFileError);
   }
-  const fs::path part = path.parent_path() / (".shapemap-" + std::to_string(getpid()) + ".part");
+}
+
+/// Files are written under other names in their folders, and then renamed: older files are replaced
+/// only by complete ones.
+void vtkShapeFileWriter::WriteFiles(const shape::Progress& progress)
+{
   try
   {
-    this->WriteTo(part, content, progress);
-    if (fs::exists(old))
+    const double count = static_cast<double>(this->Files.size());
+    for (std::size_t i = 0; i < this->Files.size(); ++i)
     {
-      fs::permissions(part, old.permissions(), error);
+      const OutputFile& file = this->Files[i];
+      const double begin = static_cast<double>(i) / count;
+      this->WriteTo(file, file.Part.empty() ? file.Name : file.Part.string(),
+        progress.Part(begin, begin + 1.0 / count));
     }
-    fs::rename(part, path, error);
-    if (error)
+    for (const OutputFile& file : this->Files)
     {
-      throw FileError("the file '" + this->FileName + "' could not be replaced (" +
-          error.message() + "); choose another name",
-        vtkErrorCode::CannotOpenFileError);
+      file.Part.empty() ? void() : this->Replace(file);
     }
   }
   catch (...)
   {
-    fs::remove(part, error);
+    for (const OutputFile& file : this->Files)
+    {
+      std::error_code error;
+      file.Part.empty() ? false : fs::remove(file.Part, error);
+    }
     throw;
   }
 }
@@ -117,8 +155,11 @@ void vtkShapeFileWriter::WriteData()
     {
       throw FileError("there is no file name; set one", vtkErrorCode::NoFileNameError);
     }
-    this->WriteWhole(this->ReadInput(progress.Part(0.0, 0.5, "reading the input")),
-      progress.Part(0.5, 1.0, "writing the file"));
+    this->Files.clear();
+    Content content = this->ReadInput(progress.Part(0.0, 0.5, "reading the input"));
+    this->AddFile(this->FileName, std::move(content));
+    this->WriteFiles(progress.Part(0.5, 1.0, "writing the file"));
+    this->Files.clear();
     return;
   }
   catch (const shape::Aborted&)
@@ -137,6 +178,7 @@ void vtkShapeFileWriter::WriteData()
   {
     message = error.what();
   }
+  this->Files.clear();
   this->SetErrorCode(code);
   if (!message.empty())
   {

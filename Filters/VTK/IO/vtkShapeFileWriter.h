@@ -6,7 +6,8 @@
  * first gathered on one process, and coincident points of different pieces are merged.
  *
  * An existing file of the same name is replaced only by a complete one: after an error or an abort,
- * it is unchanged, and no incomplete file is left.
+ * it is unchanged, and no incomplete file is left. If there are several files, none is replaced
+ * before all are complete.
  */
 #ifndef vtkShapeFileWriter_h
 #define vtkShapeFileWriter_h
@@ -20,6 +21,7 @@
 #include <functional> // for the content
 #include <iosfwd>     // for the file
 #include <string>     // for names
+#include <vector>     // for the files
 
 class VTKSHAPEFILTERS_EXPORT vtkShapeFileWriter : public vtkWriter
 {
@@ -37,14 +39,16 @@ public:
   ///@}
 
 protected:
-  vtkShapeFileWriter() = default;
-  ~vtkShapeFileWriter() override = default;
+  vtkShapeFileWriter();
+  ~vtkShapeFileWriter() override;
   void WriteData() final;
 
   /// Writes the content of an open file.
   using Content = std::function<void(std::ostream& file, const shape::Progress& progress)>;
   /// Reads the input and returns what writes it. Throws shape::InvalidInput, shape::Aborted.
   virtual Content ReadInput(const shape::Progress& progress) = 0;
+  /// Adds a file that belongs to FileName, and is written before it. ReadInput calls this.
+  void AddFile(const std::string& path, Content content);
 
   std::string FileName;
 
@@ -52,8 +56,14 @@ private:
   vtkShapeFileWriter(const vtkShapeFileWriter&) = delete;
   void operator=(const vtkShapeFileWriter&) = delete;
 
-  void WriteWhole(const Content& content, const shape::Progress& progress);
-  void WriteTo(const std::string& path, const Content& content, const shape::Progress& progress);
+  struct OutputFile;
+
+  void WriteFiles(const shape::Progress& progress);
+  void WriteTo(
+    const OutputFile& file, const std::string& path, const shape::Progress& progress) const;
+  void Replace(const OutputFile& file) const;
+
+  std::vector<OutputFile> Files; ///< to be written
 };
 
 #endif
