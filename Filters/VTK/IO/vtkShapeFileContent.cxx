@@ -5,6 +5,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -12,10 +13,12 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include "Base/Errors.h"
+#include "IO/CADReader.h"
 #include "IO/MeditReader.h"
 #include "IO/OFFReader.h"
 
@@ -23,6 +26,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <numeric>
 #include <system_error>
 #include <vector>
@@ -83,6 +87,22 @@ vtkSmartPointer<vtkFloatArray> ToFloats(const Eigen::MatrixXd& values, const cha
   array->DeepCopy(vtkShapeConvert::ToArray(values, name));
   array->SetName(name);
   return array;
+}
+
+/// Adds names to the field data, unless all are empty.
+void AddNames(const std::vector<std::string>& names, const char* array, vtkDataObject* output)
+{
+  if (std::all_of(names.begin(), names.end(), [](const std::string& name) { return name.empty(); }))
+  {
+    return;
+  }
+  vtkNew<vtkStringArray> strings;
+  strings->SetName(array);
+  for (const std::string& name : names)
+  {
+    strings->InsertNextValue(name);
+  }
+  output->GetFieldData()->AddArray(strings);
 }
 
 } // namespace
@@ -154,6 +174,39 @@ void vtkShapeFileContent::ToPolyData(const shape::OFFSurface& surface, vtkPolyDa
   {
     output->GetPointData()->SetTCoords(ToFloats(surface.TextureCoordinates, "TCoords"));
   }
+}
+
+void vtkShapeFileContent::ToPolyData(
+  const shape::CADModel& model, vtkPolyData* surface, vtkPolyData* edges)
+{
+  vtkShapeConvert::FromMesh(model.Surface, surface);
+  surface->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(model.Patches, "Patch"));
+  surface->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(model.Regions, "RegionId"));
+  AddNames(model.PatchNames, "CADReader.PatchNames", surface);
+  AddNames(model.RegionNames, "CADReader.RegionNames", surface);
+  std::map<int, vtkIdType> points; // of the edges, by the point of the surface
+  vtkNew<vtkPoints> positions;
+  positions->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetName("Edge");
+  for (const shape::CADEdge& edge : model.Edges)
+  {
+    lines->InsertNextCell(static_cast<vtkIdType>(edge.Points.size()));
+    numbers->InsertNextValue(edge.Number);
+    for (const int point : edge.Points)
+    {
+      const auto [known, isNew] = points.emplace(point, positions->GetNumberOfPoints());
+      if (isNew)
+      {
+        positions->InsertNextPoint(surface->GetPoint(point));
+      }
+      lines->InsertCellPoint(known->second);
+    }
+  }
+  edges->SetPoints(positions);
+  edges->SetLines(lines);
+  edges->GetCellData()->AddArray(numbers);
 }
 
 void vtkShapeFileContent::ToGrid(const shape::MeditMesh& mesh, vtkUnstructuredGrid* output)
