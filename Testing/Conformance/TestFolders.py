@@ -28,6 +28,7 @@ USE_OCCT = ['Kernels/IO/Private/CascadeFile.cxx', 'Kernels/IO/Private/CascadeFil
 WITHOUT_KERNEL = ['vtkShapeExample', 'vtkShapeMorph']
 # Base classes, whose XML holds what the others inherit.
 BASES = ['vtkShapeAlgorithm', 'vtkShapeDeformingAlgorithm', 'vtkShapeReader', 'vtkShapeWriter']
+OCCT = re.compile(r'(BRep|TopoDS|STEPControl|IGESControl)\w*\.hxx')
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
 root = sys.argv[1]
@@ -80,7 +81,7 @@ for part in ('Filters', 'Plugin', 'Testing'):
     for path, includes in sources(part):
         if ('tetgen.h' in includes) != (path in ['Kernels/' + use for use in USE_TETGEN]):
             faults.append('%s: %s, and no other file, includes tetgen.h' % (path, USE_TETGEN))
-        if any(include.endswith('.hxx') for include in includes) != (path in USE_OCCT):
+        if any(OCCT.match(include) for include in includes) != (path in USE_OCCT):
             faults.append('%s: %s, and no other file, includes OpenCASCADE' % (path, USE_OCCT))
 
 for header in (path for path in kernels if path.endswith('.h')):

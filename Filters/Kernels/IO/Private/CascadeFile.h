@@ -1,6 +1,6 @@
 #pragma once
 
-#include "IO/Private/OpenCascade.h"
+#include "IO/Private/CADFormat.h"
 
 #include <NCollection_DataMap.hxx>
 #include <TopTools_ShapeMapHasher.hxx>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "IO/CADModel.h"
+#include "IO/Private/CADFormat.h"
 
 #include <Eigen/Core>
 
@@ -11,13 +12,6 @@
 
 namespace shape
 {
-
-enum class CADFormat
-{
-  STEP,
-  IGES,
-  BREP
-};
 
 /// An edge of a triangulated CAD face. Numbers are the same in all faces that have it.
 struct CascadeEdge
