@@ -14,10 +14,84 @@
 #include "pqActiveObjects.h"
 #include "pqServer.h"
 
-#include <QFile>
+#include <QSaveFile>
+#include <QStringList>
 #include <QTextStream>
 
 #include <cstddef>
+#include <functional>
+
+namespace
+{
+
+QString FindName(const pqShapeLandmarkTable& table, std::size_t i)
+{
+  const QString name = i < table.Names.size() ? QString::fromStdString(table.Names[i]) : QString();
+  return name.isEmpty() ? QString::number(i + 1) : name;
+}
+
+/// Writes three numbers for each landmark. before, after: for each one, what is around its numbers.
+void WriteRows(QTextStream& stream, const std::vector<const std::vector<double>*>& columns,
+  const char* separator, const std::function<QString(std::size_t)>& before,
+  const std::function<QString(std::size_t)>& after)
+{
+  for (std::size_t i = 0; 3 * i < columns.front()->size(); ++i)
+  {
+    QStringList numbers;
+    for (const std::vector<double>* values : columns)
+    {
+      for (std::size_t k = 3 * i; k < 3 * i + 3; ++k)
+      {
+        numbers << QString::number((*values)[k], 'g', 17); // every bit
+      }
+    }
+    stream << before(i) << numbers.join(separator) << after(i) << '\n';
+  }
+}
+
+QString Nothing(std::size_t)
+{
+  return {};
+}
+
+void WriteCSV(QTextStream& stream, const pqShapeLandmarkTable& table)
+{
+  const bool isPaired = !table.TargetPoints.empty();
+  stream << (isPaired ? "x,y,z,tx,ty,tz,name\n" : "x,y,z,name\n");
+  std::vector<const std::vector<double>*> columns{ &table.Points };
+  if (isPaired)
+  {
+    columns.push_back(&table.TargetPoints);
+  }
+  WriteRows(stream, columns, ",", Nothing,
+    [&](std::size_t i) { return ",\"" + FindName(table, i).replace('"', "\"\"") + '"'; });
+}
+
+void WritePTS(QTextStream& stream, const pqShapeLandmarkTable& table)
+{
+  stream << "Version 1.0\n" << table.Points.size() / 3 << '\n';
+  // A name is one word.
+  WriteRows(
+    stream, { &table.Points }, " ",
+    [&](std::size_t i) { return FindName(table, i).simplified().replace(' ', '_') + ' '; },
+    Nothing);
+}
+
+void WriteTPS(QTextStream& stream, const pqShapeLandmarkTable& table)
+{
+  int number = 0;
+  for (const std::vector<double>* points : { &table.Points, &table.TargetPoints })
+  {
+    if (!points->empty())
+    {
+      stream << "LM3=" << points->size() / 3 << '\n';
+      WriteRows(stream, { points }, " ", Nothing, Nothing);
+      stream << "ID=" << ++number << '\n';
+    }
+  }
+}
+
+} // namespace
 
 namespace pqShapeLandmarkFiles
 {
@@ -57,33 +131,26 @@ bool Read(const QString& path, pqShapeLandmarkTable& table)
   return true;
 }
 
-bool Write(const QString& path, const pqShapeLandmarkTable& table)
+QString Write(const QString& path, const pqShapeLandmarkTable& table)
 {
-  QFile file(path);
+  const bool isPTS = path.endsWith(".pts", Qt::CaseInsensitive);
+  if (isPTS && !table.TargetPoints.empty())
+  {
+    return QObject::tr("A .pts file has no pairs; save as .csv or .tps.");
+  }
+  QSaveFile file(path); // replaces an older file only when it is complete
+  const QString failure = QObject::tr("Cannot write %1; choose another folder.").arg(path);
   if (!file.open(QIODevice::WriteOnly | QIODevice::Text))
   {
-    return false;
+    return failure;
   }
   QTextStream stream(&file);
   stream.setCodec("UTF-8");
-  stream.setRealNumberPrecision(17); // every bit
-  const bool isPaired = !table.TargetPoints.empty();
-  stream << (isPaired ? "x,y,z,tx,ty,tz,name\n" : "x,y,z,name\n");
-  for (std::size_t i = 0; 3 * i < table.Points.size(); ++i)
-  {
-    for (const std::vector<double>* values : { &table.Points, &table.TargetPoints })
-    {
-      for (std::size_t k = 3 * i; k < 3 * i + 3 && !values->empty(); ++k)
-      {
-        stream << (*values)[k] << ',';
-      }
-    }
-    QString name = i < table.Names.size() ? QString::fromStdString(table.Names[i]) : QString();
-    name = name.isEmpty() ? QString::number(i + 1) : name;
-    stream << '"' << name.replace('"', "\"\"") << "\"\n";
-  }
+  isPTS                                          ? WritePTS(stream, table)
+    : path.endsWith(".tps", Qt::CaseInsensitive) ? WriteTPS(stream, table)
+                                                 : WriteCSV(stream, table);
   stream.flush();
-  return stream.status() == QTextStream::Ok;
+  return stream.status() == QTextStream::Ok && file.commit() ? QString() : failure;
 }
 
 } // namespace pqShapeLandmarkFiles

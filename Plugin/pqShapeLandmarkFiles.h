@@ -21,7 +21,9 @@ namespace pqShapeLandmarkFiles
 /// read; the reader has then shown an error.
 bool Read(const QString& path, pqShapeLandmarkTable& table);
 
-/// Writes comma-separated values: a row for each landmark, under the names of the columns.
-bool Write(const QString& path, const pqShapeLandmarkTable& table);
+/// Writes comma-separated values: a row for each landmark, under the names of the columns. A path
+/// that ends in .pts or .tps gives a file of Landmark Editor, or of tpsDig with a specimen for each
+/// surface. Returns what is wrong, or nothing.
+QString Write(const QString& path, const pqShapeLandmarkTable& table);
 
 } // namespace pqShapeLandmarkFiles

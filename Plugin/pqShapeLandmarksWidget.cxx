@@ -450,7 +450,7 @@ void pqShapeLandmarksWidget::UpdateTable()
 void pqShapeLandmarksWidget::Load()
 {
   pqFileDialog dialog(nullptr, pqCoreUtilities::mainWidget(), tr("Load Landmarks"), QString(),
-    tr("Landmarks (*.csv *.fcsv *.mrk.json *.pp)"));
+    tr("Landmarks (*.csv *.fcsv *.mrk.json *.pp *.pts *.tps)"));
   dialog.setObjectName("LoadLandmarks");
   dialog.setFileMode(pqFileDialog::ExistingFile);
   pqShapeLandmarkTable table;
@@ -475,7 +475,7 @@ void pqShapeLandmarksWidget::Load()
 void pqShapeLandmarksWidget::Save()
 {
   pqFileDialog dialog(nullptr, pqCoreUtilities::mainWidget(), tr("Save Landmarks"), QString(),
-    tr("Comma-separated values (*.csv)"));
+    tr("Comma-separated values (*.csv);;Landmark Editor (*.pts);;tpsDig (*.tps)"));
   dialog.setObjectName("SaveLandmarks");
   dialog.setFileMode(pqFileDialog::AnyFile);
   if (dialog.exec() != QDialog::Accepted)
@@ -483,9 +483,9 @@ void pqShapeLandmarksWidget::Save()
     return;
   }
   const QString path = dialog.getSelectedFiles().first();
-  if (!pqShapeLandmarkFiles::Write(path, this->GetTable()))
+  const QString problem = pqShapeLandmarkFiles::Write(path, this->GetTable());
+  if (!problem.isEmpty())
   {
-    QMessageBox::critical(
-      this, tr("Save Landmarks"), tr("Cannot write %1; choose another folder.").arg(path));
+    QMessageBox::critical(this, tr("Save Landmarks"), problem);
   }
 }

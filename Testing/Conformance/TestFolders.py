@@ -1,7 +1,7 @@
 """The order of the house. Plugin uses Filters/VTK, which uses Filters/Kernels. A room (a folder of
 kernels) includes only rooms before it, and files include each other without circles. A header in
 Private/ is included from its own room alone; one beside Private/ by another room, by the filters or
-by the room's own headers. Only the files named here include VTK or TetGen. Every filter and writer
+by the room's own headers. Only the files named here include VTK, TetGen or OpenCASCADE. Every filter and writer
 has all its parts. Run with python3 TestFolders.py ROOT."""
 import collections
 import os
@@ -22,10 +22,13 @@ LIBRARIES = {'Base': [], 'Linear': ['Base'], 'Fmm': ['Base', 'Linear']}
 USE_VTK = ['Search/CellLocator.cxx', 'Search/Private/CellInterpolation.cxx',
            'Solids/IsoSurface.cxx']
 USE_TETGEN = ['Tetrahedra/Private/TetGen.cxx']
+USE_OCCT = ['Kernels/IO/Private/CascadeFile.cxx', 'Kernels/IO/Private/CascadeFile.h',
+            'Kernels/IO/Private/OpenCascade.cxx', 'Kernels/IO/TestCADReader.cxx']
 # No mathematics, or one line in the wrapper, which its header states: no kernel.
 WITHOUT_KERNEL = ['vtkShapeExample', 'vtkShapeMorph']
 # Base classes, whose XML holds what the others inherit.
 BASES = ['vtkShapeAlgorithm', 'vtkShapeDeformingAlgorithm', 'vtkShapeReader', 'vtkShapeWriter']
+OCCT = re.compile(r'(BRep|TopoDS|STEPControl|IGESControl)\w*\.hxx')
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
 root = sys.argv[1]
@@ -78,6 +81,8 @@ for part in ('Filters', 'Plugin', 'Testing'):
     for path, includes in sources(part):
         if ('tetgen.h' in includes) != (path in ['Kernels/' + use for use in USE_TETGEN]):
             faults.append('%s: %s, and no other file, includes tetgen.h' % (path, USE_TETGEN))
+        if any(OCCT.match(include) for include in includes) != (path in USE_OCCT):
+            faults.append('%s: %s, and no other file, includes OpenCASCADE' % (path, USE_OCCT))
 
 for header in (path for path in kernels if path.endswith('.h')):
     private = '/Private/' in header

@@ -1,5 +1,6 @@
-"""File > Open reads .off and .mesh files without asking which reader to take."""
+"""File > Open reads .off, .mesh, CAD and landmark files without asking which reader to take."""
 import os
+import subprocess
 
 import window
 
@@ -28,4 +29,19 @@ w.python('''
     mesh = GetActiveSource()
     assert mesh.GetXMLName() == 'ShapeMeditReader', mesh.GetXMLName()
     assert mesh.CellData['Reference'].GetRange()[0] == 1.0''')
+
+script = w.file('box.geo')
+with open(script, 'w') as file:
+    file.write('SetFactory("OpenCASCADE"); Box(1) = {0, 0, 0, 3, 2, 1};')
+subprocess.check_call(['gmsh', script, '-0', '-o', w.file('box.step')], stdout=subprocess.DEVNULL)
+open_file(w, w.file('box.step'))
+w.python('''
+    box = GetActiveSource()
+    assert box.GetXMLName() == 'ShapeCADReader', box.GetXMLName()
+    assert box.CellData['Patch'].GetRange() == (1.0, 6.0)
+    assert GetDisplayProperties(OutputPort(box, 0)).Visibility == 1''')
+with open(w.file('nose.pts'), 'w') as file:
+    file.write('Version 1.0\n1\nnose 1 2 3\n')
+open_file(w, w.file('nose.pts'))
+w.python("assert GetActiveSource().GetXMLName() == 'ShapeLandmarksReader'")
 w.run()

@@ -1,6 +1,8 @@
 #include "IO/LandmarksReader.h"
 
 #include "Base/Errors.h"
+#include "IO/Private/LandmarkRows.h"
+#include "IO/Private/Morphometrics.h"
 
 #define BOOST_BIND_GLOBAL_PLACEHOLDERS // without it, the header prints a message
 #include <boost/property_tree/json_parser.hpp>
@@ -8,8 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <map>
 #include <sstream>
 
@@ -20,40 +20,6 @@ namespace
 
 using Tree = boost::property_tree::ptree;
 using Row = std::vector<std::string>;
-
-/// Collects landmarks.
-struct LandmarkRows
-{
-  std::vector<Eigen::RowVector3d> Points, Targets;
-  std::vector<std::string> Names;
-  std::string CoordinateSystem;
-
-  void Add(const Eigen::RowVector3d& point, const std::string& name)
-  {
-    this->Points.push_back(point);
-    this->Names.push_back(name.empty() ? std::to_string(this->Points.size()) : name);
-  }
-};
-
-double ToCoordinate(const std::string& word, const std::string& where)
-{
-  double value = 0.0;
-  const char* end = word.data() + word.size();
-  const std::from_chars_result read = std::from_chars(word.data(), end, value);
-  if (read.ec != std::errc() || read.ptr != end || !std::isfinite(value))
-  {
-    throw InvalidInput(where + ": `" + word + "` is no finite number");
-  }
-  return value;
-}
-
-std::string Trim(std::string word)
-{
-  const char* blanks = " \t\r";
-  word.erase(0, word.find_first_not_of(blanks));
-  word.erase(word.find_last_not_of(blanks) + 1);
-  return word;
-}
 
 /// Splits a line of comma-separated values. A value in quotes may have commas, and a doubled quote
 /// stands for one.
@@ -283,7 +249,7 @@ Tree ParseTree(std::string_view content, const Parse& parse)
   return tree;
 }
 
-LandmarkRows ReadAnyFormat(std::string_view content)
+LandmarkRows ReadAnyFormat(std::string_view content, const LandmarksReaderOptions& options)
 {
   const std::size_t first = content.find_first_not_of(" \t\r\n");
   const char sign = first == std::string_view::npos ? '\0' : content[first];
@@ -297,7 +263,12 @@ LandmarkRows ReadAnyFormat(std::string_view content)
     return ReadPickedPoints(ParseTree(content,
       [](std::istream& stream, Tree& tree) { boost::property_tree::read_xml(stream, tree); }));
   }
-  return ReadTable(content);
+  if (IsPTS(content))
+  {
+    return ReadPTS(content);
+  }
+  return IsTPS(content) ? ReadTPS(content, options.Specimen, options.TargetSpecimen)
+                        : ReadTable(content);
 }
 
 Eigen::MatrixXd Stack(const std::vector<Eigen::RowVector3d>& rows)
@@ -315,10 +286,11 @@ Eigen::MatrixXd Stack(const std::vector<Eigen::RowVector3d>& rows)
 LandmarkFile ReadLandmarks(std::string_view content, const LandmarksReaderOptions& options)
 {
   using SystemType = LandmarksReaderOptions::CoordinateSystemType;
-  const LandmarkRows rows = ReadAnyFormat(content);
+  const LandmarkRows rows = ReadAnyFormat(content, options);
   if (rows.Points.empty())
   {
-    throw InvalidInput("there are no landmarks; expected .csv, .fcsv, .mrk.json or .pp");
+    throw InvalidInput(
+      "there are no landmarks; expected .csv, .fcsv, .mrk.json, .pp, .pts or .tps");
   }
   LandmarkFile file{ Stack(rows.Points), Stack(rows.Targets), rows.Names, rows.CoordinateSystem };
   const std::string wanted = options.CoordinateSystem == SystemType::LPS ? "LPS" : "RAS";

@@ -19,6 +19,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include "Base/Errors.h"
+#include "IO/CADReader.h"
 #include "IO/DeckReader.h"
 #include "IO/MeditReader.h"
 #include "IO/OFFReader.h"
@@ -27,6 +28,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <numeric>
 #include <system_error>
 #include <utility>
@@ -113,15 +115,20 @@ vtkSmartPointer<vtkIdTypeArray> ToIds(const char* name, std::size_t count, const
   return array;
 }
 
-void AddWords(const char* name, const std::vector<std::string>& words, vtkUnstructuredGrid* output)
+/// Adds names to the field data, unless all are empty.
+void AddNames(const std::vector<std::string>& names, const char* array, vtkDataObject* output)
 {
-  vtkNew<vtkStringArray> array;
-  array->SetName(name);
-  for (const std::string& word : words)
+  if (std::all_of(names.begin(), names.end(), [](const std::string& name) { return name.empty(); }))
   {
-    array->InsertNextValue(word);
+    return;
   }
-  output->GetFieldData()->AddArray(array);
+  vtkNew<vtkStringArray> strings;
+  strings->SetName(array);
+  for (const std::string& name : names)
+  {
+    strings->InsertNextValue(name);
+  }
+  output->GetFieldData()->AddArray(strings);
 }
 
 } // namespace
@@ -195,6 +202,39 @@ void vtkShapeFileContent::ToPolyData(const shape::OFFSurface& surface, vtkPolyDa
   }
 }
 
+void vtkShapeFileContent::ToPolyData(
+  const shape::CADModel& model, vtkPolyData* surface, vtkPolyData* edges)
+{
+  vtkShapeConvert::FromMesh(model.Surface, surface);
+  surface->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(model.Patches, "Patch"));
+  surface->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(model.Regions, "RegionId"));
+  AddNames(model.PatchNames, "CADReader.PatchNames", surface);
+  AddNames(model.RegionNames, "CADReader.RegionNames", surface);
+  std::map<int, vtkIdType> points; // of the edges, by the point of the surface
+  vtkNew<vtkPoints> positions;
+  positions->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetName("Edge");
+  for (const shape::CADEdge& edge : model.Edges)
+  {
+    lines->InsertNextCell(static_cast<vtkIdType>(edge.Points.size()));
+    numbers->InsertNextValue(edge.Number);
+    for (const int point : edge.Points)
+    {
+      const auto [known, isNew] = points.emplace(point, positions->GetNumberOfPoints());
+      if (isNew)
+      {
+        positions->InsertNextPoint(surface->GetPoint(point));
+      }
+      lines->InsertCellPoint(known->second);
+    }
+  }
+  edges->SetPoints(positions);
+  edges->SetLines(lines);
+  edges->GetCellData()->AddArray(numbers);
+}
+
 void vtkShapeFileContent::ToGrid(const shape::MeditMesh& mesh, vtkUnstructuredGrid* output)
 {
   SetGridCells(mesh.Mesh, output);
@@ -230,8 +270,8 @@ void vtkShapeFileContent::ToGrid(
   output->GetCellData()->AddArray(ToIds("ElementId", deck.ElementNumbers.size(),
     [&](std::size_t i) { return deck.ElementNumbers[i]; }));
   output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(deck.Regions, "RegionId"));
-  AddWords("RegionName", deck.RegionNames, output);
-  AddWords("Deck", { std::filesystem::absolute(path).string() }, output);
+  AddNames(deck.RegionNames, "RegionName", output);
+  AddNames({ std::filesystem::absolute(path).string() }, "Deck", output);
   int count = 0;
   std::string types;
   for (const auto& [type, elements] : deck.Skipped)

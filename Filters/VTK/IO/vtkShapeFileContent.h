@@ -10,6 +10,7 @@ class vtkUnstructuredGrid;
 
 namespace shape
 {
+struct CADModel;
 struct Deck;
 struct MeditMesh;
 struct OFFSurface;
@@ -30,6 +31,10 @@ shape::Deck ReadDeck(const std::string& path, std::string content, const shape::
 
 /// Fills a surface with points, faces and the arrays of vtkShapeOFFReader.
 void ToPolyData(const shape::OFFSurface& surface, vtkPolyData* output);
+
+/// Fills a surface with triangles and another one with polylines, and both with the arrays of
+/// vtkShapeCADReader.
+void ToPolyData(const shape::CADModel& model, vtkPolyData* surface, vtkPolyData* edges);
 
 /// Fills a grid with points, cells and the arrays of vtkShapeMeditReader.
 void ToGrid(const shape::MeditMesh& mesh, vtkUnstructuredGrid* output);

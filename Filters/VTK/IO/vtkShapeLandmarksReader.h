@@ -1,6 +1,6 @@
 /**
  * @class   vtkShapeLandmarksReader
- * @brief   read landmarks from a file of 3D Slicer or MeshLab, or from a table
+ * @brief   read landmarks from files of other programs, or from a table
  *
  * Output: vtkPolyData with a vertex for each landmark. Arrays:
  * - point array `Name` (string): the name, or the number from 1.
@@ -30,6 +30,8 @@ public:
   vtkShapeEnumOption(CoordinateSystem, shape::LandmarksReaderOptions::CoordinateSystemType,
     shape::LandmarksReaderOptions::CoordinateSystemType::AsInFile,
     shape::LandmarksReaderOptions::CoordinateSystemType::RAS);
+  vtkShapeOption(Specimen, int);
+  vtkShapeOption(TargetSpecimen, int);
   ///@}
 
 protected:

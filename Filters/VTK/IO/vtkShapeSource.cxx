@@ -41,7 +41,7 @@ vtkTypeBool vtkShapeSource::ProcessRequest(
   }
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
   {
-    return this->Run(vtkDataObject::GetData(outputs));
+    return this->Run(outputs);
   }
   return this->Superclass::ProcessRequest(request, inputs, outputs);
 }
@@ -49,17 +49,26 @@ vtkTypeBool vtkShapeSource::ProcessRequest(
 void vtkShapeSource::CreateOutput(vtkInformationVector* outputs)
 {
   const std::string type = this->GetOutputType();
-  vtkDataObject* output = vtkDataObject::GetData(outputs);
-  if (!output || type != output->GetClassName())
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
   {
-    vtkSmartPointer<vtkDataObject> created;
-    created.TakeReference(vtkDataObjectTypes::NewDataObject(type.c_str()));
-    outputs->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), created);
+    vtkDataObject* output = vtkDataObject::GetData(outputs, port);
+    if (!output || type != output->GetClassName())
+    {
+      vtkSmartPointer<vtkDataObject> created;
+      created.TakeReference(vtkDataObjectTypes::NewDataObject(type.c_str()));
+      outputs->GetInformationObject(port)->Set(vtkDataObject::DATA_OBJECT(), created);
+    }
   }
 }
 
-int vtkShapeSource::Run(vtkDataObject* output)
+vtkDataObject* vtkShapeSource::GetFurtherOutput(int port)
 {
+  return vtkDataObject::GetData(this->Outputs, port);
+}
+
+int vtkShapeSource::Run(vtkInformationVector* outputs)
+{
+  this->Outputs = outputs;
   const shape::Progress progress(
     [this](double fraction)
     {
@@ -69,7 +78,7 @@ int vtkShapeSource::Run(vtkDataObject* output)
   std::string message; // empty if the user stopped it
   try
   {
-    this->Make(output, progress);
+    this->Make(vtkDataObject::GetData(outputs), progress);
     return 1;
   }
   catch (const shape::Aborted&)
@@ -83,7 +92,10 @@ int vtkShapeSource::Run(vtkDataObject* output)
   {
     message = error.what();
   }
-  output->Initialize();
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkDataObject::GetData(outputs, port)->Initialize();
+  }
   if (message.empty())
   {
     return 1;

@@ -2,8 +2,8 @@
  * @class   vtkShapeSource
  * @brief   base of what has no input: readers and example shapes
  *
- * Output: one data set. If the pipeline requests pieces, the first piece is the entire data set,
- * and the others are empty. An error empties the output, and its text starts with the label of the
+ * Output: data sets. If the pipeline requests pieces, the first piece is the entire data set, and
+ * the others are empty. An error empties the outputs, and its text starts with the label of the
  * source.
  */
 #ifndef vtkShapeSource_h
@@ -34,17 +34,22 @@ protected:
   ~vtkShapeSource() override = default;
   int FillOutputPortInformation(int port, vtkInformation* info) final;
 
-  /// Returns the class name of the output, which may depend on properties.
+  /// Returns the class name of the outputs, which may depend on properties.
   virtual std::string GetOutputType() = 0;
-  /// Fills the empty output. Throws shape::InvalidInput, shape::Aborted.
+  /// Fills the first output, which is empty, and those of GetFurtherOutput. Throws
+  /// shape::InvalidInput, shape::Aborted.
   virtual void Make(vtkDataObject* output, const shape::Progress& progress) = 0;
+  /// Returns an output that Make fills. port: from 1.
+  vtkDataObject* GetFurtherOutput(int port);
 
 private:
   vtkShapeSource(const vtkShapeSource&) = delete;
   void operator=(const vtkShapeSource&) = delete;
 
   void CreateOutput(vtkInformationVector* outputs);
-  int Run(vtkDataObject* output);
+  int Run(vtkInformationVector* outputs);
+
+  vtkInformationVector* Outputs = nullptr; ///< of the request that Make serves
 };
 
 #endif

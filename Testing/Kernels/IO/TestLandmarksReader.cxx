@@ -1,6 +1,7 @@
 #include "IO/LandmarksReader.h"
 
 #include "Base/Errors.h"
+#include "Support/Refusals.h"
 
 #include <gtest/gtest.h>
 
@@ -110,5 +111,82 @@ TEST(LandmarksReader, NamesTheLineOfAnError)
     "point 1, attribute z: `` is no finite number");
   EXPECT_EQ(LandmarksRefusal(R"({"markups": [{"controlPoints": [{"position": [1, 2]}]}]})"),
     "control point 1: `position` has 2 numbers instead of 3");
-  EXPECT_EQ(LandmarksRefusal(""), "there are no landmarks; expected .csv, .fcsv, .mrk.json or .pp");
+  EXPECT_EQ(LandmarksRefusal(""),
+    "there are no landmarks; expected .csv, .fcsv, .mrk.json, .pp, .pts or .tps");
+}
+
+TEST(LandmarksReader, ReadsLandmarkEditor)
+{
+  const shape::LandmarkFile file = shape::ReadLandmarks(
+    "Version 1.0\r\n3\r\nnose 1.5 -2 30\r\nlost 9999 9999 9999\r\nchin 4 5 6\r\n");
+  EXPECT_EQ(file.Points, Expected());
+  EXPECT_EQ(file.Names, (std::vector<std::string>{ "nose", "chin" }));
+  const shape::LandmarkFile flat =
+    shape::ReadLandmarks("version: 1\nn_points:  2\n{\n1.5 -2\n4 5\n}\n");
+  EXPECT_EQ(flat.Points.leftCols(2), Expected().leftCols(2));
+  EXPECT_EQ(flat.Points.col(2), Eigen::Vector2d::Zero());
+}
+
+TEST(LandmarksReader, ReadsSpecimensOfTPS)
+{
+  const std::string content = "LM3=3\n0.75 -1 15\nNA NA NA\n2 2.5 3\nCURVES=1\nPOINTS=2\n1 1 1\n"
+                              "2 2 2\nIMAGE=a = b.jpg\nID=first\nSCALE=2\n\n"
+                              "lm3=3\n7 8 9\n1 1 1\n10 11 12\nID=second\n"
+                              "LM=1\n1 2\n";
+  shape::LandmarksReaderOptions options;
+  const shape::LandmarkFile pairs = shape::ReadLandmarks(content);
+  EXPECT_EQ(pairs.Points, Expected());
+  EXPECT_EQ(pairs.Targets.row(0), Eigen::RowVector3d(7.0, 8.0, 9.0));
+  EXPECT_EQ(pairs.Targets.row(1), Eigen::RowVector3d(10.0, 11.0, 12.0));
+  EXPECT_EQ(pairs.Names, (std::vector<std::string>{ "1", "3" }));
+  options.TargetSpecimen = 0;
+  EXPECT_EQ(shape::ReadLandmarks(content, options).Targets.rows(), 0);
+  options.Specimen = 2;
+  EXPECT_EQ(shape::ReadLandmarks(content, options).Points.rows(), 3);
+  options.Specimen = 3;
+  EXPECT_EQ(
+    shape::ReadLandmarks(content, options).Points.row(0), Eigen::RowVector3d(1.0, 2.0, 0.0));
+  options.Specimen = 4;
+  EXPECT_REFUSED(shape::ReadLandmarks(content, options), "Specimen is 4", "has 3");
+  options.Specimen = 1;
+  options.TargetSpecimen = 3;
+  EXPECT_REFUSED(shape::ReadLandmarks(content, options), "specimen 3 has 1 landmarks",
+    "specimen 1 has 3", "TargetSpecimen");
+}
+
+TEST(LandmarksReader, RefusesWrongMorphometrics)
+{
+  const auto read = [](const char* content) { shape::ReadLandmarks(content); };
+  EXPECT_REFUSED(read("Version 1.0\n2\na 1 2 3\n"), "line 4", "ends before the last landmark");
+  EXPECT_REFUSED(read("Version 1.0\n1\na 1 2 3\nb 1 2 3\n"), "line 4", "more landmarks");
+  EXPECT_REFUSED(read("Version 1.0\n1.5\na 1 2 3\n"), "line 2", "`1.5` is no number of points");
+  EXPECT_REFUSED(read("Version 1.0\n1\na 1 x 3\n"), "line 3", "`x` is no finite number");
+  EXPECT_REFUSED(read("version: 1\nn_points: 1\n1 2\n"), "line 3", "`{` should follow");
+  EXPECT_REFUSED(read("version: 1\nn_points: 1\n{\n1 2\n3 4\n}\n"), "line 5", "more points");
+  EXPECT_REFUSED(read("LM=2\n1 2\n1 2 3\n"), "line 3", "3 coordinates instead of 2");
+  EXPECT_REFUSED(read("LM=1\n1 2\n3 4\n"), "line 3", "belongs to no entry");
+  EXPECT_REFUSED(read("LM=1\n1 2\nSCALE=big\n"), "line 3", "`big` is no finite number");
+  EXPECT_REFUSED(read("LM=1\nNA NA\n"), "there are no landmarks");
+}
+
+TEST(LandmarksReader, CoordinateSystemsAreThoseOfSlicer)
+{
+  // A table without a system is RAS, and markups without one are LPS.
+  EXPECT_EQ(
+    shape::ReadLandmarks("# columns = id,x,y,z,label\n1,1,2,3,a\n").CoordinateSystem, "RAS");
+  EXPECT_EQ(shape::ReadLandmarks(R"({"markups": [{"controlPoints": [{"position": [1, 2, 3]}]}]})")
+              .CoordinateSystem,
+    "LPS");
+  for (const auto& [word, system] :
+    { std::pair("0", "RAS"), { "1", "LPS" }, { "RAS", "RAS" }, { "LPS", "LPS" } })
+  {
+    const std::string content =
+      std::string("# CoordinateSystem = ") + word + "\n# columns = id,x,y,z,label\n1,1,2,3,a\n";
+    EXPECT_EQ(shape::ReadLandmarks(content).CoordinateSystem, system);
+    shape::LandmarksReaderOptions options;
+    options.CoordinateSystem = SystemType::LPS;
+    const double sign = std::string(system) == "LPS" ? 1.0 : -1.0;
+    EXPECT_EQ(shape::ReadLandmarks(content, options).Points.row(0),
+      Eigen::RowVector3d(sign, 2.0 * sign, 3.0));
+  }
 }

@@ -1,0 +1,13 @@
+#pragma once
+
+namespace shape
+{
+
+enum class CADFormat
+{
+  STEP,
+  IGES,
+  BREP
+};
+
+} // namespace shape

@@ -1,0 +1,190 @@
+#include "IO/Private/CADProcess.h"
+
+#include "Base/ChildProcess.h"
+#include "Base/Errors.h"
+#include "IO/Private/CADFaces.h"
+
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <new>
+
+namespace shape
+{
+namespace
+{
+
+/// Sends values through the pipe of a child process, or receives them, in the same order.
+struct Sender
+{
+  int Pipe;
+
+  template <class T>
+  void Move(std::vector<T>& values) const
+  {
+    const std::size_t count = values.size();
+    ChildProcess::Send(this->Pipe, &count, sizeof(count));
+    ChildProcess::Send(this->Pipe, values.data(), count * sizeof(T));
+  }
+};
+
+struct Receiver
+{
+  ChildProcess& Child;
+  const std::function<void()>& Waiting;
+
+  template <class T>
+  void Move(std::vector<T>& values) const
+  {
+    std::size_t count = 0;
+    this->Receive(&count, sizeof(count));
+    values.resize(count);
+    this->Receive(values.data(), count * sizeof(T));
+  }
+
+  void Receive(void* data, std::size_t size) const
+  {
+    if (size > 0 && !this->Child.Receive(data, size, this->Waiting))
+    {
+      const int number = this->Child.Signal();
+      throw SolveFailure(number == SIGKILL
+          ? std::string("the process that reads the file was killed, probably because memory ran "
+                        "out; use a larger Deflection")
+          : "OpenCASCADE crashed (" +
+            (number > 0 ? std::string(strsignal(number)) : "it ended without a result") +
+            "); export the file again, perhaps in another format");
+    }
+  }
+};
+
+template <class Mover>
+void MoveWords(const Mover& mover, std::string& words)
+{
+  std::vector<char> letters(words.begin(), words.end());
+  mover.Move(letters);
+  words.assign(letters.begin(), letters.end());
+}
+
+template <class Mover>
+void MoveNames(const Mover& mover, std::vector<std::string>& names)
+{
+  std::vector<char> each(names.size());
+  mover.Move(each);
+  names.resize(each.size());
+  for (std::string& name : names)
+  {
+    MoveWords(mover, name);
+  }
+}
+
+template <class Mover, class Matrix>
+void MoveMatrix(const Mover& mover, Matrix& matrix, Eigen::Index columns)
+{
+  std::vector<typename Matrix::Scalar> values(matrix.data(), matrix.data() + matrix.size());
+  mover.Move(values);
+  matrix = Eigen::Map<const Eigen::Matrix<typename Matrix::Scalar, Eigen::Dynamic, Eigen::Dynamic>>(
+    values.data(), static_cast<Eigen::Index>(values.size()) / columns, columns);
+}
+
+template <class Mover>
+void MoveModel(const Mover& mover, CADModel& model)
+{
+  MoveMatrix(mover, model.Surface.Points, 3);
+  MoveMatrix(mover, model.Surface.Triangles, 3);
+  MoveMatrix(mover, model.Patches, 1);
+  MoveMatrix(mover, model.Regions, 1);
+  std::vector<int> numbers;
+  for (const CADEdge& edge : model.Edges)
+  {
+    numbers.push_back(edge.Number);
+  }
+  mover.Move(numbers);
+  model.Edges.resize(numbers.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    model.Edges[i].Number = numbers[i];
+    mover.Move(model.Edges[i].Points);
+  }
+  MoveNames(mover, model.PatchNames);
+  MoveNames(mover, model.RegionNames);
+  MoveWords(mover, model.Unit);
+  std::vector<double> lengths{ model.Deflection, model.Distance };
+  mover.Move(lengths);
+  model.Deflection = lengths[0];
+  model.Distance = lengths[1];
+}
+
+/// The first message of the child: whether there is a model, and else the error.
+enum class Outcome : char
+{
+  Model,
+  InvalidInput,
+  SolveFailure
+};
+
+void RunInChild(
+  std::string_view content, CADFormat format, const CADReaderOptions& options, int pipe)
+{
+  std::vector<Outcome> outcome{ Outcome::Model };
+  std::string message;
+  CADModel model;
+  try
+  {
+    model = JoinFaces(RunOpenCascade(content, format, options));
+  }
+  catch (const InvalidInput& error)
+  {
+    outcome = { Outcome::InvalidInput };
+    message = error.what();
+  }
+  catch (const std::bad_alloc&)
+  {
+    outcome = { Outcome::SolveFailure };
+    message = "out of memory; use a larger Deflection";
+  }
+  catch (const std::exception& error)
+  {
+    outcome = { Outcome::SolveFailure };
+    message = error.what();
+  }
+  const Sender sender{ pipe };
+  sender.Move(outcome);
+  MoveWords(sender, message);
+  MoveModel(sender, model);
+}
+
+} // namespace
+
+CADModel RunCADProcess(std::string_view content, CADFormat format, const CADReaderOptions& options,
+  const Progress& progress)
+{
+  progress(0.0);
+  ChildProcess child([&](int pipe) { RunInChild(content, format, options, pipe); });
+  // OpenCASCADE does not say how far it is: half of it is done after the time that is usual.
+  const double usual = 0.5 + 1e-6 * static_cast<double>(content.size());
+  const auto start = std::chrono::steady_clock::now();
+  const std::function<void()> waiting = [&]
+  {
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    progress(seconds.count() / (seconds.count() + usual));
+  };
+  const Receiver receiver{ child, waiting };
+  std::vector<Outcome> outcome;
+  std::string message;
+  receiver.Move(outcome);
+  MoveWords(receiver, message);
+  if (outcome.front() == Outcome::InvalidInput)
+  {
+    throw InvalidInput(message);
+  }
+  if (outcome.front() == Outcome::SolveFailure)
+  {
+    throw SolveFailure(message);
+  }
+  CADModel model;
+  MoveModel(receiver, model);
+  progress(1.0);
+  return model;
+}
+
+} // namespace shape
