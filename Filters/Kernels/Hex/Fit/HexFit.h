@@ -92,6 +92,9 @@ struct HexFit
   Eigen::VectorXi RegionOf; ///< m: the region of each hexahedron (RegionCells)
   std::vector<Eigen::MatrixXi>
     Interfaces; ///< for each inner surface: its quads, counter-clockwise seen from outside
+  /// If regions touch: for each quad of the boundary and then of Interfaces, the regions on its two
+  /// sides, of which 0 is the outside; its normal leaves the first. Otherwise empty.
+  Eigen::MatrixXi QuadRegions;
   double InnerDistance = 0.0; ///< see ComputeInterfaceDistance
   int Released = 0; ///< number of points that may leave the surface (RelaxBoundaryAroundBad)
   /// The constraint on the points; null if solids were joined.
