@@ -35,3 +35,22 @@ Eigen::MatrixXi vtkShapeRegions::Read(
   }
   return labels;
 }
+
+void vtkShapeRegions::RequireNoneTouch(vtkPolyData* surface, const std::string& name)
+{
+  vtkDataArray* regions = surface->GetCellData()->GetArray("Regions");
+  vtkIdType touching = 0;
+  for (vtkIdType t = 0; regions && regions->GetNumberOfComponents() == 2 &&
+       t < regions->GetNumberOfTuples();
+       ++t)
+  {
+    touching +=
+      regions->GetComponent(t, 0) != 0.0 && regions->GetComponent(t, 1) != 0.0 ? 1 : 0;
+  }
+  if (touching > 0)
+  {
+    throw shape::InvalidInput(name + " has regions that touch: " + std::to_string(touching) +
+      " triangles of its cell array Regions lie between two of them, but only closed surfaces that "
+      "do not touch can bound regions; extract the triangles where a label of Regions is 0");
+  }
+}

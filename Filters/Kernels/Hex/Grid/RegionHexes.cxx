@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Hex/Grid/Private/GridGoals.h"
+#include "Quality/ScaledJacobian.h"
 
 #include <algorithm>
 #include <cmath>
@@ -87,6 +88,7 @@ RegionHexesResult BuildRegionHexahedra(
   }
   best->Fit.Solid.Points = (best->Fit.Solid.Points * regions.Frame.transpose()).eval();
   best->Fit.Constraint = nullptr; // it holds the points in the frame
+  best->Fit.MinimumScaledJacobian = ComputeScaledJacobians(best->Fit.Solid).minCoeff();
   progress(1.0);
   return std::move(*best);
 }
