@@ -305,8 +305,8 @@ void ImproveWorst(HexFit& fit, const Surface& surface, const Progress& progress)
   }
 }
 
-void RelaxBoundaryAroundBad(
-  HexFit& fit, const Surface& surface, double maximumDistance, const Progress& progress)
+void RelaxBoundaryAroundBad(HexFit& fit, const Surface& surface, double maximumDistance,
+  const Progress& progress, double wanted)
 {
   const auto released =
     std::make_shared<OverridableConstraint>(fit.Constraint, fit.Solid.Points.rows());
@@ -324,7 +324,7 @@ void RelaxBoundaryAroundBad(
       return ComputeHausdorffDistance(surface, { mesh.Points, SplitQuads(FindFittedQuads(fit)) })
                .Larger() <= maximum;
     };
-    RelaxBoundaryOfWorst(fit.Solid, freedoms, RaisedTo, accepts,
+    RelaxBoundaryOfWorst(fit.Solid, freedoms, wanted, accepts,
       progress.Part(0.45, 0.95, "releasing boundary points near the worst hexahedra"));
     Judge(fit);
   }

@@ -66,12 +66,14 @@ RegionFit FitRegions(const LabelledCells& cells, const Mesh& surfaces,
     fit.Solid.Points.row(point) = position;
   }
   constexpr int smoothings = 30; // curves are bent where they meet
+  // Where interfaces meet at small angles, more is rarely possible.
+  constexpr double wanted = 0.4;
   Settle(
     fit.Solid, *fit.Constraint, [&](Eigen::MatrixXd& points) { layers.Spread(points); },
-    { smoothings, options.RaisedFrom }, progress.Part(0.0, 0.8));
+    { smoothings, options.RaisedFrom, wanted }, progress.Part(0.0, 0.8));
   WriteFaces(faces, fit);
   Judge(fit);
-  RelaxBoundaryAroundBad(fit, surface, maximumDistance, progress.Part(0.8, 1.0));
+  RelaxBoundaryAroundBad(fit, surface, maximumDistance, progress.Part(0.8, 1.0), wanted);
   progress(1.0);
   return result;
 }

@@ -17,7 +17,7 @@ void Settle(HexMesh& mesh, const PointConstraint& constraint,
   spread(mesh.Points);
   SmoothInverted(mesh, constraint, progress.Part(0.1, 0.15));
   HexOptimizationOptions optimization;
-  optimization.RaiseTo = RaisedTo;
+  optimization.RaiseTo = options.RaisedTo;
   optimization.RaiseAgainFrom = options.RaisedFrom;
   OptimizeHexahedra(
     mesh, constraint, optimization, progress.Part(0.15, 1.0, "optimizing the hexahedra"));

@@ -8,10 +8,14 @@
 namespace shape
 {
 
+/// If the worst scaled Jacobian is at least this, no further sweeps are spent on it.
+inline constexpr double RaisedTo = 0.55;
+
 struct SettlingOptions
 {
   int Smoothings = 2;      ///< sweeps that smooth the positions first
   double RaisedFrom = 0.0; ///< see HexFitOptions
+  double RaisedTo = shape::RaisedTo; ///< the target for the minimum scaled Jacobian
 };
 
 /**
@@ -31,8 +35,5 @@ void Measure(HexFit& fit, const Surface& surface, const Progress& progress);
 
 /// The quads that lie on the surface: those of the boundary and, if regions touch, of interfaces.
 Eigen::MatrixXi FindFittedQuads(const HexFit& fit);
-
-/// If the worst scaled Jacobian is at least this, no further sweeps are spent on it.
-inline constexpr double RaisedTo = 0.55;
 
 } // namespace shape
