@@ -191,6 +191,12 @@ assert 'feature 0' in message and 'outside' in message, message
 message = error_of(sphere(0.4, 1.0), sphere(0.4, 1.0, 0.3))
 assert 'feature 0' in message and 'feature 1' in message and 'cross' in message, message
 
+# Regions that touch have no map of their own each.
+touching = sphere(0.4, 1.0)
+add_cell_array(touching, numpy.tile([1, 2], (touching.GetNumberOfCells(), 1)), 'Regions')
+message = error_of(touching)
+assert 'feature 0' in message and 'touch' in message and 'extract' in message, message
+
 # A charge set of layers survives a file; one that is cut short is refused with the reason.
 path = os.path.join(shapetesting.BUILD, 'Testing', 'ExactCharges.vtp')
 shapetesting.write(charges, path)

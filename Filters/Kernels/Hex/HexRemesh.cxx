@@ -210,19 +210,6 @@ HexRemeshResult ByTheBetter(
   return grid;
 }
 
-/// Throws if the options of the size are out of range or contradict one another.
-void RequireOneSize(const HexRemeshOptions& options)
-{
-  RequireOption(options.CellsOnLongestSide >= 0, "CellsOnLongestSide", options.CellsOnLongestSide,
-    "positive, or 0 for none");
-  if (options.CellSize > 0.0 && options.CellsOnLongestSide > 0)
-  {
-    throw InvalidInput("CellSize is " + std::to_string(options.CellSize) +
-      " and CellsOnLongestSide is " + std::to_string(options.CellsOnLongestSide) +
-      ", but only one of them can give the size of the cells; set the other to 0");
-  }
-}
-
 bool NeedsGrid(const HexRemeshGuides& guides)
 {
   return guides.Sizes.size() > 0 || !guides.InnerSurfaces.empty();
@@ -296,6 +283,18 @@ HexRemeshResult Made(const Surface& surface, const HexRemeshOptions& options,
 }
 
 } // namespace
+
+void RequireOneSize(const HexRemeshOptions& options)
+{
+  RequireOption(options.CellsOnLongestSide >= 0, "CellsOnLongestSide", options.CellsOnLongestSide,
+    "positive, or 0 for none");
+  if (options.CellSize > 0.0 && options.CellsOnLongestSide > 0)
+  {
+    throw InvalidInput("CellSize is " + std::to_string(options.CellSize) +
+      " and CellsOnLongestSide is " + std::to_string(options.CellsOnLongestSide) +
+      ", but only one of them can give the size of the cells; set the other to 0");
+  }
+}
 
 HexRemeshResult RemeshHexahedra(const Surface& surface, const HexRemeshOptions& given,
   const Progress& progress, const HexRemeshGuides& guides)

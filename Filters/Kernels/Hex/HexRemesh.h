@@ -43,6 +43,16 @@ struct HexRemeshGuides
   GivenPolycube Polycube;
 };
 
+/// The hexahedra of a region that touches others.
+struct HexRegion
+{
+  int Label = 0;
+  int Hexahedra = 0;
+  double Volume = 0.0; ///< in the surfaces' units cubed
+  int EulerNumber = 0; ///< of the boundary of its hexahedra
+  int Components = 0;  ///< of the boundary of its hexahedra
+};
+
 struct HexRemeshResult
 {
   HexFit Fit;
@@ -55,7 +65,15 @@ struct HexRemeshResult
   Eigen::VectorXd SizeRatios;
   bool InnerCreasesKept = true; ///< false if an inner surface has creases; they are rounded off
   bool TopologyAgreed = true;   ///< see GridHexesResult
+  /// If regions touch (RemeshRegions): the regions by ascending label; the numbers of curves where
+  /// three or more regions meet, the outside included, and of points where these curves meet; and
+  /// how many of them the hexahedra have.
+  std::vector<HexRegion> Regions = {};
+  int Curves = 0, CurvesKept = 0, Junctions = 0, JunctionsKept = 0;
 };
+
+/// Throws InvalidInput if CellsOnLongestSide is out of range, or given together with CellSize.
+void RequireOneSize(const HexRemeshOptions& options);
 
 /**
  * Fills a closed surface with hexahedra. No hexahedron is inverted, and the mesh has the surface's

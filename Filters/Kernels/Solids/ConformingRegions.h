@@ -27,6 +27,9 @@ public:
   /// Returns the label at a position that lies on no triangle, or RegionSurfaces::Outside.
   int RegionAt(const Eigen::RowVector3d& position) const;
 
+  /// The boundary of each region, facing outwards, without other points, by label.
+  const std::map<int, Surface>& Surfaces() const { return this->Boundaries; }
+
   /// The volume of each region, by label.
   const std::map<int, double>& Volumes() const { return this->RegionVolumes; }
 

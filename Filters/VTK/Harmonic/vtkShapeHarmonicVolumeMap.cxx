@@ -6,6 +6,7 @@
 #include "vtkShapeFeatures.h"
 #include "vtkShapeGather.h"
 #include "vtkShapeSolid.h"
+#include "vtkShapeRegions.h"
 #include "vtkShapeVolumeMapFacts.h"
 
 #include "vtkDataSet.h"
@@ -83,6 +84,7 @@ shape::VolumeMapResult vtkShapeHarmonicVolumeMap::Solve(
   vtkPolyData* facts, const shape::Progress& progress)
 {
   vtkPolyData* boundary = this->GetGatheredInput(1).Data;
+  vtkShapeRegions::RequireNoneTouch(boundary, "the Boundary");
   shape::VolumeMapConditions conditions;
   conditions.Boundary = vtkShapeConvert::ToMesh(boundary, "the Boundary");
   conditions.Targets = vtkShapeConvert::ToPointArray(boundary, this->MapArray, 3, "the Boundary");
@@ -104,6 +106,10 @@ shape::VolumeMapResult vtkShapeHarmonicVolumeMap::Solve(
   vtkShapeFeatures::Split given{ {}, wholes(2), wholes(3) };
   if (this->Exact)
   {
+    for (std::size_t i = 0; i < given.Features.size(); ++i)
+    {
+      vtkShapeRegions::RequireNoneTouch(given.Features[i], "feature " + std::to_string(i));
+    }
     given = vtkShapeFeatures::TakeSurfaces(given.Features, given.Targets, this->MapArray);
   }
   conditions.Surfaces = given.Surfaces;

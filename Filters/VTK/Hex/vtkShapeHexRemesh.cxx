@@ -2,8 +2,10 @@
 
 #include "vtkShapeConvert.h"
 #include "vtkShapeHexResult.h"
+#include "vtkShapeLabelImage.h"
 #include "vtkShapeLargeSize.h"
 #include "vtkShapeMeasures.h"
+#include "vtkShapeRegions.h"
 #include "vtkShapeSurfaces.h"
 
 #include "vtkDoubleArray.h"
@@ -16,6 +18,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include "Base/Errors.h"
+#include "Hex/RegionRemesh.h"
 #include "Mesh/Extent.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/Topology.h"
@@ -29,10 +32,11 @@ vtkStandardNewMacro(vtkShapeHexRemesh);
 
 vtkShapeHexRemesh::vtkShapeHexRemesh()
 {
-  this->DeclareInput("Surface", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareInput("Surface", PortData::WholeSurface, PortUse::Optional, { "vtkPolyData" });
   this->DeclareInput("Polycube", PortData::WholeSurface, PortUse::Optional, { "vtkPolyData" });
   this->DeclareInput(
     "InnerSurfaces", PortData::WholeSurface, PortUse::OptionalRepeatable, { "vtkPolyData" });
+  this->DeclareInput("Labels", PortData::Pieces, PortUse::Optional, { "vtkImageData" });
   this->DeclareOutput("vtkUnstructuredGrid");
   this->DeclareOutput("vtkPolyData");
   this->DeclareFacts();
@@ -142,8 +146,81 @@ shape::HexRemeshGuides vtkShapeHexRemesh::ReadGuides(const std::vector<int>& use
   return guides;
 }
 
+/// Throws if other inputs or a Size Array divide or shape what regions that touch give already.
+void vtkShapeHexRemesh::RequireRegionsAlone(const std::string& regions)
+{
+  const bool hasSizes = !this->SizeArray.empty() && this->SizeArray != "None";
+  if (this->GetNumberOfInputConnections(1) > 0 || this->GetNumberOfInputConnections(2) > 0 ||
+    hasSizes)
+  {
+    throw shape::InvalidInput(regions +
+      " divides the solid already, and its hexahedra are cells of a regular grid; disconnect "
+      "Polycube and Inner Surfaces, and set Size Array to None");
+  }
+}
+
+void vtkShapeHexRemesh::CheckCellSize(vtkPolyData* surface)
+{
+  const std::string warning =
+    vtkShapeLargeSize::CheckCellSize("Cell Size", this->Options.CellSize, surface);
+  if (!warning.empty())
+  {
+    this->Warn(warning);
+  }
+}
+
+void vtkShapeHexRemesh::WriteResult(const shape::HexRemeshResult& result,
+  const shape::Surface& surface, const std::vector<shape::Surface>& innerSurfaces,
+  vtkDataObject* input)
+{
+  auto* hexahedra = vtkUnstructuredGrid::SafeDownCast(this->GetOutputDataObject(0));
+  vtkShapeHexResult::WriteHexahedra(result.Fit, hexahedra);
+  vtkShapeHexResult::WriteBoundary(
+    result, surface, innerSurfaces, vtkPolyData::SafeDownCast(this->GetOutputDataObject(1)));
+  for (const int port : { 0, 1 })
+  {
+    this->GetOutputDataObject(port)->GetFieldData()->PassData(input->GetFieldData());
+    vtkShapeHexResult::AddFacts(result, hexahedra, this->GetOutputDataObject(port));
+  }
+}
+
+void vtkShapeHexRemesh::FillRegions(
+  const shape::RegionSurfaces& regions, vtkDataObject* input, const shape::Progress& progress)
+{
+  const shape::HexRemeshResult result = shape::RemeshRegions(regions, this->Options, progress);
+  this->WriteResult(result, regions.Surfaces, {}, input);
+}
+
+void vtkShapeHexRemesh::FillLabels(const shape::Progress& progress)
+{
+  if (this->GetNumberOfInputConnections(0) > 0)
+  {
+    throw shape::InvalidInput("Surface and Labels are both connected; disconnect one of them");
+  }
+  this->RequireRegionsAlone("Labels");
+  vtkDataObject* input = this->GetInputDataObject(3, 0);
+  const shape::LabelImage image =
+    vtkShapeLabelImage::Read(input, this->LabelArray, {}, this->GetController(), "Labels");
+  // Every process has the complete image, and one of them computes the result.
+  if (!this->GetController() || this->GetController()->GetLocalProcessId() == 0)
+  {
+    this->FillRegions(
+      shape::SeparateLabels(image, progress.Part(0.0, 0.2)), input, progress.Part(0.2, 1.0));
+  }
+}
+
 void vtkShapeHexRemesh::Execute(const shape::Progress& progress)
 {
+  if (this->GetNumberOfInputConnections(3) > 0)
+  {
+    this->FillLabels(progress);
+    return;
+  }
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    throw shape::InvalidInput(
+      "Surface is not connected; choose it, or Labels, under Inputs");
+  }
   // Every process has the complete input, and one of them computes the result.
   if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
   {
@@ -151,25 +228,20 @@ void vtkShapeHexRemesh::Execute(const shape::Progress& progress)
   }
   vtkPolyData* input = this->GetGatheredInput(0).Data;
   const shape::Mesh given = vtkShapeConvert::ToMesh(input, "the Surface");
+  const Eigen::MatrixXi labels =
+    vtkShapeRegions::Read(input, given.Triangles.rows(), "the Surface");
   const std::vector<int> used = FindUsed(given);
-  const shape::Surface surface = WithPoints(given, used);
-  const std::string warning =
-    vtkShapeLargeSize::CheckCellSize("Cell Size", this->Options.CellSize, input);
-  if (!warning.empty())
+  const shape::Mesh surface = WithPoints(given, used);
+  this->CheckCellSize(input);
+  if (labels.size() > 0)
   {
-    this->Warn(warning);
+    this->RequireRegionsAlone("the array Regions of the Surface");
+    this->FillRegions({ surface, labels }, input, progress);
+    return;
   }
   const shape::HexRemeshGuides guides = this->ReadGuides(used);
   const shape::HexRemeshResult result =
     shape::RemeshHexahedra(surface, this->Options, progress.Part(0.0, 0.98), guides);
-  auto* hexahedra = vtkUnstructuredGrid::SafeDownCast(this->GetOutputDataObject(0));
-  vtkShapeHexResult::WriteHexahedra(result.Fit, hexahedra);
-  vtkShapeHexResult::WriteBoundary(
-    result, surface, guides.InnerSurfaces, vtkPolyData::SafeDownCast(this->GetOutputDataObject(1)));
-  for (const int port : { 0, 1 })
-  {
-    this->GetOutputDataObject(port)->GetFieldData()->PassData(input->GetFieldData());
-    vtkShapeHexResult::AddFacts(result, hexahedra, this->GetOutputDataObject(port));
-  }
+  this->WriteResult(result, surface, guides.InnerSurfaces, input);
   progress(1.0);
 }

@@ -7,7 +7,10 @@
  *
  * Inputs (polygons are triangulated internally)
  * - Surface: the closed surface that bounds one or several solids, which may have voids. A
- *   self-intersecting surface bounds the region with a winding number of at least 1.
+ *   self-intersecting surface bounds the region with a winding number of at least 1. If the surface
+ *   has the cell array `Regions` (int, 2), such as the output of vtkShapeLabelSurfaces, its
+ *   triangles are the interfaces between regions that touch: the labels on both sides of each
+ *   triangle, of which 0 is the outside; the normal leaves the first. All cells are then triangles.
  * - Polycube (optional): a surface whose faces are orthogonal to the axes and lie at integer
  *   multiples of one length, such as the second output of vtkShapePolycube. Its point array
  *   `SourcePosition` (double, 3) gives the corresponding positions on Surface. The cells of this
@@ -15,11 +18,13 @@
  * - InnerSurfaces (optional, repeatable): closed surfaces inside the solid that are interfaces
  *   between materials. They may be nested. Hexahedra on both sides of an inner surface share points
  *   on it, and its creases are rounded. Inner surfaces need the Grid method.
+ * - Labels (optional, instead of Surface): an image with integers, whose regions touch (see
+ *   vtkShapeLabelSurfaces). It may be composite or distributed.
  *
  * Output 0: hexahedra (vtkUnstructuredGrid) with the cell arrays
  * - `ScaledJacobian` (double): Verdict's scaled Jacobian, 1 for a box.
  * - `RegionId` (int): i + 1 if inner surface i (counted from 0) is the innermost surface around the
- *   cell; 0 outside all inner surfaces.
+ *   cell; 0 outside all inner surfaces. If regions touch, it is the label of the region.
  * - `Jacobian`, `Volume`, `EdgeRatio` (longest to shortest edge), `MaxAspectFrobenius` (1 for a
  *   cube).
  * - `EquiangleSkew` (0 for a box, 1 if an angle of a face is 0 or 180 degrees).
@@ -31,7 +36,10 @@
  * Output 1 (vtkPolyData): the quads of the boundary, then the quads between regions, which face out
  * of the inner surface. `OriginalPointId` of a point is its index in output 0. The cell arrays are
  * - `Patch` (int): index of the patch to which the quad belongs. Creases separate patches.
- * - `Interface` (int): 0 on the boundary, i + 1 on inner surface i.
+ * - `Interface` (int): 0 on the boundary, i + 1 on inner surface i. If regions touch, i + 1 on the
+ *   interface between the i-th pair of regions.
+ * - `Regions` (int, 2), only if regions touch: the labels on both sides of the quad, of which 0 is
+ *   the outside. The normal leaves the first.
  * - `Distance` (double): distance of the centre of the quad from Surface or, between regions, from
  *   the inner surface.
  * In parallel, the first process has both outputs.
@@ -55,13 +63,18 @@
  *   a patch or bound patches smaller than 4 cells. The share is 0 if less than two thirds of the
  *   length of these edges bounds patches larger than a thousandth of the area. The sharp edges are
  *   then treated as noise. With a larger FeatureAngle, real creases of a noisy scan may be found.
+ * - If regions touch: .RegionLabels, .RegionHexahedra, .RegionVolumes, .RegionEulerNumbers and
+ *   .RegionComponents, one value for each region. .Curves: number of curves where three or more
+ *   regions meet, of which the outside is one; .CurvesKept: number of these curves that are chains
+ *   of edges. .Junctions: number of points where these curves meet; .JunctionsKept: number of these
+ *   points that are points of the hexahedra. Patches are numbered by their pairs of regions.
  * - .ReleasedPoints: number of boundary points that left the surface because hexahedra would
  *   otherwise be inverted or have low quality.
  * - .Crossings: number of pairs of triangles of the surface that intersect.
  * - .EulerNumber, .Components: Euler number and number of components of the boundary.
  * - Minimum, mean and maximum of each further measure, such as .Volume.
  *
- * The mathematics: shape::RemeshHexahedra.
+ * The mathematics: shape::RemeshHexahedra, shape::RemeshRegions.
  */
 #ifndef vtkShapeHexRemesh_h
 #define vtkShapeHexRemesh_h
@@ -70,7 +83,13 @@
 
 #include "Hex/HexRemesh.h" // for the options
 
+#include <string> // for names
 #include <vector> // for points
+
+namespace shape
+{
+struct RegionSurfaces;
+}
 
 class VTKSHAPEFILTERS_EXPORT vtkShapeHexRemesh : public vtkShapeAlgorithm
 {
@@ -99,6 +118,8 @@ public:
   vtkSetStdStringFromCharMacro(SizeArray);
   vtkGetCharFromStdStringMacro(SizeArray);
   vtkShapeOption(PaddingLayers, int);
+  vtkSetStdStringFromCharMacro(LabelArray);
+  vtkGetCharFromStdStringMacro(LabelArray);
   vtkShapeOption(FeatureAngle, double);
   ///@}
 
@@ -112,9 +133,17 @@ private:
   void operator=(const vtkShapeHexRemesh&) = delete;
 
   shape::HexRemeshGuides ReadGuides(const std::vector<int>& used);
+  void RequireRegionsAlone(const std::string& regions);
+  void CheckCellSize(vtkPolyData* surface);
+  void FillLabels(const shape::Progress& progress);
+  void FillRegions(
+    const shape::RegionSurfaces& regions, vtkDataObject* input, const shape::Progress& progress);
+  void WriteResult(const shape::HexRemeshResult& result, const shape::Surface& surface,
+    const std::vector<shape::Surface>& innerSurfaces, vtkDataObject* input);
 
   shape::HexRemeshOptions Options;
   std::string SizeArray = "None";
+  std::string LabelArray;
   double SurfaceSize[3] = { 0.0, 0.0, 0.0 };
 };
 

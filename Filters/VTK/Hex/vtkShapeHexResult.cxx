@@ -170,7 +170,8 @@ void vtkShapeHexResult::WriteBoundary(const shape::HexRemeshResult& result,
     quads.middleRows(row, own.rows()) = own;
     interfaceOf.segment(row, own.rows()).setConstant(static_cast<int>(i) + 1);
     patchOf.segment(row, own.rows()).setConstant(fit.PatchOf.maxCoeff() + 1 + static_cast<int>(i));
-    distances.segment(row, own.rows()) = Distances(fit.Solid.Points, own, innerSurfaces[i]);
+    distances.segment(row, own.rows()) =
+      Distances(fit.Solid.Points, own, innerSurfaces.empty() ? surface : innerSurfaces[i]);
     row += own.rows();
   }
   std::vector<int> used(quads.data(), quads.data() + quads.size());
@@ -189,7 +190,40 @@ void vtkShapeHexResult::WriteBoundary(const shape::HexRemeshResult& result,
   data->AddArray(vtkShapeConvert::ToIntegers(patchOf, "Patch"));
   data->AddArray(vtkShapeConvert::ToIntegers(interfaceOf, "Interface"));
   data->AddArray(vtkShapeConvert::ToArray(distances, "Distance"));
+  if (fit.QuadRegions.size() > 0)
+  {
+    data->AddArray(ToTuples(fit.QuadRegions, "Regions"));
+  }
 }
+
+namespace
+{
+
+/// Adds the facts of regions that touch: a value for each of them, and their curves.
+void AddRegionFacts(const shape::HexRemeshResult& result, vtkDataObject* output)
+{
+  const auto add = [&](const char* name, double (*number)(const shape::HexRegion&))
+  {
+    vtkNew<vtkDoubleArray> numbers;
+    numbers->SetName((std::string("HexRemesh.Region") + name).c_str());
+    for (const shape::HexRegion& region : result.Regions)
+    {
+      numbers->InsertNextValue(number(region));
+    }
+    output->GetFieldData()->AddArray(numbers);
+  };
+  add("Labels", [](const shape::HexRegion& region) { return double(region.Label); });
+  add("Hexahedra", [](const shape::HexRegion& region) { return double(region.Hexahedra); });
+  add("Volumes", [](const shape::HexRegion& region) { return region.Volume; });
+  add("EulerNumbers", [](const shape::HexRegion& region) { return double(region.EulerNumber); });
+  add("Components", [](const shape::HexRegion& region) { return double(region.Components); });
+  vtkShapeConvert::AddFact(output, "HexRemesh.Curves", result.Curves);
+  vtkShapeConvert::AddFact(output, "HexRemesh.CurvesKept", result.CurvesKept);
+  vtkShapeConvert::AddFact(output, "HexRemesh.Junctions", result.Junctions);
+  vtkShapeConvert::AddFact(output, "HexRemesh.JunctionsKept", result.JunctionsKept);
+}
+
+} // namespace
 
 void vtkShapeHexResult::AddFacts(
   const shape::HexRemeshResult& result, vtkUnstructuredGrid* hexahedra, vtkDataObject* output)
@@ -203,7 +237,9 @@ void vtkShapeHexResult::AddFacts(
     { "MeanScaledJacobian", fit.MeanScaledJacobian },
     { "Distance", fit.Distance },
     { "InnerDistance", fit.InnerDistance },
-    { "Regions", fit.RegionOf.maxCoeff() + 1.0 },
+    { "Regions",
+      result.Regions.empty() ? fit.RegionOf.maxCoeff() + 1.0
+                             : static_cast<double>(result.Regions.size()) },
     { "CellSize", result.CellSize },
     { "Patches", fit.PatchOf.maxCoeff() + 1.0 },
     { "Corners", static_cast<double>(result.Features.Corners.size()) },
@@ -225,6 +261,10 @@ void vtkShapeHexResult::AddFacts(
   vtkShapeConvert::AddFact(output, "HexRemesh.Method", polycube ? "Polycube" : "Grid");
   vtkShapeConvert::AddFact(output, "HexRemesh.Reason", result.Reason);
   output->GetFieldData()->AddArray(Histogram(fit.Solid));
+  if (!result.Regions.empty())
+  {
+    AddRegionFacts(result, output);
+  }
   if (result.SizeRatios.size() > 0)
   {
     AddSizeFacts(result.SizeRatios, output);

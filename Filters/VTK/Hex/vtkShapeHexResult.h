@@ -17,7 +17,7 @@ namespace vtkShapeHexResult
 void WriteHexahedra(const shape::HexFit& fit, vtkUnstructuredGrid* output);
 
 /// Writes the quads of the boundary, then the quads of each interface. innerSurfaces: the inner
-/// surface of each interface.
+/// surface of each interface; empty if `surface` has the interfaces, too.
 void WriteBoundary(const shape::HexRemeshResult& result, const shape::Surface& surface,
   const std::vector<shape::Surface>& innerSurfaces, vtkPolyData* output);
 

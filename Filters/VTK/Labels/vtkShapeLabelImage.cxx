@@ -91,7 +91,8 @@ std::vector<vtkDataObject*> FindBlocks(vtkDataObject* input)
   return blocks;
 }
 
-std::vector<Piece> FindPieces(vtkDataObject* input, const std::string& array)
+std::vector<Piece> FindPieces(
+  vtkDataObject* input, const std::string& array, const std::string& name)
 {
   std::vector<Piece> pieces;
   for (vtkDataObject* block : FindBlocks(input))
@@ -99,14 +100,14 @@ std::vector<Piece> FindPieces(vtkDataObject* input, const std::string& array)
     auto* image = vtkImageData::SafeDownCast(block);
     if (!image)
     {
-      throw shape::InvalidInput(std::string("the Input contains ") + block->GetClassName() +
+      throw shape::InvalidInput(name + " contains " + block->GetClassName() +
         "; extract the image, or resample the data with Resample To Image");
     }
     Piece piece = { image, nullptr, false };
     piece.Values = FindArray(image, array, piece.IsAtCells);
     if (!piece.Values)
     {
-      throw shape::InvalidInput("the Input has no array '" + array +
+      throw shape::InvalidInput(name + " has no array '" + array +
         "'; choose the array with the labels" + ListArrays(image));
     }
     if (piece.Values->GetNumberOfComponents() != 1)
@@ -178,7 +179,8 @@ std::array<double, 13> LayoutOf(const Piece& piece)
 } // namespace
 
 shape::LabelImage vtkShapeLabelImage::Read(vtkDataObject* input, const std::string& array,
-  const std::vector<double>& thresholds, vtkMultiProcessController* controller)
+  const std::vector<double>& thresholds, vtkMultiProcessController* controller,
+  const std::string& name)
 {
   using Reduction = vtkShapeGather::Reduction;
   constexpr double none = std::numeric_limits<double>::lowest();
@@ -191,7 +193,7 @@ shape::LabelImage vtkShapeLabelImage::Read(vtkDataObject* input, const std::stri
   vtkShapeGather::RunOnAllOrFail(controller,
     [&]()
     {
-      pieces = FindPieces(input, array);
+      pieces = FindPieces(input, array, name);
       for (const Piece& piece : pieces)
       {
         const std::array<int, 6> own = ExtentOf(piece);
@@ -211,13 +213,13 @@ shape::LabelImage vtkShapeLabelImage::Read(vtkDataObject* input, const std::stri
   vtkShapeGather::Reduce(controller, layouts.data(), 26, Reduction::Maximum);
   if (extent[0] == std::numeric_limits<double>::max())
   {
-    throw shape::InvalidInput("the Input has no voxels; choose an image with points");
+    throw shape::InvalidInput(name + " has no voxels; choose an image with points");
   }
   for (int i = 0; i < 13; ++i)
   {
     if (layouts[i] != -layouts[13 + i])
     {
-      throw shape::InvalidInput("the Input has images with different origins, spacings or "
+      throw shape::InvalidInput(name + " has images with different origins, spacings or "
                                 "directions; extract one of them");
     }
   }
@@ -269,7 +271,7 @@ shape::LabelImage vtkShapeLabelImage::Read(vtkDataObject* input, const std::stri
               double& known = values[image.IndexOf(i - first[0], j - first[1], k - first[2])];
               if (known != none && known != value)
               {
-                throw shape::InvalidInput("the Input has images that overlap with different "
+                throw shape::InvalidInput(name + " has images that overlap with different "
                                           "values; extract one of them with Extract Block");
               }
               known = value;

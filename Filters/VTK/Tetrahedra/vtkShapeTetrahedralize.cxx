@@ -3,6 +3,7 @@
 #include "vtkShapeCarry.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeLargeSize.h"
+#include "vtkShapeRegions.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -62,37 +63,6 @@ void WriteTetrahedra(const shape::TetrahedralizeResult& solid, vtkUnstructuredGr
   output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(solid.RegionId, "RegionId"));
 }
 
-/// Returns the cell array Regions (m x 2), the labels on both sides of each triangle; empty if
-/// there is none.
-Eigen::MatrixXi ReadRegions(vtkPolyData* surface, Eigen::Index triangles)
-{
-  vtkDataArray* regions = surface->GetCellData()->GetArray("Regions");
-  if (!regions)
-  {
-    return {};
-  }
-  if (regions->GetNumberOfComponents() != 2)
-  {
-    throw shape::InvalidInput("the cell array Regions has " +
-      std::to_string(regions->GetNumberOfComponents()) +
-      " components, not the 2 labels on the sides of each triangle; rename it");
-  }
-  if (surface->GetNumberOfCells() != triangles || regions->GetNumberOfTuples() != triangles)
-  {
-    throw shape::InvalidInput("the Input has the cell array Regions, but cells that are not "
-                              "triangles; apply Triangulate");
-  }
-  Eigen::MatrixXi labels(triangles, 2);
-  for (Eigen::Index t = 0; t < triangles; ++t)
-  {
-    for (int side = 0; side < 2; ++side)
-    {
-      labels(t, side) = static_cast<int>(regions->GetComponent(t, side));
-    }
-  }
-  return labels;
-}
-
 } // namespace
 
 void vtkShapeTetrahedralize::Execute(const shape::Progress& progress)
@@ -115,7 +85,7 @@ void vtkShapeTetrahedralize::Execute(const shape::Progress& progress)
     innerSurfaces.push_back(vtkShapeConvert::ToMesh(
       this->GetGatheredInput(1, i).Data, "inner surface " + std::to_string(i)));
   }
-  const Eigen::MatrixXi labels = ReadRegions(surface, mesh.Triangles().rows());
+  const Eigen::MatrixXi labels = vtkShapeRegions::Read(surface, mesh.Triangles().rows(), "the Input");
   if (labels.size() > 0 && !innerSurfaces.empty())
   {
     throw shape::InvalidInput("the array Regions divides the Input already; remove the inner "

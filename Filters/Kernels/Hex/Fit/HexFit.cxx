@@ -5,6 +5,7 @@
 #include "Hex/Features/PatchedBoundary.h"
 #include "Hex/Fit/Private/Pillowing.h"
 #include "Hex/Fit/Private/PillowingPlan.h"
+#include "Hex/Fit/Private/Settling.h"
 #include "Hex/Optimize/BoundaryRelaxation.h"
 #include "Hex/Optimize/HexOptimization.h"
 #include "Mesh/QuadSurface.h"
@@ -164,9 +165,6 @@ SampledDistances ComputeDistancesToCurves(const Mesh& surface, const SurfaceFeat
 namespace
 {
 
-/// If the worst scaled Jacobian is at least this, no further sweeps are spent on it.
-constexpr double RaisedTo = 0.55;
-
 /// Adds the layers that creases need. Returns false if these exceed the maximum number of
 /// hexahedra, or if the creases of the result are not the surface's.
 bool AddLayers(HexMesh& mesh, const Surface& surface, const SurfaceFeatures& features, int maximum,
@@ -178,23 +176,6 @@ bool AddLayers(HexMesh& mesh, const Surface& surface, const SurfaceFeatures& fea
   }
   return (features.Curves.empty() || mesh.Hexahedra.rows() <= maximum) &&
     MatchCurves(mesh, surface, features, boundary);
-}
-
-/// Updates the figures that depend on the hexahedra alone.
-void Judge(HexFit& fit)
-{
-  const Eigen::VectorXd quality = ComputeScaledJacobians(fit.Solid);
-  fit.MinimumScaledJacobian = quality.minCoeff();
-  fit.MeanScaledJacobian = quality.mean();
-  fit.Inverted = static_cast<int>((quality.array() <= 0.0).count());
-}
-
-/// Updates the distance, for which both surfaces are sampled.
-void Measure(HexFit& fit, const Surface& surface, const Progress& progress)
-{
-  fit.Distance =
-    ComputeHausdorffDistance(surface, { fit.Solid.Points, SplitQuads(fit.Quads) }, progress)
-      .Larger();
 }
 
 /// Fits hexahedra with these features; nothing if the features are not found on the hexahedra.
@@ -234,17 +215,14 @@ std::optional<HexFit> FitWith(const HexMesh& core, const Surface& surface,
   }
   // Layers along creases begin without thickness, and untangling them takes long.
   const int smoothings = features.Curves.empty() ? 2 : 30;
-  SmoothHexahedra(
-    fit.Solid, constraint, smoothings, progress.Part(0.0, 0.1, "smoothing the hexahedra"));
-  // Points of layers lie at the points that they copy: the layers get their thickness here.
-  SmoothPillows(*boundary, fit.Solid.Points);
-  interfaceLayers.Spread(fit.Solid.Points);
-  SmoothInverted(fit.Solid, constraint, progress.Part(0.1, 0.15));
-  HexOptimizationOptions optimization;
-  optimization.RaiseTo = RaisedTo;
-  optimization.RaiseAgainFrom = options.RaisedFrom;
-  OptimizeHexahedra(
-    fit.Solid, constraint, optimization, progress.Part(0.15, 0.95, "optimizing the hexahedra"));
+  Settle(
+    fit.Solid, constraint,
+    [&](Eigen::MatrixXd& points)
+    {
+      SmoothPillows(*boundary, points);
+      interfaceLayers.Spread(points);
+    },
+    { smoothings, options.RaisedFrom }, progress.Part(0.0, 0.95));
   Judge(fit);
   fit.Quads = std::move(boundary->Quads);
   fit.PatchOf = std::move(boundary->PatchOf);
@@ -327,8 +305,8 @@ void ImproveWorst(HexFit& fit, const Surface& surface, const Progress& progress)
   }
 }
 
-void RelaxBoundaryAroundBad(
-  HexFit& fit, const Surface& surface, double maximumDistance, const Progress& progress)
+void RelaxBoundaryAroundBad(HexFit& fit, const Surface& surface, double maximumDistance,
+  const Progress& progress, double wanted)
 {
   const auto released =
     std::make_shared<OverridableConstraint>(fit.Constraint, fit.Solid.Points.rows());
@@ -343,10 +321,10 @@ void RelaxBoundaryAroundBad(
     const double maximum = std::max(maximumDistance, slack * fit.Distance);
     const auto accepts = [&](const HexMesh& mesh)
     {
-      return ComputeHausdorffDistance(surface, { mesh.Points, SplitQuads(fit.Quads) }).Larger() <=
-        maximum;
+      return ComputeHausdorffDistance(surface, { mesh.Points, SplitQuads(FindFittedQuads(fit)) })
+               .Larger() <= maximum;
     };
-    RelaxBoundaryOfWorst(fit.Solid, freedoms, RaisedTo, accepts,
+    RelaxBoundaryOfWorst(fit.Solid, freedoms, wanted, accepts,
       progress.Part(0.45, 0.95, "releasing boundary points near the worst hexahedra"));
     Judge(fit);
   }

@@ -92,6 +92,9 @@ struct HexFit
   Eigen::VectorXi RegionOf; ///< m: the region of each hexahedron (RegionCells)
   std::vector<Eigen::MatrixXi>
     Interfaces; ///< for each inner surface: its quads, counter-clockwise seen from outside
+  /// If regions touch: for each quad of the boundary and then of Interfaces, the regions on its two
+  /// sides, of which 0 is the outside; its normal leaves the first. Otherwise empty.
+  Eigen::MatrixXi QuadRegions;
   double InnerDistance = 0.0; ///< see ComputeInterfaceDistance
   int Released = 0; ///< number of points that may leave the surface (RelaxBoundaryAroundBad)
   /// The constraint on the points; null if solids were joined.
@@ -136,13 +139,13 @@ void ImproveWorst(HexFit& fit, const Surface& surface, const Progress& progress 
 /**
  * Lets points around bad hexahedra leave the surface. The first step releases points around
  * inverted hexahedra (RelaxBoundaryOfInverted). If none stays inverted, the second step releases
- * points around hexahedra with a scaled Jacobian below 0.55 (RelaxBoundaryOfWorst). The second step
+ * points around hexahedra with a scaled Jacobian below `wanted` (RelaxBoundaryOfWorst). The second step
  * lets the distance between boundary and surface grow to maximumDistance or to 1.05 times its
  * previous value, whichever is larger.
  *
  * fit: from FitHexahedra with the same surface. Throws Aborted.
  */
-void RelaxBoundaryAroundBad(
-  HexFit& fit, const Surface& surface, double maximumDistance, const Progress& progress = {});
+void RelaxBoundaryAroundBad(HexFit& fit, const Surface& surface, double maximumDistance,
+  const Progress& progress = {}, double wanted = 0.55);
 
 } // namespace shape

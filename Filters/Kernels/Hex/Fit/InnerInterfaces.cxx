@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace shape
@@ -70,6 +71,28 @@ InterfaceLayers::InterfaceLayers(HexMesh& mesh, const InnerInterfaces& interface
       [](char inside) { return static_cast<char>(inside == 0); });
     this->PillowSide(mesh, cells.Inside[i], cells.Interfaces[i], layers);
     this->PillowSide(mesh, outside, cells.Interfaces[i].rowwise().reverse(), layers);
+  }
+}
+
+InterfaceLayers::InterfaceLayers(HexMesh& mesh, const Eigen::VectorXi& regionOf, int layers)
+  : RegionOf(regionOf.begin(), regionOf.end())
+{
+  const std::set<int> regions(regionOf.begin(), regionOf.end());
+  for (const int region : regions)
+  {
+    std::vector<char> side(regionOf.size());
+    std::vector<int> rows;
+    for (int hex = 0; hex < static_cast<int>(regionOf.size()); ++hex)
+    {
+      side[hex] = regionOf(hex) == region;
+      if (side[hex])
+      {
+        rows.push_back(hex);
+      }
+    }
+    const Eigen::MatrixXi quads =
+      FindBoundaryQuads({ mesh.Points, mesh.Hexahedra(rows, Eigen::all) });
+    this->PillowSide(mesh, side, quads, layers);
   }
 }
 

@@ -27,13 +27,19 @@ struct InnerInterfaces
 
 /**
  * Layers of hexahedra on both sides of each interface. The quads and points of the interfaces stay
- * unchanged. With the layers, each hexahedron has at most one face on an interface.
+ * unchanged. With the layers, each hexahedron has at most one face on an interface or, if regions
+ * touch, on the boundary.
  */
 class InterfaceLayers
 {
 public:
   /// Adds `layers` layers of hexahedra to the mesh on each side of each interface.
   InterfaceLayers(HexMesh& mesh, const InnerInterfaces& interfaces, int layers);
+
+  /// Adds `layers` layers of hexahedra inside the boundary of each region: along interfaces, on both
+  /// sides, and along the boundary of the mesh. Interfaces may touch. regionOf: the region of each
+  /// hexahedron; the boundary of each region is a manifold.
+  InterfaceLayers(HexMesh& mesh, const Eigen::VectorXi& regionOf, int layers);
 
   /// Returns the region of each hexahedron. hexahedra: the number of hexahedra that the mesh has
   /// now. Hexahedra that were added after construction get region 0.

@@ -1,5 +1,7 @@
 #include "Hex/Voxels/WellComposedVoxels.h"
 
+#include "Hex/Voxels/Private/CornerPattern.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,36 +13,6 @@ namespace shape
 {
 namespace
 {
-
-/// Whether the marked ones of eight cells around a corner are connected by faces: cells whose
-/// indices differ in one bit share a face.
-bool AreConnected(unsigned int cells)
-{
-  if (cells == 0)
-  {
-    return true;
-  }
-  unsigned int reached = cells & (~cells + 1), before = 0;
-  while (reached != before)
-  {
-    before = reached;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      // The cells on the lower side of each axis.
-      constexpr unsigned int low[] = { 0x55, 0x33, 0x0f };
-      const int step = 1 << axis;
-      reached |= (((reached & low[axis]) << step) | ((reached >> step) & low[axis])) & cells;
-    }
-  }
-  return reached == cells;
-}
-
-/// Whether the corner is well-composed (Latecki 1997): both the cells inside and those outside are
-/// connected by faces.
-bool IsManifold(unsigned int cells)
-{
-  return AreConnected(cells) && AreConnected(~cells & 0xff);
-}
 
 /// Returns the eight cells around the corner of cell (x, y, z) that is closest to the origin.
 std::array<int, 8> CellsAround(const SampledGrid& grid, int x, int y, int z)
@@ -75,7 +47,7 @@ int CellToChange(unsigned int pattern, const std::array<int, 8>& cells,
     double minimum = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 8; ++k)
     {
-      if (!changed[cells[k]] && (!mending || IsManifold(pattern ^ (1U << k))) &&
+      if (!changed[cells[k]] && (!mending || IsWellComposed(pattern ^ (1U << k))) &&
         std::abs(levels(cells[k])) < minimum)
       {
         minimum = std::abs(levels(cells[k]));
@@ -118,7 +90,7 @@ public:
         this->Grid, cell(0) + (corner & 1), cell(1) + (corner >> 1 & 1), cell(2) + (corner >> 2));
       // The disk preserves the topology; the eight corners of the cell must also stay
       // well-composed.
-      if (!IsManifold(PatternOf(cells, this->Inside)))
+      if (!IsWellComposed(PatternOf(cells, this->Inside)))
       {
         this->Inside[index] ^= 1;
         return false;
@@ -227,7 +199,7 @@ WellComposedVoxels FindVoxelSolid(const SampledGrid& grid)
         {
           const std::array<int, 8> cells = CellsAround(grid, x, y, z);
           const unsigned int pattern = PatternOf(cells, solid.Inside);
-          if (!IsManifold(pattern))
+          if (!IsWellComposed(pattern))
           {
             ++solid.Pinched;
             const int cell = CellToChange(pattern, cells, grid.Values, changed);

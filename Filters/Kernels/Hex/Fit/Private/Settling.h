@@ -1,0 +1,39 @@
+#pragma once
+
+#include "Base/Progress.h"
+#include "Hex/Fit/HexFit.h"
+
+#include <functional>
+
+namespace shape
+{
+
+/// If the worst scaled Jacobian is at least this, no further sweeps are spent on it.
+inline constexpr double RaisedTo = 0.55;
+
+struct SettlingOptions
+{
+  int Smoothings = 2;      ///< sweeps that smooth the positions first
+  double RaisedFrom = 0.0; ///< see HexFitOptions
+  double RaisedTo = shape::RaisedTo; ///< the target for the minimum scaled Jacobian
+};
+
+/**
+ * Moves the points of hexahedra whose layers have no thickness yet. They are smoothed, `spread`
+ * gives layers their thickness, and OptimizeHexahedra repairs inverted hexahedra and raises the
+ * worst.
+ */
+void Settle(HexMesh& mesh, const PointConstraint& constraint,
+  const std::function<void(Eigen::MatrixXd& points)>& spread, const SettlingOptions& options,
+  const Progress& progress);
+
+/// Updates the figures that depend on the hexahedra alone.
+void Judge(HexFit& fit);
+
+/// Updates the distance, for which both surfaces are sampled.
+void Measure(HexFit& fit, const Surface& surface, const Progress& progress);
+
+/// The quads that lie on the surface: those of the boundary and, if regions touch, of interfaces.
+Eigen::MatrixXi FindFittedQuads(const HexFit& fit);
+
+} // namespace shape
