@@ -143,10 +143,10 @@ void WriteMaterials(std::ostream& file, const MeshSets& sets)
     const MeshMaterial& material = sets.Materials.ByNumber.at(number);
     WriteSet(file, "*ELSET, ELSET=" + name, members);
     file << "*MATERIAL, NAME=" << name << "\n*ELASTIC\n"
-         << ToShortText(material.Modulus) << ", " << ToShortText(material.PoissonRatio) << '\n';
+         << ToColumnText(material.Modulus, Columns) << ", " << ToColumnText(material.PoissonRatio, Columns) << '\n';
     if (material.Density > 0.0)
     {
-      file << "*DENSITY\n" << ToShortText(material.Density) << '\n';
+      file << "*DENSITY\n" << ToColumnText(material.Density, Columns) << '\n';
     }
     file << "*SOLID SECTION, ELSET=" << name << ", MATERIAL=" << name << '\n';
   }

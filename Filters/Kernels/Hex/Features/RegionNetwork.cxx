@@ -1,8 +1,8 @@
 #include "Hex/Features/RegionNetwork.h"
 
 #include "Hex/Features/Private/CurveResampling.h"
+#include "Mesh/RegionSurfaces.h"
 #include "Mesh/UsedPoints.h"
-#include "Solids/ConformingRegions.h"
 
 #include <algorithm>
 #include <array>
@@ -62,7 +62,7 @@ std::vector<HexFace> SortFaces(const Eigen::MatrixXi& hexahedra)
 
 RegionFaces FindRegionFaces(const HexMesh& mesh, const Eigen::VectorXi& regionOf)
 {
-  constexpr int outside = ConformingRegions::Outside;
+  constexpr int outside = RegionSurfaces::Outside;
   const std::vector<HexFace> faces = SortFaces(mesh.Hexahedra);
   // Whether it is an interface, the labels, and the face, which faces out of the first label.
   std::vector<std::tuple<bool, int, int, const HexFace*>> found;

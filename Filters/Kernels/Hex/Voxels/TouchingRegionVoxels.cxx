@@ -5,6 +5,7 @@
 #include "Hex/Voxels/WellComposedVoxels.h"
 #include "Mesh/HalfEdges.h"
 #include "Mesh/QuadSurface.h"
+#include "Mesh/RegionSurfaces.h"
 #include "Search/ClosestPoint.h"
 #include "Solids/GridWinding.h"
 
@@ -32,11 +33,11 @@ Mesh OuterSurface(const Mesh& surfaces, const Eigen::MatrixXi& labels)
   Eigen::Index count = 0;
   for (Eigen::Index t = 0; t < labels.rows(); ++t)
   {
-    if (labels(t, 0) == ConformingRegions::Outside)
+    if (labels(t, 0) == RegionSurfaces::Outside)
     {
       outer.Triangles.row(count++) = surfaces.Triangles.row(t).reverse();
     }
-    else if (labels(t, 1) == ConformingRegions::Outside)
+    else if (labels(t, 1) == RegionSurfaces::Outside)
     {
       outer.Triangles.row(count++) = surfaces.Triangles.row(t);
     }
@@ -127,9 +128,9 @@ TouchingRegionVoxels::TouchingRegionVoxels(
   : Whole(surfaces)
   , Bounded(surfaces, labels, progress)
 {
-  this->Labels = { ConformingRegions::Outside };
+  this->Labels = { RegionSurfaces::Outside };
   this->Parts = { 1 + CountComponents(OuterSurface(surfaces, labels), -1.0) };
-  std::map<int, int> numberOf = { { ConformingRegions::Outside, 0 } };
+  std::map<int, int> numberOf = { { RegionSurfaces::Outside, 0 } };
   for (const auto& [label, surface] : this->Bounded.Surfaces())
   {
     numberOf[label] = static_cast<int>(this->Labels.size());
