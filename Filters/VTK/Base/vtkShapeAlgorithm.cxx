@@ -185,13 +185,19 @@ vtkTypeBool vtkShapeAlgorithm::ProcessRequest(
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
   {
     vtkShapeRequests::OfferTimes(this->GetNumberOfInputPorts(), inputs, outputs);
-    this->DescribeOutputs(inputs, outputs);
+    if (this->GetNumberOfInputConnections(0) > 0)
+    {
+      this->DescribeOutputs(inputs, outputs);
+    }
   }
   if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_TIME()) ||
     request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
   {
     vtkShapeRequests::RequestOwnExtents(this->GetNumberOfInputPorts(), inputs);
-    this->RequestInputs(inputs, outputs);
+    if (this->GetNumberOfInputConnections(0) > 0)
+    {
+      this->RequestInputs(inputs, outputs);
+    }
   }
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
   {
@@ -267,9 +273,8 @@ void vtkShapeAlgorithm::GatherInput(int port, int connection)
 void vtkShapeAlgorithm::RepairInput(int port, int connection, bool separate)
 {
   GatheredInput& whole = this->GatheredInputs[port][connection];
-  vtkShapeRepaired repaired =
-    this->Repairs[{ port, connection }].Apply(
-      whole.Data, "the input '" + this->GetInputName(port) + "'", separate);
+  vtkShapeRepaired repaired = this->Repairs[{ port, connection }].Apply(
+    whole.Data, "the input '" + this->GetInputName(port) + "'", separate);
   if (repaired.Description.empty())
   {
     return;
@@ -279,7 +284,7 @@ void vtkShapeAlgorithm::RepairInput(int port, int connection, bool separate)
   this->RemovedTriangles += repaired.RemovedTriangles;
   for (int& point : whole.OwnPoints)
   {
-    point = repaired.Places.empty() ? point : repaired.Places[point];
+    point = repaired.Representatives.empty() ? point : repaired.Representatives[point];
   }
   whole.Data = repaired.Data;
   whole.GivenPoints = std::move(repaired.Points);

@@ -113,8 +113,7 @@ void vtkShapeTetrahedralize::Execute(const shape::Progress& progress)
     shape::TraceClosestPositions(mesh, solid, progress.Part(0.9, 1.0, "transferring the arrays"));
   vtkShapeCarry::Carry({ { surface, provenance } }, output);
   vtkShapeCarry::AddOriginals(solid.Provenance.Points, "OriginalPointId", output->GetPointData());
-  vtkShapeCarry::RenumberOriginals(
-    this->GetGatheredInput(0).GivenPoints, output->GetPointData());
+  vtkShapeCarry::RenumberOriginals(this->GetGatheredInput(0).GivenPoints, output->GetPointData());
   const std::pair<const char*, double> facts[] = { { "Points",
                                                      static_cast<double>(solid.Points.rows()) },
     { "Tetrahedra", static_cast<double>(solid.Tetrahedra.rows()) },
