@@ -185,19 +185,13 @@ vtkTypeBool vtkShapeAlgorithm::ProcessRequest(
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
   {
     vtkShapeRequests::OfferTimes(this->GetNumberOfInputPorts(), inputs, outputs);
-    if (this->GetNumberOfInputConnections(0) > 0)
-    {
-      this->DescribeOutputs(inputs, outputs);
-    }
+    this->DescribeOutputs(inputs, outputs);
   }
   if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_TIME()) ||
     request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
   {
     vtkShapeRequests::RequestOwnExtents(this->GetNumberOfInputPorts(), inputs);
-    if (this->GetNumberOfInputConnections(0) > 0)
-    {
-      this->RequestInputs(inputs, outputs);
-    }
+    this->RequestInputs(inputs, outputs);
   }
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
   {

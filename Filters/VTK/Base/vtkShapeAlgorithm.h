@@ -237,7 +237,8 @@ protected:
   const GatheredInput& GetGatheredInput(int port, int connection = 0) const;
 
   /// Replaces Data of an input by a repaired surface (shape::RepairSheets), and says so. It is
-  /// called for WholeSurface ports. separate: see shape::SheetRepairOptions.
+  /// called for WholeSurface ports. separate: see shape::SheetRepairOptions; the interfaces of a
+  /// surface with the cell array Regions are never separated.
   void RepairInput(int port, int connection = 0, bool separate = true);
 
   int FillInputPortInformation(int port, vtkInformation* info) final;

@@ -113,6 +113,10 @@ vtkShapeRepaired vtkShapeRepair::Apply(vtkPolyData* data, const std::string& nam
   {
     return result;
   }
+  if (separate && data->GetCellData()->HasArray("Regions"))
+  {
+    return result; // interfaces meet at edges with three or more triangles
+  }
   const std::array<vtkMTimeType, 3> times = { data->GetPoints()->GetMTime(),
     data->GetPolys()->GetMTime(), data->GetStrips()->GetMTime() };
   if (this->SoundPoints == data->GetPoints() && this->SoundPolys == data->GetPolys() &&

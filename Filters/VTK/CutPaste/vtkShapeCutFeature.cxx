@@ -39,7 +39,7 @@ struct vtkShapeCutFeature::Kept
 vtkShapeCutFeature::vtkShapeCutFeature()
   : Cache(std::make_unique<Kept>())
 {
-  this->DeclareInput("Input", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareInput("Input", PortData::WholePolygons, PortUse::Required, { "vtkPolyData" });
   this->DeclareInput("Loop", PortData::WholePolygons, PortUse::Optional, { "vtkPolyData" });
   this->DeclareInput(
     "Selection", PortData::Selection, PortUse::Optional, { "vtkSelection", "vtkDataSet" });
