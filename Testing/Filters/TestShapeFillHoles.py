@@ -209,8 +209,6 @@ touching.SetPolys(vtkCellArray())
 for face in numpy.vstack([numpy.delete(faces, hole, axis=0), other]).tolist():
     touching.InsertNextCell(5, 3, face)
 shapetesting.add_array(touching, numpy.arange(2.0 * n), 'Number')
-shapetesting.check_refused(shapetesting.new(shapemap.vtkShapeHexRemesh, filled(touching, SplitSheets=False)),
-                           '1 point where two sheets touch', 'split them with Shape Fill Holes')
 split = filled(touching)
 assert facts(split, 'CopiedPoints') == [1.0]
 assert split.GetNumberOfPoints() == 2 * n + 1 and split.GetPoint(2 * n) == split.GetPoint(first)

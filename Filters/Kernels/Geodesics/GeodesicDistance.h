@@ -29,9 +29,10 @@ struct GeodesicDistanceResult
 /**
  * Computes, for each point of a surface, the distance along the surface to the nearest of `seeds`.
  *
- * surface: triangles (RequireTriangles), or a 2-manifold for Exact. seeds: k x 3 positions, at least one; each is projected to
- * the closest position on the surface. Throws InvalidInput if the surface is not a 2-manifold, a
- * coordinate is not finite or there is no seed; SolveFailure, Aborted.
+ * surface: triangles (RequireTriangles), or a 2-manifold for Exact. seeds: k x 3 positions, at
+ * least one; each is projected to the closest position on the surface. Throws InvalidInput if the
+ * surface is not a 2-manifold, a coordinate is not finite or there is no seed; SolveFailure,
+ * Aborted.
  */
 GeodesicDistanceResult ComputeGeodesicDistance(const Surface& surface, const Eigen::MatrixXd& seeds,
   const GeodesicDistanceOptions& options = {}, const Progress& progress = {});

@@ -201,8 +201,7 @@ private:
     {
       for (std::size_t j = i + 1; j < sides.size(); ++j)
       {
-        const double cosine =
-          this->FindDirection(*sides[i]).dot(this->FindDirection(*sides[j]));
+        const double cosine = this->FindDirection(*sides[i]).dot(this->FindDirection(*sides[j]));
         if (this->AreOpposite(sides[i], sides[j]) && cosine < straightest)
         {
           straightest = cosine;
@@ -231,8 +230,8 @@ private:
       const Eigen::RowVector3d direction = this->FindDirection(*side);
       around.emplace_back(std::atan2(direction.dot(y), direction.dot(x)), side);
     }
-    std::stable_sort(around.begin(), around.end(),
-      [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::stable_sort(
+      around.begin(), around.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (std::size_t i = 0; i < around.size(); ++i)
     {
       const HalfEdge* begin = around[i].second;
@@ -371,14 +370,15 @@ RepairedSheets RepairSheets(const Mesh& mesh, const SheetRepairOptions& options)
   RepairedSheets repaired;
   repaired.Points.resize(mesh.Points.rows());
   std::iota(repaired.Points.begin(), repaired.Points.end(), 0);
-  repaired.Places = JoinShortEdges(mesh);
-  for (int point = 0; point < static_cast<int>(repaired.Places.size()); ++point)
+  repaired.Representatives = JoinShortEdges(mesh);
+  for (int point = 0; point < static_cast<int>(repaired.Representatives.size()); ++point)
   {
-    repaired.JoinedPoints += repaired.Places[point] != point;
+    repaired.JoinedPoints += repaired.Representatives[point] != point;
   }
   repaired.Surface.Points = mesh.Points;
   RemoveTriangles(
-    mesh.Triangles.unaryExpr([&](int point) { return repaired.Places[point]; }).eval(), repaired);
+    mesh.Triangles.unaryExpr([&](int point) { return repaired.Representatives[point]; }).eval(),
+    repaired);
   std::vector<HalfEdge> sorted = SortHalfEdges(repaired.Surface.Triangles, mesh.Points.rows());
   auto sheets = std::make_unique<SheetSeparation>(repaired.Surface, sorted);
   if (!sheets->NonManifold.empty())

@@ -14,17 +14,17 @@ struct SheetRepairOptions
   bool Separate = true;
 };
 
-/// A surface that is a manifold except for its orientation, if sheets are separated. Unless a sheet is left out, it has the
-/// shape of the given one.
+/// A surface that is a manifold except for its orientation, if sheets are separated. Unless a sheet
+/// is left out, it has the shape of the given one.
 struct RepairedSheets
 {
   /// All given points, then copies of some. The remaining triangles, in their order.
   Mesh Surface;
   std::vector<int> Points;    ///< for each point, the given point at the same position
   std::vector<int> Triangles; ///< for each triangle, the given triangle
-  /// For each given point, the point that has its place in the surface: usually itself. For ends of
-  /// an edge without length, it is the first of them.
-  std::vector<int> Places;
+  /// For each given point, the point that represents it: usually itself. For the ends of an edge
+  /// without length, it is the first of them.
+  std::vector<int> Representatives;
 
   int NonManifoldEdges = 0;    ///< edges with three or more triangles
   int FirstNonManifold = -1;   ///< a point of the first of them, or -1
@@ -56,11 +56,11 @@ struct RepairedSheets
  *    directions, they stay connected. Of the others, those on both sides of a wedge of the solid
  *    that the triangles bound stay connected; of three, those closest to one plane. All other
  *    triangles end at the edge.
- * 3. A fin is removed. It is a piece that ends at such an edge, each of its triangles has a point of
- *    such an edge, its area is at most 1% of that of the surface, and a larger piece has the edge,
+ * 3. A fin is removed. It is a piece that ends at such an edge, each of its triangles has a point
+ * of such an edge, its area is at most 1% of that of the surface, and a larger piece has the edge,
  *    too. Such a piece is no more than noise at the edge.
- * 4. A point where several fans of triangles touch is split: the first fan keeps the point, and each
- *    other fan gets a copy.
+ * 4. A point where several fans of triangles touch is split: the first fan keeps the point, and
+ * each other fan gets a copy.
  *
  * mesh: indices must be in range, and points finite where triangles use them.
  */

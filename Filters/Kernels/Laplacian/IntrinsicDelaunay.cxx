@@ -1,7 +1,7 @@
 #include "Laplacian/IntrinsicDelaunay.h"
 
 #include "Base/Errors.h"
-#include "Laplacian/TuftedCover.h"
+#include "Laplacian/Private/TuftedCover.h"
 #include "Mesh/HalfEdges.h"
 
 #include <algorithm>
@@ -216,8 +216,8 @@ private:
 IntrinsicTriangles BuildIntrinsicDelaunay(const Surface& surface)
 {
   const bool isManifold = AreEdgesManifold(surface.HalfEdges());
-  Flipper flipper(isManifold ? GluedTriangles{ surface.Triangles(), surface.Twins() }
-                             : BuildTuftedCover(surface),
+  Flipper flipper(
+    isManifold ? GluedTriangles{ surface.Triangles(), surface.Twins() } : BuildTuftedCover(surface),
     surface.Points());
   flipper.FlipAll();
   return flipper.Triangles();

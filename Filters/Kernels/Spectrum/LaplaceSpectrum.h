@@ -34,9 +34,9 @@ struct LaplaceSpectrumResult
 /**
  * Computes the spectrum of a surface, its signatures and an embedding.
  *
- * surface: triangles (RequireTriangles); for MDS a consistently oriented 2-manifold with one component.
- * Throws InvalidInput if the surface does not meet these conditions, if an option is out of range,
- * or if there are fewer eigenpairs than requested. Throws SolveFailure and Aborted.
+ * surface: triangles (RequireTriangles); for MDS a consistently oriented 2-manifold with one
+ * component. Throws InvalidInput if the surface does not meet these conditions, if an option is out
+ * of range, or if there are fewer eigenpairs than requested. Throws SolveFailure and Aborted.
  */
 LaplaceSpectrumResult ComputeLaplaceSpectrum(const Surface& surface,
   const LaplaceSpectrumOptions& options = {}, const Progress& progress = {});

@@ -267,9 +267,8 @@ void vtkShapeAlgorithm::GatherInput(int port, int connection)
 void vtkShapeAlgorithm::RepairInput(int port, int connection, bool separate)
 {
   GatheredInput& whole = this->GatheredInputs[port][connection];
-  vtkShapeRepaired repaired =
-    this->Repairs[{ port, connection }].Apply(
-      whole.Data, "the input '" + this->GetInputName(port) + "'", separate);
+  vtkShapeRepaired repaired = this->Repairs[{ port, connection }].Apply(
+    whole.Data, "the input '" + this->GetInputName(port) + "'", separate);
   if (repaired.Description.empty())
   {
     return;
@@ -279,7 +278,7 @@ void vtkShapeAlgorithm::RepairInput(int port, int connection, bool separate)
   this->RemovedTriangles += repaired.RemovedTriangles;
   for (int& point : whole.OwnPoints)
   {
-    point = repaired.Places.empty() ? point : repaired.Places[point];
+    point = repaired.Representatives.empty() ? point : repaired.Representatives[point];
   }
   whole.Data = repaired.Data;
   whole.GivenPoints = std::move(repaired.Points);

@@ -7,9 +7,10 @@
  *
  * - A Pieces port gives Execute the data of this process. A Whole port gives Execute the complete
  *   data: the blocks and pieces of all processes are first gathered into one vtkPolyData or
- *   vtkUnstructuredGrid. A surface may also be an unstructured grid of surface cells. Execute itself need not communicate. Every port accepts composite data.
- *   Otherwise, the pipeline would run the filter once for each block, so processes with different
- *   numbers of blocks would wait for each other.
+ *   vtkUnstructuredGrid. A surface may also be an unstructured grid of surface cells. Execute
+ * itself need not communicate. Every port accepts composite data. Otherwise, the pipeline would run
+ * the filter once for each block, so processes with different numbers of blocks would wait for each
+ * other.
  * - A WholeSurface port gives Execute a repaired surface: see vtkShapeRepaired. The outputs keep
  *   the points and cells of the input. A warning and the facts `SplitPoints` and
  *   `RemovedTriangles` say what was done.
@@ -35,11 +36,11 @@
 
 #include <Eigen/Core> // for positions
 
-#include <map>    // for ports
-#include <set>    // for ports
-#include <string> // for names
+#include <map>     // for ports
+#include <set>     // for ports
+#include <string>  // for names
 #include <utility> // for connections
-#include <vector> // for ports
+#include <vector>  // for ports
 
 class vtkMultiProcessController;
 class vtkPolyData;
@@ -123,8 +124,8 @@ public:
   /// Returns the name of an input port in errors and in ParaView, such as "Domain".
   std::string GetInputName(int port);
 
-  /// Whether the filter needs this input. All inputs are optional for VTK: the filter itself says in
-  /// one line that one is missing.
+  /// Whether the filter needs this input. All inputs are optional for VTK: the filter itself says
+  /// in one line that one is missing.
   bool IsInputRequired(int port);
 
   ///@{
@@ -144,12 +145,12 @@ protected:
 
   enum class PortData
   {
-    Pieces,       ///< the part of this process, which may be composite
-    Whole,        ///< one vtkPolyData with the data of every block and process
+    Pieces,        ///< the part of this process, which may be composite
+    Whole,         ///< one vtkPolyData with the data of every block and process
     WholePolygons, ///< like Whole, with coincident points of several pieces merged
     WholeSurface,  ///< like WholePolygons, and repaired (RepairInput)
-    WholeGrid,    ///< one vtkUnstructuredGrid, which may contain solid cells
-    Selection     ///< a vtkSelection, or the cells that it extracted; may be empty
+    WholeGrid,     ///< one vtkUnstructuredGrid, which may contain solid cells
+    Selection      ///< a vtkSelection, or the cells that it extracted; may be empty
   };
   enum class PortUse
   {
@@ -199,8 +200,7 @@ protected:
   /// Adds a number of points to the field data of an output: of the positions of all processes,
   /// which count once if several processes have them. During Execute, every process calls this
   /// function for the same names in the same order.
-  void AddCount(
-    int port, const std::string& name, std::vector<Eigen::RowVector3d> positions);
+  void AddCount(int port, const std::string& name, std::vector<Eigen::RowVector3d> positions);
 
   /// Computes the outputs. It is called only if all required inputs are connected and have points.
   /// Throws shape::InvalidInput, shape::SolveFailure, shape::Aborted.
@@ -237,7 +237,8 @@ protected:
   const GatheredInput& GetGatheredInput(int port, int connection = 0) const;
 
   /// Replaces Data of an input by a repaired surface (shape::RepairSheets), and says so. It is
-  /// called for WholeSurface ports. separate: see shape::SheetRepairOptions.
+  /// called for WholeSurface ports. separate: see shape::SheetRepairOptions; the interfaces of a
+  /// surface with the cell array Regions are never separated.
   void RepairInput(int port, int connection = 0, bool separate = true);
 
   int FillInputPortInformation(int port, vtkInformation* info) final;
@@ -258,7 +259,7 @@ private:
   void MoveFacts(vtkInformationVector* outputs);
   void ActivateShown(vtkInformationVector* outputs);
   std::vector<vtkDataObject*> GetInputs(); ///< as connected and, during Execute, as gathered
-  std::string GetFactPrefix(); ///< "HexRemesh."
+  std::string GetFactPrefix();             ///< "HexRemesh."
   void PrepareInputs();
   shape::Progress MakeProgress();
 

@@ -60,8 +60,8 @@ Weights ToWeights(const Eigen::VectorXi& tuples, vtkIdType oldTuples);
 void AddOriginals(
   const Eigen::VectorXi& originals, const std::string& name, vtkDataSetAttributes* data);
 
-/// Replaces the ids of OriginalPointId, an array that AddOriginals made, by their entries in a list.
-/// An empty list changes nothing.
+/// Replaces the ids of OriginalPointId, an array that AddOriginals made, by their entries in a
+/// list. An empty list changes nothing.
 void RenumberOriginals(const std::vector<int>& list, vtkDataSetAttributes* data);
 
 /// Returns the array of normals in point or cell data, or nullptr if there is none.

@@ -52,7 +52,8 @@ void vtkShapeComplete::RequireConnections(vtkShapeAlgorithm& filter)
   std::vector<double> most = fewest;
   vtkShapeGather::Reduce(
     filter.GetController(), fewest.data(), ports, vtkShapeGather::Reduction::Minimum);
-  vtkShapeGather::Reduce(filter.GetController(), most.data(), ports, vtkShapeGather::Reduction::Maximum);
+  vtkShapeGather::Reduce(
+    filter.GetController(), most.data(), ports, vtkShapeGather::Reduction::Maximum);
   for (int port = 0; port < ports; ++port)
   {
     const std::string name = filter.GetInputName(port);

@@ -85,8 +85,7 @@ std::vector<vtkIdType> FindJoinedPoints(
     const auto point = static_cast<vtkIdType>(i);
     std::vector<vtkIdType>& others = kept[first[i]];
     const auto same = std::find_if(others.begin(), others.end(),
-      [&](vtkIdType other)
-      {
+      [&](vtkIdType other) {
         return pieceOf[other] != pieceOf[point] && HaveSameData(data->GetPointData(), other, point);
       });
     first[i] = same == others.end() ? point : *same;
@@ -292,9 +291,8 @@ double vtkShapeGather::CountOnce(
   std::partial_sum(sizes.begin(), sizes.end() - 1, offsets.begin() + 1);
   std::vector<double> all(offsets.back() + sizes.back());
   static_assert(sizeof(Eigen::RowVector3d) == 3 * sizeof(double), "packed");
-  controller->AllGatherV(
-    positions.empty() ? nullptr : positions.front().data(), all.data(), own, sizes.data(),
-    offsets.data());
+  controller->AllGatherV(positions.empty() ? nullptr : positions.front().data(), all.data(), own,
+    sizes.data(), offsets.data());
   // One process can have two points at one position: these count twice.
   std::map<std::array<double, 3>, double> counts;
   for (int process = 0; process < processes; ++process)

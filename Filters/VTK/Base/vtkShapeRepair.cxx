@@ -28,8 +28,8 @@ std::string Describe(const shape::RepairedSheets& repaired, const std::string& n
   if (repaired.NonManifoldEdges > 0)
   {
     parts.push_back(Count(repaired.NonManifoldEdges, "edge", "edges") +
-      " with three or more triangles (first at point " +
-      std::to_string(repaired.FirstNonManifold) + ")");
+      " with three or more triangles (first at point " + std::to_string(repaired.FirstNonManifold) +
+      ")");
   }
   if (repaired.SplitPoints > 0)
   {
@@ -91,7 +91,7 @@ vtkShapeRepaired Build(
   }
   result.Points = std::move(repaired.Points);
   result.Triangles = std::move(repaired.Triangles);
-  result.Places = std::move(repaired.Places);
+  result.Representatives = std::move(repaired.Representatives);
   return result;
 }
 
@@ -105,8 +105,7 @@ Eigen::VectorXi vtkShapeRepaired::ToGiven(
                           [&](int index) { return index < 0 ? index : list[index]; }));
 }
 
-vtkShapeRepaired vtkShapeRepair::Apply(
-  vtkPolyData* data, const std::string& name, bool separate)
+vtkShapeRepaired vtkShapeRepair::Apply(vtkPolyData* data, const std::string& name, bool separate)
 {
   vtkShapeRepaired result;
   result.Data = data;
@@ -114,11 +113,14 @@ vtkShapeRepaired vtkShapeRepair::Apply(
   {
     return result;
   }
+  if (separate && data->GetCellData()->HasArray("Regions"))
+  {
+    return result; // interfaces meet at edges with three or more triangles
+  }
   const std::array<vtkMTimeType, 3> times = { data->GetPoints()->GetMTime(),
     data->GetPolys()->GetMTime(), data->GetStrips()->GetMTime() };
   if (this->SoundPoints == data->GetPoints() && this->SoundPolys == data->GetPolys() &&
-    this->SoundStrips == data->GetStrips() && this->Times == times &&
-    this->IsSeparated == separate)
+    this->SoundStrips == data->GetStrips() && this->Times == times && this->IsSeparated == separate)
   {
     return result;
   }

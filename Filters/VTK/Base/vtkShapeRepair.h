@@ -13,16 +13,17 @@ class vtkCellArray;
 class vtkPoints;
 class vtkPolyData;
 
-/// A surface on which a filter computes in place of the gathered one (shape::RepairSheets).
+/// A surface on which a filter computes instead of the gathered one (shape::RepairSheets).
 struct vtkShapeRepaired
 {
-  /// Its first points are those of the gathered surface; its polygons are triangles. The same object
-  /// if there was nothing to repair; then the lists are empty.
+  /// Its first points are those of the gathered surface; its polygons are triangles. The same
+  /// object if there was nothing to repair; then the lists are empty.
   vtkSmartPointer<vtkPolyData> Data;
   std::vector<int> Points;    ///< for each point, the gathered point at its position
   std::vector<int> Triangles; ///< for each triangle, the triangle of the gathered surface
   std::vector<int> Cells;     ///< for each cell, the gathered cell
-  std::vector<int> Places;    ///< for each gathered point, the point that has its place
+  /// For each gathered point, the point that represents it: usually itself.
+  std::vector<int> Representatives;
   int SplitPoints = 0, RemovedTriangles = 0;
   std::string Description; ///< what was done, for a warning; empty if nothing
 

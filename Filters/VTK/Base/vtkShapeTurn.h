@@ -8,8 +8,8 @@ class vtkMultiProcessController;
  * process wait. BLAS has one number of threads for the entire process, which a kernel sets for a
  * while, and the bits of its results depend on this number. Within a thread, turns may be nested.
  *
- * A thread that waits releases Python's lock if it holds it, because the thread whose turn it is may
- * need it for an observer.
+ * A thread that waits releases Python's lock if it holds it, because the thread whose turn it is
+ * may need it for an observer.
  */
 class vtkShapeTurn
 {

@@ -186,8 +186,8 @@ void vtkShapeCorrespondence::WriteMap(
   const GatheredInput& whole = this->GetGatheredInput(port);
   const GatheredInput& target = this->GetGatheredInput(otherPort);
   // Cell ids of polygons follow those of vertices and lines.
-  const auto before = static_cast<double>(
-    target.Given->GetNumberOfVerts() + target.Given->GetNumberOfLines());
+  const auto before =
+    static_cast<double>(target.Given->GetNumberOfVerts() + target.Given->GetNumberOfLines());
   const Eigen::VectorXi triangles = vtkShapeRepaired::ToGiven(target.GivenTriangles, map.Triangles);
   const auto own = [&](const Eigen::MatrixXd& values)
   { return vtkShapeConvert::Rows(values, whole.OwnPoints); };

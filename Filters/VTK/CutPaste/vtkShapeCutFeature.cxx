@@ -39,7 +39,7 @@ struct vtkShapeCutFeature::Kept
 vtkShapeCutFeature::vtkShapeCutFeature()
   : Cache(std::make_unique<Kept>())
 {
-  this->DeclareInput("Input", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareInput("Input", PortData::WholePolygons, PortUse::Required, { "vtkPolyData" });
   this->DeclareInput("Loop", PortData::WholePolygons, PortUse::Optional, { "vtkPolyData" });
   this->DeclareInput(
     "Selection", PortData::Selection, PortUse::Optional, { "vtkSelection", "vtkDataSet" });
@@ -106,7 +106,8 @@ void vtkShapeCutFeature::Execute(const shape::Progress& progress)
     std::vector<int> ownPoints;
     // The marks of all processes, gathered like the Input itself, so that cells have the same
     // order.
-    marked = vtkShapeGather::Gather(own, "Input", vtkShapeGather::Joined::Coincident, this->GetController(), ownPoints);
+    marked = vtkShapeGather::Gather(
+      own, "Input", vtkShapeGather::Joined::Coincident, this->GetController(), ownPoints);
   }
   // Every process has the complete input, and one of them computes the result.
   if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
@@ -175,8 +176,7 @@ void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progres
   if (marked)
   {
     cut = kept.Cutter->Cut(
-      SelectedTriangles(
-        marked, vtkShapeRepaired::ToGiven(input.GivenCells, kept.Numbered.Cells)),
+      SelectedTriangles(marked, vtkShapeRepaired::ToGiven(input.GivenCells, kept.Numbered.Cells)),
       options, progress.Part(0.1, 1.0));
   }
   else

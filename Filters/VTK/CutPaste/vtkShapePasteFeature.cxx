@@ -56,7 +56,7 @@ struct vtkShapePasteFeature::Kept
 vtkShapePasteFeature::vtkShapePasteFeature()
   : Cache(std::make_unique<Kept>())
 {
-  this->DeclareInput("Feature", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareInput("Feature", PortData::WholePolygons, PortUse::Required, { "vtkPolyData" });
   this->DeclareInput("Target", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
   this->DeclareOutput("vtkPolyData");
   this->DeclareFacts();

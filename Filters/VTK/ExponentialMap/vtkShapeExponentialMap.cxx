@@ -73,8 +73,6 @@ void vtkShapeExponentialMap::Execute(const shape::Progress& progress)
     Eigen::Map<const Eigen::RowVector3d>(this->Seed),
     Eigen::Map<const Eigen::RowVector3d>(this->XDirection), this->Options, progress.Part(0.7, 1.0));
   auto* output = vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
-  vtkShapePatch::Write(layout, kept.Map->Surface(), kept.Surface, kept.Cells,
-    output);
-  vtkShapeCarry::RenumberOriginals(
-    this->GetGatheredInput(0).GivenPoints, output->GetPointData());
+  vtkShapePatch::Write(layout, kept.Map->Surface(), kept.Surface, kept.Cells, output);
+  vtkShapeCarry::RenumberOriginals(this->GetGatheredInput(0).GivenPoints, output->GetPointData());
 }

@@ -195,7 +195,8 @@ void vtkShapeFillHoles::Execute(const shape::Progress& progress)
   if (kept.Border.UnclosedSides > 0)
   {
     this->Warn(std::to_string(kept.Border.UnclosedSides) +
-      " boundary edges are in no closed loop and stay open; repair the surface with Shape Solidify, or remove the triangles there");
+      " boundary edges are in no closed loop and stay open; repair the surface with Shape "
+      "Solidify, or remove the triangles there");
   }
   progress(0.95);
   const bool areCurves = kept.Surface.Surface.Triangles.rows() == 0;

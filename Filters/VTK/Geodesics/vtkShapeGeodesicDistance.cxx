@@ -85,7 +85,8 @@ void vtkShapeGeodesicDistance::Execute(const shape::Progress& progress)
   if (result.Unreached > 0)
   {
     this->Warn(std::to_string(result.Unreached) +
-      " points are connected to no seed: their GeodesicDistance is -1; add a seed on each component, "
+      " points are connected to no seed: their GeodesicDistance is -1; add a seed on each "
+      "component, "
       "or remove them with Connectivity");
   }
   vtkDataObject* output = this->GetOutputDataObject(0);

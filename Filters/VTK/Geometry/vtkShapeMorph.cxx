@@ -44,6 +44,10 @@ void vtkShapeMorph::DescribeOutputs(vtkInformationVector**, vtkInformationVector
 void vtkShapeMorph::RequestInputs(vtkInformationVector** inputs, vtkInformationVector*)
 {
   vtkInformation* info = inputs[0]->GetInformationObject(0);
+  if (!info)
+  {
+    return; // Execute says that the input is missing
+  }
   if (info->Has(Pipeline::TIME_STEPS()))
   {
     info->Set(Pipeline::UPDATE_TIME_STEP(), info->Get(Pipeline::TIME_STEPS(), 0));

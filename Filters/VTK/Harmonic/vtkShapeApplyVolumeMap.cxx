@@ -16,8 +16,8 @@
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <utility>
 #include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkShapeApplyVolumeMap);

@@ -267,7 +267,8 @@ void vtkShapeChargeSet::Write(const shape::PiecewiseCharges& set, vtkPolyData* o
   output->GetFieldData()->AddArray(vtkShapeConvert::ToArray(set.Skins, "Skin"));
 }
 
-std::array<std::vector<Eigen::RowVector3d>, 2> vtkShapeChargeSet::Move(vtkDataObject* domain, vtkDataObject* moved,
+std::array<std::vector<Eigen::RowVector3d>, 2> vtkShapeChargeSet::Move(vtkDataObject* domain,
+  vtkDataObject* moved,
   const std::function<shape::MovedPoints(
     const Eigen::MatrixXd& points, const shape::Progress& progress)>& position,
   const shape::Progress& progress)

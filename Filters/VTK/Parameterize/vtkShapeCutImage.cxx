@@ -53,8 +53,8 @@ vtkShapeCutImage::vtkShapeCutImage(const shape::Mesh& surface, const std::vector
   for (int t = 0; t < surface.Triangles.rows(); ++t)
   {
     const Eigen::RowVector3i corners = surface.Triangles.row(t);
-    this->Triangles[Turned({ this->ToGiven(corners(0)), this->ToGiven(corners(1)),
-      this->ToGiven(corners(2)) })] = t;
+    this->Triangles[Turned(
+      { this->ToGiven(corners(0)), this->ToGiven(corners(1)), this->ToGiven(corners(2)) })] = t;
   }
 }
 

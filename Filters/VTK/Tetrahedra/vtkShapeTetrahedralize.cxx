@@ -25,7 +25,7 @@ vtkStandardNewMacro(vtkShapeTetrahedralize);
 
 vtkShapeTetrahedralize::vtkShapeTetrahedralize()
 {
-  this->DeclareInput("Input", PortData::WholePolygons, PortUse::Required, { "vtkPolyData" });
+  this->DeclareInput("Input", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
   this->DeclareInput(
     "InnerSurfaces", PortData::WholeSurface, PortUse::OptionalRepeatable, { "vtkPolyData" });
   this->DeclareOutput("vtkUnstructuredGrid");
@@ -67,11 +67,6 @@ void WriteTetrahedra(const shape::TetrahedralizeResult& solid, vtkUnstructuredGr
 
 void vtkShapeTetrahedralize::Execute(const shape::Progress& progress)
 {
-  // A surface with Regions has edges with three triangles where regions meet.
-  if (!this->GetGatheredInput(0).Data->GetCellData()->HasArray("Regions"))
-  {
-    this->RepairInput(0);
-  }
   // Every process has the complete input, and one of them computes the result.
   if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
   {
@@ -85,7 +80,8 @@ void vtkShapeTetrahedralize::Execute(const shape::Progress& progress)
     innerSurfaces.push_back(vtkShapeConvert::ToMesh(
       this->GetGatheredInput(1, i).Data, "inner surface " + std::to_string(i)));
   }
-  const Eigen::MatrixXi labels = vtkShapeRegions::Read(surface, mesh.Triangles().rows(), "the Input");
+  const Eigen::MatrixXi labels =
+    vtkShapeRegions::Read(surface, mesh.Triangles().rows(), "the Input");
   if (labels.size() > 0 && !innerSurfaces.empty())
   {
     throw shape::InvalidInput("the array Regions divides the Input already; remove the inner "
@@ -113,8 +109,7 @@ void vtkShapeTetrahedralize::Execute(const shape::Progress& progress)
     shape::TraceClosestPositions(mesh, solid, progress.Part(0.9, 1.0, "transferring the arrays"));
   vtkShapeCarry::Carry({ { surface, provenance } }, output);
   vtkShapeCarry::AddOriginals(solid.Provenance.Points, "OriginalPointId", output->GetPointData());
-  vtkShapeCarry::RenumberOriginals(
-    this->GetGatheredInput(0).GivenPoints, output->GetPointData());
+  vtkShapeCarry::RenumberOriginals(this->GetGatheredInput(0).GivenPoints, output->GetPointData());
   const std::pair<const char*, double> facts[] = { { "Points",
                                                      static_cast<double>(solid.Points.rows()) },
     { "Tetrahedra", static_cast<double>(solid.Tetrahedra.rows()) },

@@ -110,9 +110,8 @@ void vtkShapeUntangle::Execute(const shape::Progress& progress)
   if (inPieces)
   {
     const auto count = static_cast<int>(given.Kinds.size());
-    result.Provenance = shape::Compose(
-      shape::TraceCopies(
-        kept, given.Points.rows(), Eigen::VectorXi::LinSpaced(count, 0, count - 1)),
+    result.Provenance = shape::Compose(shape::TraceCopies(kept, given.Points.rows(),
+                                         Eigen::VectorXi::LinSpaced(count, 0, count - 1)),
       result.Provenance);
   }
 

@@ -126,6 +126,13 @@ TEST(GeodesicDistance, NamesWhatIsWrong)
     shape::InvalidInput);
   shape::Mesh broken = sphere;
   broken.Triangles.row(0).reverseInPlace();
-  EXPECT_THROW(
-    shape::ComputeGeodesicDistance(broken, Eigen::RowVector3d(1.0, 0.0, 0.0)), shape::InvalidInput);
+  shape::GeodesicDistanceOptions options;
+  options.Method = Method::Exact;
+  const Eigen::RowVector3d seed(1.0, 0.0, 0.0);
+  EXPECT_THROW(shape::ComputeGeodesicDistance(broken, seed, options), shape::InvalidInput);
+  // Heat needs no orientation.
+  EXPECT_LT((Distances(broken, seed, Method::Heat) - Distances(sphere, seed, Method::Heat))
+              .cwiseAbs()
+              .maxCoeff(),
+    1e-9);
 }

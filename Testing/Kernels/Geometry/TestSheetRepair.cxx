@@ -76,8 +76,7 @@ TEST(SheetRepair, AFinIsRemoved)
     for (const bool isTurned : { false, true })
     {
       shape::Mesh mesh = sphere;
-      const int tip =
-        AddPoint(mesh, height * 0.5 * (sphere.Points.row(a) + sphere.Points.row(b)));
+      const int tip = AddPoint(mesh, height * 0.5 * (sphere.Points.row(a) + sphere.Points.row(b)));
       AddTriangle(mesh, isTurned ? b : a, isTurned ? a : b, tip);
       const shape::RepairedSheets repaired = shape::RepairSheets(mesh);
       ExpectOnly(repaired, sphere);
@@ -149,8 +148,8 @@ TEST(SheetRepair, TheEndsOfAnEdgeWithoutLengthBecomeOne)
   ExpectOnly(repaired, sphere);
   EXPECT_EQ(repaired.JoinedPoints, 1);
   EXPECT_EQ(repaired.DegenerateTriangles, 2);
-  EXPECT_EQ(repaired.Places[copy], a);
-  EXPECT_EQ(repaired.Places[a], a);
+  EXPECT_EQ(repaired.Representatives[copy], a);
+  EXPECT_EQ(repaired.Representatives[a], a);
 }
 
 // Boxes that share an edge of 1 segment: each is closed afterwards, with its own volume.
@@ -195,8 +194,8 @@ TEST(SheetRepair, ASurfaceThatTouchesItselfIsSplit)
   EXPECT_EQ(shape::RequireClosedSurface(repaired.Surface, "the torus").EulerNumber, 0);
 }
 
-// A chain of five cubes whose ends touch along an edge: one sheet meets itself there, and the wedges
-// of the solid decide which triangles stay connected.
+// A chain of five cubes whose ends touch along an edge: one sheet meets itself there, and the
+// wedges of the solid decide which triangles stay connected.
 TEST(SheetRepair, ASolidThatTouchesItselfAlongAnEdgeIsSeparatedOutside)
 {
   std::vector<shape::Mesh> cubes;
@@ -250,10 +249,12 @@ TEST(SheetRepair, AWallIsSeparated)
   mesh.Triangles = parts.Triangles
                      .unaryExpr(
                        [&](int point)
-                       { return boundary(disk.Points.row(point % n)) && point >= n &&
-                           std::abs(parts.Points(point, 2)) < 1e-9
+                       {
+                         return boundary(disk.Points.row(point % n)) && point >= n &&
+                             std::abs(parts.Points(point, 2)) < 1e-9
                            ? point % n
-                           : point; })
+                           : point;
+                       })
                      .eval();
   ASSERT_GT(shape::ComputeTopology(mesh).NonManifoldEdges, 0);
   const shape::RepairedSheets repaired = shape::RepairSheets(mesh);

@@ -1,6 +1,6 @@
 #include "Geodesics/HeatGeodesics.h"
 #include "Laplacian/IntrinsicDelaunay.h"
-#include "Laplacian/TuftedCover.h"
+#include "Laplacian/Private/TuftedCover.h"
 #include "Mesh/HalfEdges.h"
 #include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"

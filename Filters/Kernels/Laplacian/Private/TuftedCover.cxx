@@ -1,4 +1,4 @@
-#include "Laplacian/TuftedCover.h"
+#include "Laplacian/Private/TuftedCover.h"
 
 #include <Eigen/Geometry>
 
@@ -68,9 +68,8 @@ GluedTriangles BuildTuftedCover(const Mesh& mesh)
       // from corner 2 - k there.
       const auto copyOf = [&](const HalfEdge& side, bool up)
       {
-        return (side.Begin < side.End) == up
-          ? 3 * side.Triangle + side.Corner
-          : 3 * (count + side.Triangle) + 2 - side.Corner;
+        return (side.Begin < side.End) == up ? 3 * side.Triangle + side.Corner
+                                             : 3 * (count + side.Triangle) + 2 - side.Corner;
       };
       for (std::size_t i = 0; i < around.size(); ++i)
       {
