@@ -62,7 +62,7 @@ TEST(Solidify, AutomaticTakesTheFirstMethodThatSucceeds)
   EXPECT_EQ(shape::Solidify(crossing).Method, SolidifyMethod::Solid);
   shape::SolidifyOptions coarse;
   coarse.DetailSize = 0.1;
-  const shape::SolidifyResult plate = shape::Solidify(shapetest::FlatSquare(4, 0.0), coarse);
+  const shape::SolidifyResult plate = shape::Solidify(shapetest::WithoutLast(shapetest::FlatSquare(1, 0.0)), coarse);
   EXPECT_EQ(plate.Method, SolidifyMethod::Wrap);
   EXPECT_EQ(plate.EulerNumber, 2);
 }
