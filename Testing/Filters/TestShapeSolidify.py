@@ -133,7 +133,9 @@ united = solid(crossing)[0]
 assert fact(united, 'Solidify.Method') == 'Solid' and fact(united, 'Solidify.GridSpacing') == 0
 assert fact(united, 'Solidify.Pieces') == 1 and fact(united, 'Solidify.EulerNumber') == 2
 assert open_or_tangled(united) == 0
-one = volume(shapetesting.output(simple.Sphere()))
+ball = simple.Sphere()
+ball.UpdatePipeline()
+one = volume(shapetesting.output(ball))
 assert one < volume(united) < 2.0 * one
 assert fact(united, 'Solidify.Kept') > 0 and fact(united, 'Solidify.Made') == 0
 assert fact(united, 'Solidify.DistanceToInput') < 1e-6
@@ -142,7 +144,7 @@ assert fact(united, 'Solidify.DistanceToInput') < 1e-6
 sheet = simple.Plane(XResolution=4, YResolution=4)
 sheet.UpdatePipeline()
 shapetesting.check_refused(new(shapetesting.output(sheet), 'Solid', DetailSize=0.05), 'encloses nothing', 'Wrap')
-plate = solid(shapetesting.output(sheet), 'Automatic', DetailSize=0.05)[0]
+plate = solid(shapetesting.output(sheet), 'Wrap', DetailSize=0.05)[0]
 assert fact(plate, 'Solidify.Method') == 'Wrap' and fact(plate, 'Solidify.GridSpacing') == 0.05
 assert fact(plate, 'Solidify.EulerNumber') == 2 and open_or_tangled(plate) == 0
 assert abs(volume(plate) - 1.8 * 0.05) < 0.02

@@ -27,7 +27,7 @@ struct MendedSurface
   int ReversedTriangles = 0;    ///< number of triangles whose orientation was changed
   int RemovedTriangles = 0;     ///< number of triangles that were removed or replaced
   int RemovedPieces = 0;        ///< number of pieces smaller than SmallestPiece
-  int GapsClosed = 0; ///< number of holes that were filled, also in place of intersections
+  int GapsClosed = 0;       ///< number of holes that were filled, also in place of intersections
   double GridSpacing = 0.0; ///< if the surface was made on a grid, its spacing
 };
 

@@ -54,7 +54,8 @@ struct Stage
 
 /// Splits the triangles of a closed surface that cross others, and keeps those on the boundary of
 /// the region with a winding number of at least 1.
-Stage UniteParts(const Stage& closed, const std::vector<Crossing>& crossings, const Progress& progress)
+Stage UniteParts(
+  const Stage& closed, const std::vector<Crossing>& crossings, const Progress& progress)
 {
   SplitContacts split =
     SplitAtContacts(closed.Surface, crossings, progress.Part(0.0, 0.4, "splitting triangles"));
@@ -89,8 +90,8 @@ MendedSurface MakeSolidOfTriangles(
   constexpr int rounds = 5;
   for (int round = 0; round < rounds; ++round)
   {
-    const Progress part = progress.Part(
-      round / static_cast<double>(rounds), (round + 1) / static_cast<double>(rounds));
+    const Progress part =
+      progress.Part(round / static_cast<double>(rounds), (round + 1) / static_cast<double>(rounds));
     SurfaceDefectOptions again = options;
     again.Tolerance = round == 0 ? options.Tolerance : 0.0;
     const OrientedDraft drafted = DraftSurface(stage.Surface, again, part.Part(0.0, 0.3));
@@ -162,7 +163,8 @@ MendedSurface MakeSolidOnGrid(
   const double spacing = ChooseDetailSize(oriented, options.DetailSize);
   const Mesh made = ContourWinding(
     CloseByCones(oriented), spacing, progress.Part(0.3, 0.7, "sampling winding numbers"));
-  return AdoptGridSurface(made, spacing, surface, options.Defects.SmallestPiece, "the solid", progress.Part(0.7, 1.0));
+  return AdoptGridSurface(
+    made, spacing, surface, options.Defects.SmallestPiece, "the solid", progress.Part(0.7, 1.0));
 }
 
 } // namespace

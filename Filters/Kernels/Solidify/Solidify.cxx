@@ -6,7 +6,6 @@
 #include "Solidify/SolidSurface.h"
 #include "Solidify/WrapSurface.h"
 
-
 namespace shape
 {
 namespace
@@ -65,8 +64,7 @@ SolidifyResult Solidify(
     FindSurfaceDefects(surface, options.Defects, progress.Part(0.0, 0.3, "looking for defects"));
   result.Pieces = result.Defects.Pieces;
   result.EulerNumber = result.Defects.EulerNumber;
-  const bool isSound =
-    result.Defects.Defects.empty() && options.Method != SolidifyMethod::Wrap;
+  const bool isSound = result.Defects.Defects.empty() && options.Method != SolidifyMethod::Wrap;
   if (isSound || options.Method == SolidifyMethod::Report)
   {
     result.Mended.Surface = surface;

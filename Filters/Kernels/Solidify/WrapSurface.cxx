@@ -42,7 +42,8 @@ public:
     , Thickness(0.9 * spacing)
     , Locator(this->Surface)
   {
-    this->Solid.Grid = MakeGrid(surface, spacing, static_cast<int>(std::ceil(this->Radius / spacing)) + 2);
+    this->Solid.Grid =
+      MakeGrid(surface, spacing, static_cast<int>(std::ceil(this->Radius / spacing)) + 2);
     this->FindEdgeHits(progress.Part(0.0, 0.1));
     this->MeasureDistances(progress.Part(0.1, 0.6));
     this->FindAir(progress.Part(0.6, 0.8));
@@ -87,10 +88,10 @@ private:
           const GridEdge edge =
             3 * static_cast<GridEdge>(this->Grid().Index(at(0), at(1), at(2))) + axis;
           const double position = crossing.Position;
-          EdgeHits& hits = this->Hits
-                             .emplace(edge, EdgeHits{ position, position, crossing.Triangle,
-                                              crossing.Triangle })
-                             .first->second;
+          EdgeHits& hits =
+            this->Hits
+              .emplace(edge, EdgeHits{ position, position, crossing.Triangle, crossing.Triangle })
+              .first->second;
           if (position < hits.First)
           {
             hits.First = position;
@@ -142,7 +143,7 @@ private:
     const RowVector3i& block, int size, double bound, double far, std::vector<int>& near)
   {
     const RowVector3i low = size * block,
-                     high = (low.array() + size).min(this->Grid().Counts.array());
+                      high = (low.array() + size).min(this->Grid().Counts.array());
     for (int z = low(2); z < high(2); ++z)
     {
       for (int y = low(1); y < high(1); ++y)
@@ -193,8 +194,8 @@ private:
     this->Air.resize(outside.size());
     std::transform(this->Swept.begin(), this->Swept.end(), this->Air.begin(),
       [&](float swept) { return static_cast<char>(swept <= radius); });
-    // The flood's points are a grid, so their balls leave a layer of up to half a diagonal of a cell
-    // beside triangles. Two steps along edges pass through it in every direction.
+    // The flood's points are a grid, so their balls leave a layer of up to half a diagonal of a
+    // cell beside triangles. Two steps along edges pass through it in every direction.
     for (int step = 0; step < 2; ++step)
     {
       std::vector<int> joined;
@@ -224,8 +225,7 @@ private:
       for (const int first : { point - steps[axis], point })
       {
         const int other = first == point ? point + steps[axis] : first;
-        if (this->Air[other] != 0 &&
-          this->Hits.count(3 * static_cast<GridEdge>(first) + axis) == 0)
+        if (this->Air[other] != 0 && this->Hits.count(3 * static_cast<GridEdge>(first) + axis) == 0)
         {
           return true;
         }
@@ -279,8 +279,8 @@ private:
       return { this->ShareAt(this->Swept, inside, outside, this->Radius, leaves), {} };
     }
     const double position = leaves ? hits->second.Last : hits->second.First;
-    const Eigen::Matrix3d corners = GetCorners(
-      this->Surface, leaves ? hits->second.LastTriangle : hits->second.FirstTriangle);
+    const Eigen::Matrix3d corners =
+      GetCorners(this->Surface, leaves ? hits->second.LastTriangle : hits->second.FirstTriangle);
     RowVector3d normal =
       (corners.row(1) - corners.row(0)).cross(corners.row(2) - corners.row(0)).normalized();
     if ((normal(axis) > 0.0) != leaves)
@@ -291,8 +291,8 @@ private:
   }
 
   /// Where values, linear along an edge, reach a level: the share from its first point.
-  double ShareAt(const std::vector<float>& values, int inside, int outside, double level,
-    bool insideFirst) const
+  double ShareAt(
+    const std::vector<float>& values, int inside, int outside, double level, bool insideFirst) const
   {
     const double begin = values[inside], end = values[outside];
     double share = (level - begin) / (end - begin);
@@ -335,8 +335,8 @@ MendedSurface WrapSurface(
     gap >= 2.0 * spacing, "GapSize", options.GapSize, "0, or at least twice DetailSize");
   const Wrapping wrapping(joined, spacing, gap, progress.Part(0.05, 0.6, "wrapping the surface"));
   const Mesh made = wrapping.Contour(progress.Part(0.6, 0.7));
-  return AdoptGridSurface(made, spacing, surface, options.Defects.SmallestPiece, "the wrap",
-    progress.Part(0.7, 1.0));
+  return AdoptGridSurface(
+    made, spacing, surface, options.Defects.SmallestPiece, "the wrap", progress.Part(0.7, 1.0));
 }
 
 } // namespace shape

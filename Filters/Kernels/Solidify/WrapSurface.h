@@ -23,20 +23,21 @@ struct WrapSurfaceOptions
  * the diameter GapSize can sweep when it comes from afar and does not touch a triangle. Cavities
  * that it cannot enter are filled.
  *
- * 1. A flood from outside through a grid passes points that are farther from the triangles than half
- *    of GapSize. The air is what is closer than this to the flood, and a layer up to the triangles.
+ * 1. A flood from outside through a grid passes points that are farther from the triangles than
+ * half of GapSize. The air is what is closer than this to the flood, and a layer up to the
+ * triangles.
  * 2. Where there is air on both sides of a triangle, it is a sheet: points of the grid within 0.9
  *    DetailSize belong to the solid, which makes it a plate of the thickness 1.8 DetailSize.
- * 3. The boundary of the solid is extracted (cubical marching squares). It lies on the triangles, with
- *    their creases; in gaps, on the surface that the ball cannot pass; and around sheets.
+ * 3. The boundary of the solid is extracted (cubical marching squares). It lies on the triangles,
+ * with their creases; in gaps, on the surface that the ball cannot pass; and around sheets.
  *
- * The result is closed, a manifold, oriented outwards, and does not intersect itself; all of this is
- * checked exactly. Every triangle is made.
+ * The result is closed, a manifold, oriented outwards, and does not intersect itself; all of this
+ * is checked exactly. Every triangle is made.
  *
- * surface: any triangles. Throws InvalidInput if an option is out of range or needs too large a grid,
- * or under the conditions of FindSurfaceDefects; Aborted.
+ * surface: any triangles. Throws InvalidInput if an option is out of range or needs too large a
+ * grid, or under the conditions of FindSurfaceDefects; Aborted.
  */
-MendedSurface WrapSurface(const Mesh& surface, const WrapSurfaceOptions& options = {},
-  const Progress& progress = {});
+MendedSurface WrapSurface(
+  const Mesh& surface, const WrapSurfaceOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

@@ -163,8 +163,7 @@ void vtkShapeSolidify::AddFacts(const shape::SolidifyResult& result)
     { "GapsClosed", result.Mended.GapsClosed }, { "SplitPoints", result.Mended.SplitPoints },
     { "ReversedTriangles", result.Mended.ReversedTriangles },
     { "RemovedTriangles", result.Mended.RemovedTriangles },
-    { "RemovedPieces", result.Mended.RemovedPieces },
-    { "GridSpacing", result.Mended.GridSpacing },
+    { "RemovedPieces", result.Mended.RemovedPieces }, { "GridSpacing", result.Mended.GridSpacing },
     { "DistanceFromInput", result.Distances.FromFirst },
     { "DistanceToInput", result.Distances.FromSecond } };
   for (const auto& [fact, value] : facts)

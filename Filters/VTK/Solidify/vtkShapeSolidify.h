@@ -9,8 +9,9 @@
  * Outputs
  * - Solid: the surface (vtkPolyData). If nothing has to be changed, it has the points and polygons
  *   of Input, bit for bit and in the same order. Otherwise, it consists of triangles: those of
- *   Input and their parts first, in order, then new ones. Point and cell data are carried (vtkShapeCarry). Cell
- *   array `Origin` (int): 0 for a cell of Input, 1 for a changed one, 2 for a new one.
+ *   Input and their parts first, in order, then new ones. Point and cell data are carried
+ * (vtkShapeCarry). Cell array `Origin` (int): 0 for a cell of Input, 1 for a changed one, 2 for a
+ * new one.
  * - Defects: a vertex at each defect of Input, with the point array `Defect` (int), the value of
  *   shape::DefectKind.
  *

@@ -338,24 +338,23 @@ void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
   const bool isSame = solid.Points.rows() == input.Points.rows() &&
     solid.Triangles.rows() == input.Triangles.rows() && solid.Points == input.Points &&
     solid.Triangles == input.Triangles;
-  figures.Print(
-    benchmark::Row()
-      .Add("method", std::string(Methods[static_cast<std::size_t>(result.Method)]))
-      .Add("before", input.Triangles.rows())
-      .Add("after", solid.Triangles.rows())
-      .Add("kept", count(shape::TriangleOrigin::Kept))
-      .Add("mended", count(shape::TriangleOrigin::Mended))
-      .Add("made", count(shape::TriangleOrigin::Made))
-      .Add("gaps", result.Mended.GapsClosed)
-      .Add("pieces", result.Pieces)
-      .Add("euler", result.EulerNumber)
-      .Add("same", static_cast<int>(isSame))
-      .Add("grid", result.Mended.GridSpacing)
-      .Add("valid", static_cast<int>(IsValidForCgal(solid)))
-      .Add("distance", DistanceFrom(model, solid))
-      .Add("away", AwayFrom(input, solid))
-      .Add("cpu", cost.Cpu)
-      .Add("wall", cost.Wall));
+  figures.Print(benchmark::Row()
+                  .Add("method", std::string(Methods[static_cast<std::size_t>(result.Method)]))
+                  .Add("before", input.Triangles.rows())
+                  .Add("after", solid.Triangles.rows())
+                  .Add("kept", count(shape::TriangleOrigin::Kept))
+                  .Add("mended", count(shape::TriangleOrigin::Mended))
+                  .Add("made", count(shape::TriangleOrigin::Made))
+                  .Add("gaps", result.Mended.GapsClosed)
+                  .Add("pieces", result.Pieces)
+                  .Add("euler", result.EulerNumber)
+                  .Add("same", static_cast<int>(isSame))
+                  .Add("grid", result.Mended.GridSpacing)
+                  .Add("valid", static_cast<int>(IsValidForCgal(solid)))
+                  .Add("distance", DistanceFrom(model, solid))
+                  .Add("away", AwayFrom(input, solid))
+                  .Add("cpu", cost.Cpu)
+                  .Add("wall", cost.Wall));
   if (wrap)
   {
     WrapByCgal(model, input, solid.Triangles.rows(), figures);

@@ -56,8 +56,8 @@ TEST(GridContour, ATurnedBoxKeepsItsVolume)
 {
   // Each cell that a crease leaves through a face without a crossing cuts off less than a cell.
   shape::Mesh box = shapetest::Box(RowVector3d::Zero(), RowVector3d::Ones());
-  box.Points *= Eigen::AngleAxisd(0.4, Eigen::Vector3d(1.0, 2.0, 3.0).normalized())
-                  .toRotationMatrix();
+  box.Points *=
+    Eigen::AngleAxisd(0.4, Eigen::Vector3d(1.0, 2.0, 3.0).normalized()).toRotationMatrix();
   const double coarse =
     std::abs(shape::ComputeEnclosedVolume(shape::ContourWinding(box, 0.04)) - 1.0);
   const double fine =
@@ -92,7 +92,6 @@ TEST(GridContour, ConesCloseAnySurface)
   shape::Mesh flipped = box;
   std::swap(flipped.Triangles(0, 1), flipped.Triangles(0, 2));
   const shape::Mesh cone = shape::CloseByCones(flipped);
-  EXPECT_NEAR(
-    shape::ComputeWindingNumber(cone.Points, cone.Triangles, RowVector3d(0.4, 0.5, 0.6)), 1.0,
-    1e-12);
+  EXPECT_NEAR(shape::ComputeWindingNumber(cone.Points, cone.Triangles, RowVector3d(0.4, 0.5, 0.6)),
+    1.0, 1e-12);
 }

@@ -36,8 +36,8 @@ shape::MendedSurface ExpectUnion(
   {
     if (solid.Origin(t) == static_cast<int>(TriangleOrigin::Kept))
     {
-      EXPECT_EQ(shape::GetCorners(solid.Surface, t),
-        shape::GetCorners(input, solid.Provenance.Cells(t)));
+      EXPECT_EQ(
+        shape::GetCorners(solid.Surface, t), shape::GetCorners(input, solid.Provenance.Cells(t)));
     }
   }
   return solid;
@@ -97,15 +97,12 @@ TEST(SolidSurface, CrossingBoxesBecomeTheirUnion)
 TEST(SolidSurface, CoplanarFacesAreUnited)
 {
   // Two faces of each lie in the same planes and overlap.
-  const shape::Mesh beam =
-    shapetest::Box(RowVector3d(0.5, 0.25, 0.0), RowVector3d(1.5, 0.75, 1.0));
-  ExpectOrthogonal(
-    ExpectUnion(shapetest::Joined({ UnitBox(), beam }), 1.25, 1e-9, 2).Surface);
+  const shape::Mesh beam = shapetest::Box(RowVector3d(0.5, 0.25, 0.0), RowVector3d(1.5, 0.75, 1.0));
+  ExpectOrthogonal(ExpectUnion(shapetest::Joined({ UnitBox(), beam }), 1.25, 1e-9, 2).Surface);
   // A face of one is a part of a face of the other.
   const shape::Mesh knob =
     shapetest::Box(RowVector3d(1.0, 0.25, 0.25), RowVector3d(2.0, 0.75, 0.75));
-  ExpectOrthogonal(
-    ExpectUnion(shapetest::Joined({ UnitBox(), knob }), 1.25, 1e-9, 2).Surface);
+  ExpectOrthogonal(ExpectUnion(shapetest::Joined({ UnitBox(), knob }), 1.25, 1e-9, 2).Surface);
   // The same box twice.
   ExpectUnion(shapetest::Joined({ UnitBox(), UnitBox(), beam }), 1.25, 1e-9, 2);
 }
@@ -114,10 +111,8 @@ TEST(SolidSurface, ObliqueBoxesBecomeTheirUnion)
 {
   // A bar of the width 0.2 passes through the centre of the box and leaves through two faces. The
   // volumes of its parts outside are prisms, whose mean length decides.
-  shape::Mesh bar =
-    shapetest::Box(RowVector3d(-2.0, -0.1, -0.1), RowVector3d(2.0, 0.1, 0.1));
-  const Eigen::Matrix3d turn =
-    Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  shape::Mesh bar = shapetest::Box(RowVector3d(-2.0, -0.1, -0.1), RowVector3d(2.0, 0.1, 0.1));
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   bar.Points = (bar.Points * turn.transpose()).eval();
   bar = shapetest::Shifted(bar, RowVector3d::Constant(0.5));
   const double inside = 0.04 / std::cos(0.3);
@@ -133,8 +128,7 @@ TEST(SolidSurface, AVoidStaysWhereAnotherPartCrossesItsShell)
   const shape::Mesh knob =
     shapetest::Box(RowVector3d(1.5, -0.21, -0.22), RowVector3d(3.0, 0.23, 0.24));
   const double hollow = shape::ComputeEnclosedVolume(shell);
-  const shape::MendedSurface solid =
-    shape::MakeSolid(shapetest::Joined({ shell, knob }));
+  const shape::MendedSurface solid = shape::MakeSolid(shapetest::Joined({ shell, knob }));
   const shape::SurfaceDefects defects = shape::FindSurfaceDefects(solid.Surface);
   EXPECT_TRUE(defects.Defects.empty());
   EXPECT_EQ(defects.Pieces, 2);

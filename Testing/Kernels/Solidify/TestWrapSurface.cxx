@@ -64,12 +64,11 @@ TEST(WrapSurface, TheCreasesOfABoxStay)
 
 TEST(WrapSurface, GapsUpToTheSizeAreClosed)
 {
-  // A box with a slit of the width 0.1 in its top. Wrapped with a larger gap size, it is full; with a
-  // smaller one, the air enters, and only the walls are left.
+  // A box with a slit of the width 0.1 in its top. Wrapped with a larger gap size, it is full; with
+  // a smaller one, the air enters, and only the walls are left.
   shape::Mesh box = shapetest::WithoutLast(Cube(), 0);
   const shape::Mesh left = shapetest::Box(RowVector3d::Zero(), RowVector3d(0.45, 1.0, 1.0));
-  const shape::Mesh right =
-    shapetest::Box(RowVector3d(0.55, 0.0, 0.0), RowVector3d::Ones());
+  const shape::Mesh right = shapetest::Box(RowVector3d(0.55, 0.0, 0.0), RowVector3d::Ones());
   const auto isTop = [](const RowVector3d& centre) { return centre(2) > 0.999; };
   const auto isNoTop = [](const RowVector3d& centre) { return centre(2) < 0.999; };
   const shape::Mesh slit = shapetest::Joined({ shapetest::Without(box, isTop),

@@ -188,7 +188,7 @@ Eigen::VectorXi FindOrigins(const Mesh& mended, const Mesh& input, const Eigen::
   Eigen::VectorXi origin(mended.Triangles.rows());
   for (Eigen::Index t = 0; t < origin.size(); ++t)
   {
-    const auto is = isMade[t]                              ? TriangleOrigin::Made
+    const auto is = isMade[t]                                ? TriangleOrigin::Made
       : GetCorners(mended, t) == GetCorners(input, cells(t)) ? TriangleOrigin::Kept
                                                              : TriangleOrigin::Mended;
     origin(t) = static_cast<int>(is);

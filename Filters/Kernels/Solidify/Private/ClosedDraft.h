@@ -53,12 +53,12 @@ struct ClosedDraft
 };
 
 /// Fills the holes of a draft. The result is a closed manifold, but may intersect itself. Throws
-/// InvalidInput if the boundary forms no loops, or if a triangle has no area; SolveFailure if a hole
-/// cannot be filled; Aborted.
+/// InvalidInput if the boundary forms no loops, or if a triangle has no area; SolveFailure if a
+/// hole cannot be filled; Aborted.
 ClosedDraft CloseDraft(MendedDraft draft, const Progress& progress);
 
-/// Returns the provenance of `closed.Result` from the surface that was drafted. points: the number of
-/// its points.
+/// Returns the provenance of `closed.Result` from the surface that was drafted. points: the number
+/// of its points.
 Provenance TraceClosing(const ClosedDraft& closed, Eigen::Index points);
 
 /// Compares triangles with those of the input from which they come. Returns their TriangleOrigin.

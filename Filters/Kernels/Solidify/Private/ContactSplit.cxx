@@ -90,8 +90,7 @@ public:
     }
     for (const auto& part : split.Triangles.rowwise())
     {
-      this->AddTriangle(
-        part.unaryExpr([&](int point) { return this->Numbers[point]; }), triangle);
+      this->AddTriangle(part.unaryExpr([&](int point) { return this->Numbers[point]; }), triangle);
     }
   }
 
@@ -130,8 +129,7 @@ private:
     EdgePoints ordered;
     for (const int point : points)
     {
-      const double share =
-        (this->Contacts.Points[point] - begin).dot(along) / along.squaredNorm();
+      const double share = (this->Contacts.Points[point] - begin).dot(along) / along.squaredNorm();
       ordered.emplace_back(RoundShare(share), point);
     }
     std::sort(ordered.begin(), ordered.end());
@@ -205,8 +203,8 @@ private:
       std::array<int, 2> ends{};
       for (const int i : { 0, 1 })
       {
-        ends[i] = static_cast<int>(std::find(this->Numbers.begin(), this->Numbers.end(),
-                                     this->First[segment[i]]) -
+        ends[i] = static_cast<int>(
+          std::find(this->Numbers.begin(), this->Numbers.end(), this->First[segment[i]]) -
           this->Numbers.begin());
       }
       std::sort(ends.begin(), ends.end());

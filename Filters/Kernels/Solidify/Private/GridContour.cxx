@@ -22,7 +22,8 @@ using Eigen::RowVector3i;
 /// spacing.
 constexpr double Margin = 1e-4;
 
-/// The four corners of a cell's face, counter-clockwise seen from outside of the cell; corner x + 2 y
+/// The four corners of a cell's face, counter-clockwise seen from outside of the cell; corner x + 2
+/// y
 /// + 4 z of a cell is at (x, y, z).
 struct CellFace
 {
@@ -57,9 +58,9 @@ int EdgeBetween(int a, int b)
 /// A segment of a loop: it begins at an edge of the cell and lies on a face.
 struct LoopSide
 {
-  int Edge;        ///< of the cell
-  int Face;        ///< of the segment to the next edge
-  bool IsOnlyOne;  ///< whether the face has no other segment
+  int Edge;       ///< of the cell
+  int Face;       ///< of the segment to the next edge
+  bool IsOnlyOne; ///< whether the face has no other segment
 };
 using Loop = std::vector<LoopSide>;
 
@@ -95,8 +96,7 @@ public:
     {
       const int axis = static_cast<int>(edges[i] % 3);
       RowVector3d position = this->PositionOf(static_cast<int>(edges[i] / 3));
-      position(axis) +=
-        this->Grid.Spacing * std::clamp(crossings[i].Share, Margin, 1.0 - Margin);
+      position(axis) += this->Grid.Spacing * std::clamp(crossings[i].Share, Margin, 1.0 - Margin);
       this->Points.push_back(position);
     }
   }
@@ -161,8 +161,8 @@ private:
     {
       const std::array<int, 4>& ring = faces[f].Corners;
       const auto isInside = [&](int i) { return (mask >> ring[i % 4] & 1) != 0; };
-      const bool isOnlyOne = isInside(0) != isInside(2) || isInside(1) != isInside(3) ||
-        isInside(0) == isInside(1);
+      const bool isOnlyOne =
+        isInside(0) != isInside(2) || isInside(1) != isInside(3) || isInside(0) == isInside(1);
       for (int i = 0; i < 4; ++i)
       {
         if (isInside(i) || !isInside(i + 1))
@@ -246,8 +246,8 @@ private:
         return -1;
       }
       lines.row(row).normalize();
-      levels(row) =
-        lines(row, 0) * this->Points[point](across[0]) + lines(row, 1) * this->Points[point](across[1]);
+      levels(row) = lines(row, 0) * this->Points[point](across[0]) +
+        lines(row, 1) * this->Points[point](across[1]);
     }
     constexpr double parallel = 0.1;
     if (std::abs(lines.determinant()) < parallel)
@@ -344,8 +344,9 @@ private:
     }
   }
 
-  /// The position that is closest to the tangent planes at the points on edges. Among such positions,
-  /// it is the one closest to the mean of the corners on faces, or of all points if there are none.
+  /// The position that is closest to the tangent planes at the points on edges. Among such
+  /// positions, it is the one closest to the mean of the corners on faces, or of all points if
+  /// there are none.
   RowVector3d FindApex(const std::vector<int>& onEdges, const std::vector<int>& ring) const
   {
     std::vector<int> corners;

@@ -48,8 +48,8 @@ struct EdgeCrossing
  *
  * It cannot intersect itself: points on an edge or face have exactly the coordinates of this edge
  * or face, and each triangle lies in one cell. In a cell with one loop, the triangles are a cone
- * from an interior point, or from a point of the loop that shares no face with the points that it is
- * joined to. Planes separate several loops in a cell, which have no features.
+ * from an interior point, or from a point of the loop that shares no face with the points that it
+ * is joined to. Planes separate several loops in a cell, which have no features.
  *
  * edges: FindBoundaryEdges. crossings: one for each edge. Points stay away from the ends of edges
  * and from the boundary of faces and cells by 1/10000 of the spacing. Throws Aborted.

@@ -37,8 +37,8 @@ public:
       while (last >= 0)
       {
         const int p = this->Roots[last];
-        start = (this->Values[q] + double(q) * q - this->Values[p] - double(p) * p) /
-          (2.0 * (q - p));
+        start =
+          (this->Values[q] + double(q) * q - this->Values[p] - double(p) * p) / (2.0 * (q - p));
         if (start > this->Starts[last])
         {
           break;
@@ -62,7 +62,7 @@ public:
 
 private:
   std::vector<double> Values;
-  std::vector<int> Roots; ///< of the parabolas in the envelope
+  std::vector<int> Roots;     ///< of the parabolas in the envelope
   std::vector<double> Starts; ///< where each parabola's part begins
 };
 
@@ -124,8 +124,8 @@ std::vector<float> ComputeGridDistances(
       progress((axis + static_cast<double>(k) / grid.Counts(third)) / 3.0);
       for (int j = 0; j < grid.Counts(second); ++j)
       {
-        const std::size_t first = static_cast<std::size_t>(j) * steps[second] +
-          static_cast<std::size_t>(k) * steps[third];
+        const std::size_t first =
+          static_cast<std::size_t>(j) * steps[second] + static_cast<std::size_t>(k) * steps[third];
         envelope.Transform(squares.data() + first, steps[axis], grid.Counts(axis));
       }
     }

@@ -22,8 +22,8 @@ double ChooseDetailSize(const Mesh& surface, double size)
   return size > 0.0 ? size : share * ComputeLongestBoxEdge(surface);
 }
 
-MendedSurface AdoptGridSurface(const Mesh& made, double spacing, const Mesh& input,
-  double smallest, const std::string& name, const Progress& progress)
+MendedSurface AdoptGridSurface(const Mesh& made, double spacing, const Mesh& input, double smallest,
+  const std::string& name, const Progress& progress)
 {
   std::vector<Mesh> pieces;
   int removed = 0;
@@ -38,7 +38,8 @@ MendedSurface AdoptGridSurface(const Mesh& made, double spacing, const Mesh& inp
   }
   if (pieces.empty())
   {
-    throw InvalidInput(name + " of the surface is empty: its triangles enclose nothing larger than " +
+    throw InvalidInput(name +
+      " of the surface is empty: its triangles enclose nothing larger than " +
       "DetailSize and SmallestPiece (" + std::to_string(removed) + " pieces are smaller); lower " +
       "these, or choose the method Wrap");
   }

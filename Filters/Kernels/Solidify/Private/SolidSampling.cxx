@@ -127,8 +127,8 @@ Mesh CloseByCones(const Mesh& surface)
   }
   for (std::size_t i = 0; i < sides.size(); ++i)
   {
-    closed.Triangles.row(triangles + static_cast<Eigen::Index>(i))
-      << sides[i][0], sides[i][1], apexes[sets.Find(sides[i][0])];
+    closed.Triangles.row(triangles + static_cast<Eigen::Index>(i)) << sides[i][0], sides[i][1],
+      apexes[sets.Find(sides[i][0])];
   }
   return closed;
 }

@@ -71,9 +71,9 @@ private:
     std::array<int, 3> sides;
     for (int k = 0; k < 3; ++k)
     {
-      sides[k] = EvaluateOrientation(this->At(this->Corner(plane, 0)),
-        this->At(this->Corner(plane, 1)), this->At(this->Corner(plane, 2)),
-        this->At(this->Corner(triangle, k)));
+      sides[k] =
+        EvaluateOrientation(this->At(this->Corner(plane, 0)), this->At(this->Corner(plane, 1)),
+          this->At(this->Corner(plane, 2)), this->At(this->Corner(triangle, k)));
     }
     return sides;
   }
@@ -171,8 +171,8 @@ private:
     }
   }
 
-  /// The contacts of the edge from corner k of a triangle with another one. begin, end: the sides of
-  /// the other's plane on which its ends lie.
+  /// The contacts of the edge from corner k of a triangle with another one. begin, end: the sides
+  /// of the other's plane on which its ends lie.
   void MeetEdge(int triangle, int k, int begin, int end, int other, std::vector<int>& contacts)
   {
     const int p = this->Corner(triangle, k), q = this->Corner(triangle, k + 1);
@@ -203,9 +203,9 @@ private:
     }
     const Edge edge = EdgeOf(p, q);
     const int point = location >= 4 ? this->Corner(other, location - 4)
-      : location < 3
-      ? this->EdgesMeet(edge, EdgeOf(this->Corner(other, location), this->Corner(other, location + 1)))
-      : this->EdgeMeetsTriangle(edge, other);
+      : location < 3                ? this->EdgesMeet(edge,
+                                        EdgeOf(this->Corner(other, location), this->Corner(other, location + 1)))
+                                    : this->EdgeMeetsTriangle(edge, other);
     this->AddToEdge(edge, point);
     this->AddTo(other, location, point);
     contacts.push_back(point);
@@ -287,7 +287,8 @@ private:
       const RowVector3d step = this->Found.Points[contact] - this->Found.Points[contacts[0]];
       along = step.squaredNorm() > along.squaredNorm() ? step : along;
     }
-    std::stable_sort(contacts.begin(), contacts.end(), [&](int a, int b)
+    std::stable_sort(contacts.begin(), contacts.end(),
+      [&](int a, int b)
       { return along.dot(this->Found.Points[a]) < along.dot(this->Found.Points[b]); });
     for (const int triangle : triangles)
     {
@@ -300,7 +301,8 @@ private:
 
   int EdgeMeetsTriangle(const Edge& edge, int triangle)
   {
-    return this->AddPoint({ edge[0], edge[1], triangle, -1 }, [&]()
+    return this->AddPoint({ edge[0], edge[1], triangle, -1 },
+      [&]()
       {
         using Long = Eigen::Matrix<long double, 1, 3>;
         const Long a = this->At(this->Corner(triangle, 0)).cast<long double>();
@@ -317,10 +319,12 @@ private:
   {
     const auto [one, other] = std::minmax(first, second);
     const Edge low = one, high = other;
-    return this->AddPoint({ low[0], low[1], high[0], high[1] }, [&]()
+    return this->AddPoint({ low[0], low[1], high[0], high[1] },
+      [&]()
       {
         using Long = Eigen::Matrix<long double, 1, 3>;
-        const Long p = this->At(low[0]).cast<long double>(), a = this->At(high[0]).cast<long double>();
+        const Long p = this->At(low[0]).cast<long double>(),
+                   a = this->At(high[0]).cast<long double>();
         const Long u = this->At(low[1]).cast<long double>() - p,
                    v = this->At(high[1]).cast<long double>() - a;
         const Long normal = u.cross(v);
@@ -331,8 +335,7 @@ private:
   /// The position at the share part / whole of an edge.
   RowVector3d Between(const Edge& edge, long double part, long double whole) const
   {
-    const long double share =
-      whole == 0.0L ? 0.5L : std::clamp(part / whole, 0.0L, 1.0L);
+    const long double share = whole == 0.0L ? 0.5L : std::clamp(part / whole, 0.0L, 1.0L);
     const auto p = this->At(edge[0]).cast<long double>().eval(),
                q = this->At(edge[1]).cast<long double>().eval();
     return (p + share * (q - p)).cast<double>();

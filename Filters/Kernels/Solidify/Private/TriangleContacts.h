@@ -28,8 +28,8 @@ struct TriangleContacts
   std::map<int, std::vector<std::array<int, 2>>> Segments;
 };
 
-/// Finds the contacts of the pairs of triangles (FindSelfIntersections). surface: without degenerate
-/// triangles. Throws Aborted.
+/// Finds the contacts of the pairs of triangles (FindSelfIntersections). surface: without
+/// degenerate triangles. Throws Aborted.
 TriangleContacts FindTriangleContacts(
   const Mesh& surface, const std::vector<Crossing>& pairs, const Progress& progress);
 

@@ -129,8 +129,8 @@ Mesh OrientCrossingPieces(const Mesh& surface, const Progress& progress)
   {
     volumes.push_back(ComputeEnclosedVolume(piece));
   }
-  const double largest = *std::max_element(volumes.begin(), volumes.end(),
-    [](double a, double b) { return std::abs(a) < std::abs(b); });
+  const double largest = *std::max_element(
+    volumes.begin(), volumes.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
   const double side = largest < 0.0 ? -1.0 : 1.0;
   std::vector<char> isReversed(pieces.size(), side < 0.0);
   for (std::size_t i = 0; i < pieces.size(); ++i)
@@ -233,8 +233,8 @@ WindingBoundary ExtractWindingBoundary(const Mesh& surface, const Progress& prog
     parents.push_back(t);
   }
   boundary.Surface.Triangles.conservativeResize(static_cast<Eigen::Index>(parents.size()), 3);
-  boundary.Parents = Eigen::Map<const Eigen::VectorXi>(
-    parents.data(), static_cast<Eigen::Index>(parents.size()));
+  boundary.Parents =
+    Eigen::Map<const Eigen::VectorXi>(parents.data(), static_cast<Eigen::Index>(parents.size()));
   return boundary;
 }
 

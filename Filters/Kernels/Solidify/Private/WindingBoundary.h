@@ -9,15 +9,15 @@ namespace shape
 {
 
 /// Orients the components of a closed surface that may cross each other. The one with the largest
-/// volume faces outwards; if it does not, all are reversed. Any other that does not face outwards is
-/// reversed, unless most of it lies inside those that do: then it bounds a void. Triangles keep their
-/// order. Throws Aborted.
+/// volume faces outwards; if it does not, all are reversed. Any other that does not face outwards
+/// is reversed, unless most of it lies inside those that do: then it bounds a void. Triangles keep
+/// their order. Throws Aborted.
 Mesh OrientCrossingPieces(const Mesh& surface, const Progress& progress);
 
 /// Triangles of a surface that bound its solid.
 struct WindingBoundary
 {
-  Mesh Surface;           ///< with all points
+  Mesh Surface;            ///< with all points
   Eigen::VectorXi Parents; ///< for each triangle, that of the given surface
 };
 
