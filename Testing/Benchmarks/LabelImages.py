@@ -281,8 +281,12 @@ def main():
         write_labels(labels, spacing, path + '.inr')
         size = spacing.mean()
         outcome = program.run('image_tetrahedra', path + '.inr', path + '.mesh', size, 0.25 * size, 8.0 * size)
-        solids.print(dict(describe(*read_medit(path + '.mesh'), labels, spacing), image=name, method='CGAL',
-                          seconds=outcome.row()['cpu']))
+        seconds = outcome.row()['cpu']
+        points, cells, numbers = read_medit(path + '.mesh')
+        # CGAL numbers the labels from 1.
+        regions = numpy.unique(labels[labels != 0])[numbers - 1]
+        solids.print(dict(describe(points, cells, regions, labels, spacing), image=name, method='CGAL',
+                          seconds=seconds))
     claims.finish()
 
 

@@ -1,13 +1,13 @@
 """Shape Label Surfaces beside VTK's discrete contour with windowed sinc smoothing, on phantoms whose
 interfaces are known: a ball that planes half-way between random seeds divide.
 
-    Utilities/pvpython.sh Testing/Benchmarks/LabelSurfaces.py [--size 128] [--regions 8] [--first 100] [--count 3]
+    Utilities/pvpython.sh Testing/Benchmarks/LabelSurfaces.py [--size 128 ...] [--regions 8 ...] [--first 100] [--count 3]
 
 Distances are in voxels: of corners of triangles from the plane between the two nearest seeds, where the
 ball's surface is more than three voxels away; the angle is between a triangle's normal and that of its
 plane; the curve error is the distance of the points of curves from the edges of the Voronoi cells. The
-volume is compared with that of 64 samples in each voxel. Seconds are CPU seconds. The default parameters were chosen on seeds 1 to
-20; `--first` is the first seed of the phantoms that are measured."""
+volume is compared with that of 64 samples in each voxel. Seconds are CPU seconds. The default
+parameters were chosen on seeds 1 to 20; `--first` is the first seed of the phantoms that are measured."""
 import argparse
 import itertools
 import time

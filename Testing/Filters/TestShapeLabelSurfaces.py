@@ -139,7 +139,7 @@ assert set(triangles(surface)[inner].ravel()) <= shared, 'with the boundary pres
 for data, settings, expected in (
         (image(labels), {'LabelArray': 'Lable'}, "no array 'Lable'"),
         (image(distance, 'Grey'), {'LabelArray': 'Grey'}, 'set Thresholds'),
-        (image(labels.astype(numpy.int64) * 2 ** 40), {'LabelArray': 'Label'}, 'the value 2199023255552, but labels are from'),
+        (image(labels.astype(numpy.int64) * 2 ** 40), {'LabelArray': 'Label'}, 'value 2199023255552, but labels'),
         (image(0 * labels), {'LabelArray': 'Label'}, 'no label but the outside'),
         (image(labels), {'LabelArray': 'Label', 'Smoothing': -1.0}, 'Smoothing is -1')):
     said = shapetesting.refusal(shapetesting.new(shapemap.vtkShapeLabelSurfaces, data, **settings))

@@ -46,8 +46,7 @@ Mesh RegionSurfaces::Extract(int label) const
   used.erase(std::unique(used.begin(), used.end()), used.end());
   for (int& corner : surface.Triangles.reshaped())
   {
-    corner =
-      static_cast<int>(std::lower_bound(used.begin(), used.end(), corner) - used.begin());
+    corner = static_cast<int>(std::lower_bound(used.begin(), used.end(), corner) - used.begin());
   }
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {

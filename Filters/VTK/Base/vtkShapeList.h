@@ -32,18 +32,17 @@ void Set(vtkShapeAlgorithm* owner, const std::string& label, std::vector<Value>&
 {
   if (index < 0)
   {
-    vtkErrorWithObjectMacro(owner,
-      << owner->GetLabel() << ": " << label << " has no index " << index
-      << "; use an index from 0");
+    vtkErrorWithObjectMacro(owner, << owner->GetLabel() << ": " << label << " has no index "
+                                   << index << "; use an index from 0");
     return;
   }
   const std::size_t first = entry.size() * static_cast<std::size_t>(index);
   const bool isNew = first + entry.size() > list.size();
   list.resize(std::max(list.size(), first + entry.size()), Value(0));
-  const auto place = list.begin() + static_cast<std::ptrdiff_t>(first);
-  if (isNew || !std::equal(entry.begin(), entry.end(), place))
+  const auto at = list.begin() + static_cast<std::ptrdiff_t>(first);
+  if (isNew || !std::equal(entry.begin(), entry.end(), at))
   {
-    std::copy(entry.begin(), entry.end(), place);
+    std::copy(entry.begin(), entry.end(), at);
     owner->Modified();
   }
 }

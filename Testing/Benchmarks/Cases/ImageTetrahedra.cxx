@@ -1,5 +1,5 @@
-// The tetrahedra of the regions of a label image by CGAL's mesher: a peer of Shape Label Surfaces with
-// Shape Tetrahedralize, which LabelImages.py runs.
+// The tetrahedra of the regions of a label image by CGAL's mesher: a peer of Shape Label Surfaces
+// with Shape Tetrahedralize, which LabelImages.py runs.
 #include "Driver/Case.h"
 #include "Driver/Cost.h"
 

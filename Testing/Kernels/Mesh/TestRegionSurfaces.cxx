@@ -39,8 +39,8 @@ TEST(RegionSurfaces, AreClosedAndFaceOutwards)
     double found = 0.0;
     for (const auto& corners : surface.Triangles.rowwise())
     {
-      const Eigen::Matrix3d positions = surface.Points(
-        std::vector<int>(corners.begin(), corners.end()), Eigen::all);
+      const Eigen::Matrix3d positions =
+        surface.Points(std::vector<int>(corners.begin(), corners.end()), Eigen::all);
       found += positions.determinant() / 6.0;
     }
     EXPECT_NEAR(found, volume, 1e-15);
@@ -49,8 +49,7 @@ TEST(RegionSurfaces, AreClosedAndFaceOutwards)
 
 TEST(RegionSurfaces, NameWhatIsWrong)
 {
-  EXPECT_THROW(
-    shape::RegionSurfaces(Pair, Eigen::MatrixXi::Zero(6, 2)), shape::InvalidInput);
+  EXPECT_THROW(shape::RegionSurfaces(Pair, Eigen::MatrixXi::Zero(6, 2)), shape::InvalidInput);
   EXPECT_THROW(
     shape::RegionSurfaces(Pair, Eigen::MatrixXi::Constant(7, 2, 4)), shape::InvalidInput);
 }

@@ -24,8 +24,9 @@ constexpr double FirstWavelength = 8.0;
 /// Weight of a curve's rows of L, because a curve has fewer positions to average than an interface:
 /// its wavelength is 1.4 times that of the interfaces.
 constexpr double CurveStiffness = 4.0;
-/// Weight of |x - x0|^2 on a curve, between its ends. The mean of the crossings in a cube with three
-/// labels lies beside the curve, unless all angles there are equal. The interfaces know better.
+/// Weight of |x - x0|^2 on a curve, between its ends. The mean of the crossings in a cube with
+/// three labels lies beside the curve, unless all angles there are equal. The interfaces know
+/// better.
 constexpr double CurveData = 0.5;
 
 using Positions = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
@@ -237,8 +238,7 @@ void Solve(const NetLaplacian& laplacian, const std::vector<Direction>* directio
   const auto apply = [&](const Positions& v)
   {
     laplacian.Apply(v, inner,
-      [&](int i, const Eigen::RowVector3d& sum) -> Eigen::RowVector3d
-      {
+      [&](int i, const Eigen::RowVector3d& sum) -> Eigen::RowVector3d {
         return across(i, laplacian.RowWeight(i) * sum) / (directions ? (*directions)[i].Mass : 1.0);
       });
     laplacian.ApplyTransposed(inner, outer,
