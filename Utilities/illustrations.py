@@ -141,14 +141,15 @@ def LabelSurfaces():
 @drawing
 def ImageValues():
     """A layer of a scan, and the moduli of the cells of a bone."""
-    bone = shape('BallSmall.vtu')
+    bone = shape('Ball.vtu')
     inside = 'coordsX^2 + coordsY^2 + coordsZ^2'
     scan = Calculator(
         Input=ResampleToImage(Input=bone, UseInputBounds=0, SamplingBounds=[-1.3, 1.3] * 3,
                               SamplingDimensions=[40, 40, 40]),
         ResultArrayName='HU', Function='if(%s < 1, 300 + 1100 * (%s)^2 + 200 * coordsX, 0)' % (inside, inside))
-    show(Slice(Input=scan, SliceType=Plane(Origin=[0, 0, 0], Normal=[0, 1, 0])), (-1.3, 0, 0), array='HU',
-         preset='Grayscale')
+    layer = Slice(Input=scan, SliceType='Plane')
+    layer.SliceType.Origin, layer.SliceType.Normal = [0, 0, 0], [0, 1, 0]
+    show(layer, (-1.3, 0, 0), array='HU', preset='Grayscale')
     cells = ShapeImageValues(Input=bone, Image=scan, ImageArray='HU', Density='0.01 + 0.001 * HU', Materials=12)
     show(cut(cells, (0, 0, 0), (0, -1, 0)), (1.3, 0, 0), array='Modulus', kind='CELLS',
          preset='Viridis (matplotlib)', edges=True)
