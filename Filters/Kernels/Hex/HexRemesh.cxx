@@ -26,9 +26,6 @@ using MethodType = HexRemeshOptions::MethodType;
 /// Hexahedra of a polycube that are this good are accepted without comparison with a grid.
 constexpr double MinimumScaledJacobian = 0.3, LargestDistance = 0.01;
 
-/// With a given size the number of hexahedra is limited only by the range of corner indices.
-constexpr int MaximumOfGivenSize = std::numeric_limits<int>::max() / 64;
-
 /// Returns the options of one method.
 template <typename MethodOptions>
 MethodOptions OfMethod(const HexMeshOptions& options)

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,9 @@ struct HexRemeshGuides
   /// A polycube of the surface, whose cells become the hexahedra. Without triangles, it is ignored.
   GivenPolycube Polycube;
 };
+
+/// With a given size the number of hexahedra is limited only by the range of corner indices.
+inline constexpr int MaximumOfGivenSize = std::numeric_limits<int>::max() / 64;
 
 /// The hexahedra of a region that touches others.
 struct HexRegion

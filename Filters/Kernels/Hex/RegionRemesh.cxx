@@ -7,7 +7,6 @@
 
 #include <Eigen/Geometry>
 
-#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -16,9 +15,6 @@ namespace shape
 {
 namespace
 {
-
-/// With a given size the number of hexahedra is limited only by the range of corner indices.
-constexpr int MaximumOfGivenSize = std::numeric_limits<int>::max() / 64;
 
 /// The number of hexahedra, the volume and the topology of each region.
 std::vector<HexRegion> MeasureRegions(const HexFit& fit)

@@ -16,16 +16,16 @@ namespace
 {
 
 /// The factor by which cells shrink if they do not have the regions' topology.
-constexpr double Shrinkage = 0.85;
+constexpr double TopologyShrinkage = 0.85;
 /// The factor by which they shrink if hexahedra are bad.
-constexpr double Refinement = 0.8;
+constexpr double QualityShrinkage = 0.8;
 /// From this minimum scaled Jacobian on, cells are not made smaller.
 constexpr double GoodScaledJacobian = 0.3;
 constexpr int MaximumGrids = 3; ///< number of grids with the topology
 /// Cells are at most this much smaller than a given size.
 constexpr double SmallestShare = 0.25;
 
-bool IsBetter(const HexFit& one, const HexFit& other)
+bool IsBetterFit(const HexFit& one, const HexFit& other)
 {
   return one.Inverted != other.Inverted ? one.Inverted < other.Inverted
                                         : one.MinimumScaledJacobian > other.MinimumScaledJacobian;
@@ -61,14 +61,14 @@ RegionHexesResult BuildRegionHexahedra(
       voxels.Fill(size, progress.Part(begin, begin, "filling the regions with a grid"));
     if (!cells)
     {
-      size *= Shrinkage;
+      size *= TopologyShrinkage;
       continue;
     }
     RegionHexesResult result;
     static_cast<RegionFit&>(result) = FitRegions(*cells, surfaces, regions.Labels, fitting,
       goals.AcceptedDistance, progress.Part(begin, end, "fitting the grid to the surfaces"));
     result.CellSize = size;
-    if (!best || IsBetter(result.Fit, best->Fit))
+    if (!best || IsBetterFit(result.Fit, best->Fit))
     {
       best = std::move(result);
     }
@@ -76,7 +76,7 @@ RegionHexesResult BuildRegionHexahedra(
     {
       break;
     }
-    size *= Refinement;
+    size *= QualityShrinkage;
     begin = end;
     ++grids;
   }

@@ -3,6 +3,7 @@
 #include "Hex/Optimize/HexOptimization.h"
 #include "Quality/ScaledJacobian.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -84,6 +85,7 @@ void RelaxBoundaryOfWorst(HexMesh& mesh, OverridableConstraint& freedoms, double
     HexOptimizationOptions options;
     options.Sweeps = 0; // moving points near the worst suffices and stays closer to the surface
     options.RaiseTo = wanted;
+    options.Bad = std::min(options.Bad, wanted + BadAbove);
     const HexOptimizationResult result = OptimizeHexahedra(mesh, freedoms, options,
       progress.Part(rings / (MaximumRings + 1.0), (rings + 1.0) / (MaximumRings + 1.0)));
     // A round without gain is undone, and the next one tries a larger neighbourhood.

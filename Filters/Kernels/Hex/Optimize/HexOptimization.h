@@ -28,6 +28,9 @@ struct HexOptimizationOptions
   std::vector<char> Marked = {};
 };
 
+/// If hexahedra shall reach a scaled Jacobian, those less than this above it are swept over, too.
+inline constexpr double BadAbove = 0.15;
+
 struct HexOptimizationResult
 {
   double MinimumBefore = 0.0, MinimumAfter = 0.0; ///< minimum scaled Jacobians

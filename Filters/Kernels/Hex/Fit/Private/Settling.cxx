@@ -4,6 +4,8 @@
 #include "Hex/Optimize/HexOptimization.h"
 #include "Quality/ScaledJacobian.h"
 
+#include <algorithm>
+
 namespace shape
 {
 
@@ -19,6 +21,7 @@ void Settle(HexMesh& mesh, const PointConstraint& constraint,
   HexOptimizationOptions optimization;
   optimization.RaiseTo = options.RaisedTo;
   optimization.RaiseAgainFrom = options.RaisedFrom;
+  optimization.Bad = std::min(optimization.Bad, options.RaisedTo + BadAbove);
   OptimizeHexahedra(
     mesh, constraint, optimization, progress.Part(0.15, 1.0, "optimizing the hexahedra"));
 }
