@@ -38,10 +38,10 @@ std::vector<HexRegion> MeasureRegions(const HexFit& fit)
 
 } // namespace
 
-RegionSurfaces SeparateLabels(const LabelImage& image, const Progress& progress)
+LabelledSurfaces SeparateLabels(const LabelImage& image, const Progress& progress)
 {
   LabelSurfacesResult surfaces = ExtractLabelSurfaces(image, {}, progress);
-  RegionSurfaces regions;
+  LabelledSurfaces regions;
   regions.Surfaces = { std::move(surfaces.Points), std::move(surfaces.Triangles) };
   regions.Labels = std::move(surfaces.Regions);
   const Eigen::Vector3d first = image.Axes.col(0).normalized();
@@ -51,7 +51,7 @@ RegionSurfaces SeparateLabels(const LabelImage& image, const Progress& progress)
 }
 
 HexRemeshResult RemeshRegions(
-  const RegionSurfaces& regions, const HexRemeshOptions& options, const Progress& progress)
+  const LabelledSurfaces& regions, const HexRemeshOptions& options, const Progress& progress)
 {
   RequireInRange(options);
   RequireOneSize(options);

@@ -15,7 +15,7 @@ namespace shape
  *
  * Throws the exceptions of ExtractLabelSurfaces.
  */
-RegionSurfaces SeparateLabels(const LabelImage& image, const Progress& progress = {});
+LabelledSurfaces SeparateLabels(const LabelImage& image, const Progress& progress = {});
 
 /**
  * Fills regions that touch with hexahedra (BuildRegionHexahedra). No hexahedron is inverted, those
@@ -28,7 +28,7 @@ RegionSurfaces SeparateLabels(const LabelImage& image, const Progress& progress 
  * contradicts another; SolveFailure under the conditions of BuildRegionHexahedra, or if hexahedra
  * stay inverted; Aborted.
  */
-HexRemeshResult RemeshRegions(const RegionSurfaces& regions, const HexRemeshOptions& options = {},
+HexRemeshResult RemeshRegions(const LabelledSurfaces& regions, const HexRemeshOptions& options = {},
   const Progress& progress = {});
 
 } // namespace shape

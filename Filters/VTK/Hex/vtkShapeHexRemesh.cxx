@@ -185,7 +185,7 @@ void vtkShapeHexRemesh::WriteResult(const shape::HexRemeshResult& result,
 }
 
 void vtkShapeHexRemesh::FillRegions(
-  const shape::RegionSurfaces& regions, vtkDataObject* input, const shape::Progress& progress)
+  const shape::LabelledSurfaces& regions, vtkDataObject* input, const shape::Progress& progress)
 {
   const shape::HexRemeshResult result = shape::RemeshRegions(regions, this->Options, progress);
   this->WriteResult(result, regions.Surfaces, {}, input);

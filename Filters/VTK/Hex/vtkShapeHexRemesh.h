@@ -88,7 +88,7 @@
 
 namespace shape
 {
-struct RegionSurfaces;
+struct LabelledSurfaces;
 }
 
 class VTKSHAPEFILTERS_EXPORT vtkShapeHexRemesh : public vtkShapeAlgorithm
@@ -137,7 +137,7 @@ private:
   void CheckCellSize(vtkPolyData* surface);
   void FillLabels(const shape::Progress& progress);
   void FillRegions(
-    const shape::RegionSurfaces& regions, vtkDataObject* input, const shape::Progress& progress);
+    const shape::LabelledSurfaces& regions, vtkDataObject* input, const shape::Progress& progress);
   void WriteResult(const shape::HexRemeshResult& result, const shape::Surface& surface,
     const std::vector<shape::Surface>& innerSurfaces, vtkDataObject* input);
 

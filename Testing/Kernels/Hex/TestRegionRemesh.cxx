@@ -26,7 +26,7 @@ namespace
 using Rule = std::function<int(const Eigen::RowVector3d& position)>;
 
 /// The faces between unit cubes with different labels, whose centres have half-integers.
-shape::RegionSurfaces Blocks(const std::array<int, 3>& size, const Rule& rule)
+shape::LabelledSurfaces Blocks(const std::array<int, 3>& size, const Rule& rule)
 {
   const auto labelAt = [&](const Eigen::Array3i& cell)
   {
@@ -74,7 +74,7 @@ shape::RegionSurfaces Blocks(const std::array<int, 3>& size, const Rule& rule)
       }
     }
   }
-  shape::RegionSurfaces regions;
+  shape::LabelledSurfaces regions;
   regions.Surfaces.Points.resize(static_cast<Eigen::Index>(pointOf.size()), 3);
   for (const auto& [position, point] : pointOf)
   {
@@ -218,7 +218,7 @@ TEST(RegionRemesh, ThreeWedgesOfABallMeetAlongALine)
   const auto rule = [&](const Eigen::RowVector3d& at)
   { return at.norm() > radius ? 0 : (at.dot(first) > 0.0 ? 1 : (at.dot(second) > 0.0 ? 2 : 3)); };
   const Eigen::RowVector3d origin = Eigen::RowVector3d::Constant(-16.0);
-  const shape::RegionSurfaces regions =
+  const shape::LabelledSurfaces regions =
     shape::SeparateLabels(Image({ 33, 33, 33 }, Eigen::Matrix3d::Identity(), origin, rule));
   shape::HexRemeshOptions options;
   options.CellSize = 2.2;
@@ -249,7 +249,7 @@ TEST(RegionRemesh, ARegionInsideAnotherHasAShellAroundIt)
   const Eigen::RowVector3d origin = Eigen::RowVector3d::Constant(-12.0);
   const auto rule = [](const Eigen::RowVector3d& at)
   { return at.norm() < 5.5 ? 2 : (at.norm() < 10.5 ? 1 : 0); };
-  const shape::RegionSurfaces regions =
+  const shape::LabelledSurfaces regions =
     shape::SeparateLabels(Image({ 25, 25, 25 }, Eigen::Matrix3d::Identity(), origin, rule));
   shape::HexRemeshOptions options;
   options.CellSize = 1.6;
@@ -283,7 +283,7 @@ TEST(RegionRemesh, TheGridFollowsTheAxesOfTheImage)
       }
     }
   }
-  const shape::RegionSurfaces regions = shape::SeparateLabels(image);
+  const shape::LabelledSurfaces regions = shape::SeparateLabels(image);
   EXPECT_LT((regions.Frame - turn).norm(), 1e-12);
   shape::HexRemeshOptions options;
   options.CellSize = 2.0;

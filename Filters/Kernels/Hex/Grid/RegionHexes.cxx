@@ -34,7 +34,7 @@ bool IsBetterFit(const HexFit& one, const HexFit& other)
 } // namespace
 
 RegionHexesResult BuildRegionHexahedra(
-  const RegionSurfaces& regions, const GridHexesOptions& options, const Progress& progress)
+  const LabelledSurfaces& regions, const GridHexesOptions& options, const Progress& progress)
 {
   RequireInRange(options);
   Mesh surfaces = regions.Surfaces;

@@ -26,7 +26,7 @@ struct RegionHexesResult : RegionFit
  * conditions of TouchingRegionVoxels, or if an option is out of range; SolveFailure if no grid of
  * at most MaximumHexahedra hexahedra has the topology of all regions; Aborted.
  */
-RegionHexesResult BuildRegionHexahedra(const RegionSurfaces& regions,
+RegionHexesResult BuildRegionHexahedra(const LabelledSurfaces& regions,
   const GridHexesOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

@@ -17,7 +17,7 @@ namespace shape
 {
 
 /// The interfaces between regions that touch, as ExtractLabelSurfaces makes them.
-struct RegionSurfaces
+struct LabelledSurfaces
 {
   Mesh Surfaces;          ///< each interface occurs once
   Eigen::MatrixXi Labels; ///< m x 2: see ConformingRegions
