@@ -62,12 +62,12 @@ for extension, error in (('inp', 0.0), ('feb', 0.0), ('k', 1e-8)):
     assert len(hexahedra) == written.GetNumberOfCells(), extension
     assert abs(volume(read) - volume(written)) < 1e-7, extension
 
-types = vtkSMProxyManager.GetProxyManager().GetReaderFactory().GetSupportedFileTypes(
-    servermanager.ActiveConnection.Session)
-assert 'Input deck (*.inp' in types, types
 for extension in ('k', 'feb'):
     opened = simple.OpenDataFile(os.path.join(folder, 'ball.' + extension))
     assert opened.SMProxy.GetXMLName() == 'ShapeDeckReader', (extension, opened.SMProxy.GetXMLName())
+types = vtkSMProxyManager.GetProxyManager().GetReaderFactory().GetSupportedFileTypes(
+    servermanager.ActiveConnection.Session)
+assert 'Input deck (*.inp' in types, types
 
 # Wrong decks are refused and leave nothing.
 with open(os.path.join(folder, 'wrong.inp'), 'w') as file:

@@ -80,7 +80,7 @@ ball = simple.XMLUnstructuredGridReader(FileName=[shapetesting.data_file('BallSm
 for extension, writer in (('inp', 'Abaqus'), ('k', 'Dyna'), ('feb', 'Febio')):
     name = 'ball.' + extension
     simple.SaveData(os.path.join(folder, name), ball)  # a mesh of its own, also for k and feb
-    assert b'ShapeMap' in content(name), extension
+    assert len(content(name)) > 10000, extension
     read = simple.ShapeDeckReader(FileNames=[os.path.join(folder, name)])
     save(read, 'copy.' + extension)
     assert content('copy.' + extension) == content(name), extension
@@ -121,7 +121,6 @@ assert 'same extension' in refusal(whole, 'new.k')
 ball.UpdatePipeline()
 assert 'choose a Deck' in refusal(shapetesting.output(ball), 'new.inp')
 assert 'NodeId' in refusal(shapetesting.output(ball), 'new.inp', original)
-half = simple.Threshold(Input=bent, Scalars=['CELLS', 'RegionId'], LowerThreshold=0, UpperThreshold=0)
-half.UpdatePipeline()
-assert 'missing in the Input: 81 ' in refusal(shapetesting.output(half), 'new.inp'), 'also the loose node'
+half = shapetesting.with_cells(whole, range(36))
+assert 'missing in the Input: 81 ' in refusal(half, 'new.inp'), 'also the loose node'
 print('decks of', len(points(whole)), 'nodes moved')
