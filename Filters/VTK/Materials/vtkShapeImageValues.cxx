@@ -162,6 +162,12 @@ void AddColumns(vtkDataSet* output, const vtkShapeVoxelImage::Result& image,
       values.Means.middleCols(array.FirstChannel, array.Components), array.Name));
   }
   cells->AddArray(vtkShapeConvert::ToArray(values.Coverage, "Coverage"));
+  if (!cells->HasArray("RegionId"))
+  {
+    // Otherwise, the window would offer the active array as the regions of a file.
+    const Eigen::VectorXi regions = Eigen::VectorXi::Zero(values.Coverage.size());
+    cells->AddArray(vtkShapeConvert::ToIntegers(regions, "RegionId"));
+  }
   if (values.Modulus.size() > 0)
   {
     cells->AddArray(vtkShapeConvert::ToArray(values.Density, "Density"));

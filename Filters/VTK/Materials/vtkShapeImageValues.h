@@ -12,6 +12,7 @@
  * - the mean of each point array of the image, under its name. An array of the Input with the same
  *   name is replaced. The mean is over the part of the cell in the image, and 0 if there is none.
  * - `Coverage`: the share of the cell that lies in the image, from 0 to 1.
+ * - `RegionId` (int): 0, if the Input does not have it.
  *
  * With an expression for Density also
  * - `Density` and `Modulus`: the means of both laws over the cell.
