@@ -458,7 +458,7 @@ def CADReader():
                    'Cylinder(6) = {2.2, 1.2, -1, 0, 0, 5, 0.4}; Sphere(7) = {2.2, -1.2, 1, 0.5};'
                    'BooleanDifference{ Volume{3}; Delete; }{ Volume{4:7}; Delete; }')
     subprocess.run(['gmsh', script, '-0', '-o', step], check=True, stdout=subprocess.DEVNULL)
-    bracket = ShapeCADReader(FileNames=[step])
+    bracket = ShapeCADReader(FileName=step)
     show(bracket, array='Patch', kind='CELLS', preset='Turbo')
     lines = show(OutputPort(bracket, 1), colour=INK)
     lines.LineWidth = 2.5

@@ -53,11 +53,11 @@ def blocks(kind):
             for i in range(group.GetNumberOfBlocks())}
 
 
-# Blocks have the cells of their region, in order and to the bit.
+# Blocks have the cells of their region, in order. This reader rounds to single precision.
 for region in (0, 1):
     block = blocks(reader.ELEM_BLOCK)['Region%d' % region]
     read = points(block)[vtk_to_numpy(block.GetCells().GetConnectivityArray()).reshape(-1, 8)]
-    assert (read == places[corners[materials == region]]).all()
+    assert (read == places[corners[materials == region]].astype(numpy.float32)).all()
 
 # The side sets of patches enclose the bar, and that of the interface faces out of region 0.
 enclosed = 0.0
@@ -69,5 +69,5 @@ for name, block in blocks(reader.SIDE_SET).items():
         enclosed += sum((numpy.cross(p - a, q - a) * a).sum() for p, q in ((b, c), (c, d))) / 6.0
     else:
         assert (numpy.cross(b - a, c - a)[:, 0] > 0.0).all()
-assert abs(enclosed - 2.0 / 27.0) < 1e-12, enclosed
+assert abs(enclosed - 2.0 / 27.0) < 1e-6, enclosed
 print('ParaView reads', ', '.join(names[reader.ELEM_BLOCK]), 'and', len(sets), 'sets')

@@ -24,8 +24,9 @@ with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, name)
         with open(path, 'w') as file:
             file.write(content)
-        # A table of another program opens as before: the reader claims no .csv.
-        reader = (simple.ShapeLandmarksReader(FileNames=[path]) if name.endswith('.csv') else
+        # A table of another program opens as before, and so do the point clouds that ParaView reads: the
+        # reader claims no .csv and no .pts.
+        reader = (simple.ShapeLandmarksReader(FileNames=[path]) if name.endswith(('.csv', '.pts')) else
                   simple.OpenDataFile(path))
         reader.UpdatePipeline()
         assert reader.SMProxy.GetXMLName() == 'ShapeLandmarksReader', name

@@ -40,8 +40,8 @@ w.python('''
     assert box.GetXMLName() == 'ShapeCADReader', box.GetXMLName()
     assert box.CellData['Patch'].GetRange() == (1.0, 6.0)
     assert GetDisplayProperties(OutputPort(box, 0)).Visibility == 1''')
-with open(w.file('nose.pts'), 'w') as file:
-    file.write('Version 1.0\n1\nnose 1 2 3\n')
-open_file(w, w.file('nose.pts'))
+with open(w.file('nose.tps'), 'w') as file:
+    file.write('LM3=1\n1 2 3\n')
+open_file(w, w.file('nose.tps'))
 w.python("assert GetActiveSource().GetXMLName() == 'ShapeLandmarksReader'")
 w.run()
