@@ -142,13 +142,14 @@ class Filter:
         inputs = [each for each in parameters if each.element.tag == 'InputProperty']
         self.inputs = sorted(inputs, key=lambda each: not each.required)
         self.properties = [each for each in parameters if each not in inputs]
-        self.required = [each for each in self.inputs if each.required]
+        # Given by position: the required inputs, or the first one if another can take its place.
+        self.leading = [each for each in self.inputs if each.required] or self.inputs[:1]
         ports = sorted((int(each.get('index')), each.get('name')) for each in self.proxy.findall('OutputPort'))
         self.outputs = [(index, snake(name)) for index, name in ports if name != 'Facts']
 
     def cells(self):
         """The name of the parameter for cells, beside a first one with points; only for one input."""
-        return ('cells' if self.required[0].solid else 'triangles') if len(self.required) == 1 else None
+        return ('cells' if self.leading[0].solid else 'triangles') if len(self.leading) == 1 else None
 
     def help_for_python(self, text, functions):
         """ParaView's help with the words of Python: labels of several words are parameters, names of
@@ -161,22 +162,23 @@ class Filter:
         return text
 
     def signature(self):
-        lines = ['%s: %s' % (each.name, each.annotation) for each in self.required]
+        lines = ['%s: %s%s' % (each.name, each.annotation, '' if each.default is None else ' = ' + each.default)
+                 for each in self.leading]
         if self.cells():
             lines.append('%s: Optional[ArrayLike] = None' % self.cells())
         lines.append('*')
         lines += ['%s: %s = %s' % (each.name, each.annotation, each.default)
-                  for each in self.inputs[len(self.required):] + self.properties]
+                  for each in self.inputs[len(self.leading):] + self.properties]
         lines += ['time: float = 0.0'] if self.timed else []
         lines.append('progress: Optional[Progress] = None')
         return ',\n    '.join(lines)
 
     def parameters(self, functions):
-        rows = [(each.name, each.kind, each.help) for each in self.required]
+        rows = [(each.name, each.kind, each.help) for each in self.leading]
         if self.cells():
             rows.append((self.cells(), 'array of int, m x k, optional',
-                         'The points of each cell, from 0. Then `%s` is an array of points, n x 3.' % self.required[0].name))
-        rows += [(each.name, each.kind, each.help) for each in self.inputs[len(self.required):] + self.properties]
+                         'The points of each cell, from 0. Then `%s` is an array of points, n x 3.' % self.leading[0].name))
+        rows += [(each.name, each.kind, each.help) for each in self.inputs[len(self.leading):] + self.properties]
         if self.timed:
             rows.append(('time', 'float, at least 0, at most 1, default 0.0', 'The time of the output.'))
         rows.append(('progress', 'callable, optional', 'Called with the share that is done, from 0 to 1.'))
@@ -219,12 +221,12 @@ class %sResult:
 ''' % (self.name, self.function, '\n'.join('    %s: vtkDataObject' % name for _, name in self.outputs))
 
     def code(self, functions):
-        first = self.required[0]
+        first = self.leading[0]
         lines = ['run = Run(vtkShapeFilters.vtkShape%s())' % self.name]
         if self.cells():
-            first.body = [first.body[0].replace(
+            first.body[-1] = first.body[-1].replace(
                 ', %s, ' % first.name, ', %s if %s is None else (%s, %s), ' % (
-                    first.name, self.cells(), first.name, self.cells()), 1)]
+                    first.name, self.cells(), first.name, self.cells()), 1)
         for each in self.inputs + self.properties:
             lines += each.body
         lines.append('outputs, facts = run.outputs(%r, progress%s)' % (
