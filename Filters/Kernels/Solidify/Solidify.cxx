@@ -3,8 +3,8 @@
 #include "Base/Errors.h"
 #include "Mesh/Surface.h"
 #include "Solidify/Private/JoinedSoup.h"
-#include "Solidify/SolidSurface.h"
-#include "Solidify/WrapSurface.h"
+#include "Solidify/Private/SolidSurface.h"
+#include "Solidify/Private/WrapSurface.h"
 
 namespace shape
 {

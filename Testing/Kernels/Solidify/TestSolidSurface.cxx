@@ -1,5 +1,5 @@
 #include "Mesh/Surface.h"
-#include "Solidify/SolidSurface.h"
+#include "Solidify/Private/SolidSurface.h"
 #include "Support/HoleShapes.h"
 #include "Support/Refusals.h"
 #include "Support/SimpleSurfaces.h"

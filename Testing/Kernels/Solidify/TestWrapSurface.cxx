@@ -1,5 +1,5 @@
 #include "Mesh/Surface.h"
-#include "Solidify/WrapSurface.h"
+#include "Solidify/Private/WrapSurface.h"
 #include "Support/HoleShapes.h"
 #include "Support/Refusals.h"
 #include "Support/SimpleSurfaces.h"

@@ -4,8 +4,9 @@
 #include "Fill/FillHoles.h"
 #include "Mesh/Surface.h"
 #include "Mesh/TouchingSheets.h"
-#include "Solidify/MendSurface.h"
+#include "Solidify/MendedSurface.h"
 #include "Solidify/Private/SoupRepair.h"
+#include "Solidify/SurfaceDefects.h"
 
 #include <Eigen/Core>
 

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Solidify/MendSurface.h"
+#include "Mesh/Mesh.h"
+#include "Solidify/MendedSurface.h"
 
 #include <string>
 

@@ -2,7 +2,8 @@
 
 #include "Base/Progress.h"
 #include "Mesh/Mesh.h"
-#include "Solidify/MendSurface.h"
+#include "Solidify/MendedSurface.h"
+#include "Solidify/SurfaceDefects.h"
 
 namespace shape
 {

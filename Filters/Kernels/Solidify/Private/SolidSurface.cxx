@@ -1,4 +1,4 @@
-#include "Solidify/SolidSurface.h"
+#include "Solidify/Private/SolidSurface.h"
 
 #include "Base/Errors.h"
 #include "Geometry/SelfIntersections.h"

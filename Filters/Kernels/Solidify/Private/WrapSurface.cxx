@@ -1,4 +1,4 @@
-#include "Solidify/WrapSurface.h"
+#include "Solidify/Private/WrapSurface.h"
 
 #include "Base/Errors.h"
 #include "Mesh/Extent.h"
