@@ -162,6 +162,14 @@ SampledDistances ComputeDistancesToCurves(const Mesh& surface, const SurfaceFeat
   return Compare(CurvesOf(surface, features), ChainsOf(points, quads, patchOf), points, quads);
 }
 
+void Judge(HexFit& fit)
+{
+  const Eigen::VectorXd quality = ComputeScaledJacobians(fit.Solid);
+  fit.MinimumScaledJacobian = quality.minCoeff();
+  fit.MeanScaledJacobian = quality.mean();
+  fit.Inverted = static_cast<int>((quality.array() <= 0.0).count());
+}
+
 namespace
 {
 
@@ -176,6 +184,32 @@ bool AddLayers(HexMesh& mesh, const Surface& surface, const SurfaceFeatures& fea
   }
   return (features.Curves.empty() || mesh.Hexahedra.rows() <= maximum) &&
     MatchCurves(mesh, surface, features, boundary);
+}
+
+/// The quads that lie on the surface: those of the boundary and, if regions touch, of interfaces.
+Eigen::MatrixXi FindFittedQuads(const HexFit& fit)
+{
+  if (fit.QuadRegions.size() == 0)
+  {
+    return fit.Quads;
+  }
+  Eigen::MatrixXi quads(fit.QuadRegions.rows(), 4);
+  Eigen::Index row = fit.Quads.rows();
+  quads.topRows(row) = fit.Quads;
+  for (const Eigen::MatrixXi& interface : fit.Interfaces)
+  {
+    quads.middleRows(row, interface.rows()) = interface;
+    row += interface.rows();
+  }
+  return quads;
+}
+
+/// Updates the distance, for which both surfaces are sampled.
+void Measure(HexFit& fit, const Surface& surface, const Progress& progress)
+{
+  fit.Distance = ComputeHausdorffDistance(
+    surface, { fit.Solid.Points, SplitQuads(FindFittedQuads(fit)) }, progress)
+                   .Larger();
 }
 
 /// Fits hexahedra with these features; nothing if the features are not found on the hexahedra.

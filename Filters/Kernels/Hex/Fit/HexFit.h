@@ -60,6 +60,11 @@ void RequireInRange(const HexMeshOptions& options);
 SurfaceFeatures FindFeatures(
   const Surface& surface, const HexMeshOptions& options, double cellSize);
 
+struct HexFit;
+
+/// Updates the figures that depend on the hexahedra alone: scaled Jacobians and Inverted.
+void Judge(HexFit& fit);
+
 struct HexFitOptions
 {
   int PaddingLayers = 1; ///< layers of hexahedra around the core; >= 1

@@ -1,8 +1,6 @@
 #include "Hex/Fit/Private/Settling.h"
 
-#include "Distance/HausdorffDistance.h"
 #include "Hex/Optimize/HexOptimization.h"
-#include "Quality/ScaledJacobian.h"
 
 #include <algorithm>
 
@@ -24,38 +22,6 @@ void Settle(HexMesh& mesh, const PointConstraint& constraint,
   optimization.Bad = std::min(optimization.Bad, options.RaisedTo + BadAbove);
   OptimizeHexahedra(
     mesh, constraint, optimization, progress.Part(0.15, 1.0, "optimizing the hexahedra"));
-}
-
-void Judge(HexFit& fit)
-{
-  const Eigen::VectorXd quality = ComputeScaledJacobians(fit.Solid);
-  fit.MinimumScaledJacobian = quality.minCoeff();
-  fit.MeanScaledJacobian = quality.mean();
-  fit.Inverted = static_cast<int>((quality.array() <= 0.0).count());
-}
-
-void Measure(HexFit& fit, const Surface& surface, const Progress& progress)
-{
-  fit.Distance = ComputeHausdorffDistance(
-    surface, { fit.Solid.Points, SplitQuads(FindFittedQuads(fit)) }, progress)
-                   .Larger();
-}
-
-Eigen::MatrixXi FindFittedQuads(const HexFit& fit)
-{
-  if (fit.QuadRegions.size() == 0)
-  {
-    return fit.Quads;
-  }
-  Eigen::MatrixXi quads(fit.QuadRegions.rows(), 4);
-  Eigen::Index row = fit.Quads.rows();
-  quads.topRows(row) = fit.Quads;
-  for (const Eigen::MatrixXi& interface : fit.Interfaces)
-  {
-    quads.middleRows(row, interface.rows()) = interface;
-    row += interface.rows();
-  }
-  return quads;
 }
 
 } // namespace shape

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Hex/Fit/HexFit.h"
+#include "Mesh/HexMesh.h"
+#include "Untangle/MinimizeEnergy.h"
 
 #include <functional>
 
@@ -26,14 +27,5 @@ struct SettlingOptions
 void Settle(HexMesh& mesh, const PointConstraint& constraint,
   const std::function<void(Eigen::MatrixXd& points)>& spread, const SettlingOptions& options,
   const Progress& progress);
-
-/// Updates the figures that depend on the hexahedra alone.
-void Judge(HexFit& fit);
-
-/// Updates the distance, for which both surfaces are sampled.
-void Measure(HexFit& fit, const Surface& surface, const Progress& progress);
-
-/// The quads that lie on the surface: those of the boundary and, if regions touch, of interfaces.
-Eigen::MatrixXi FindFittedQuads(const HexFit& fit);
 
 } // namespace shape
