@@ -27,8 +27,8 @@ std::vector<HexRegion> MeasureRegions(const HexFit& fit)
   std::vector<HexRegion> regions;
   for (const auto& [label, rows] : rowsOf)
   {
-    const Mesh boundary{ fit.Solid.Points, SplitQuads(FindBoundaryQuads(
-                                             { fit.Solid.Points, fit.Solid.Hexahedra(rows, Eigen::all) })) };
+    const Mesh boundary{ fit.Solid.Points,
+      SplitQuads(FindBoundaryQuads({ fit.Solid.Points, fit.Solid.Hexahedra(rows, Eigen::all) })) };
     const Topology topology = ComputeTopology(boundary);
     regions.push_back({ label, static_cast<int>(rows.size()), ComputeEnclosedVolume(boundary),
       topology.EulerNumber, topology.Components });

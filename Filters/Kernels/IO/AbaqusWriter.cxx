@@ -143,7 +143,8 @@ void WriteMaterials(std::ostream& file, const MeshSets& sets)
     const MeshMaterial& material = sets.Materials.ByNumber.at(number);
     WriteSet(file, "*ELSET, ELSET=" + name, members);
     file << "*MATERIAL, NAME=" << name << "\n*ELASTIC\n"
-         << ToColumnText(material.Modulus, Columns) << ", " << ToColumnText(material.PoissonRatio, Columns) << '\n';
+         << ToColumnText(material.Modulus, Columns) << ", "
+         << ToColumnText(material.PoissonRatio, Columns) << '\n';
     if (material.Density > 0.0)
     {
       file << "*DENSITY\n" << ToColumnText(material.Density, Columns) << '\n';

@@ -18,9 +18,9 @@ class ConformingRegions
 {
 public:
   /// surfaces: the triangles. labels: m x 2, the labels on both sides of each triangle; the normal
-  /// leaves the first. Throws InvalidInput unless the two labels of each triangle differ, and unless
-  /// the triangles of each region are a closed, consistently oriented 2-manifold that encloses a
-  /// positive volume; Aborted.
+  /// leaves the first. Throws InvalidInput unless the two labels of each triangle differ, and
+  /// unless the triangles of each region are a closed, consistently oriented 2-manifold that
+  /// encloses a positive volume; Aborted.
   ConformingRegions(
     const Mesh& surfaces, const Eigen::MatrixXi& labels, const Progress& progress = {});
 

@@ -22,8 +22,8 @@ Eigen::MatrixXi vtkShapeRegions::Read(
   }
   if (surface->GetNumberOfCells() != triangles || regions->GetNumberOfTuples() != triangles)
   {
-    throw shape::InvalidInput(name +
-      " has the cell array Regions, but cells that are not triangles; apply Triangulate");
+    throw shape::InvalidInput(
+      name + " has the cell array Regions, but cells that are not triangles; apply Triangulate");
   }
   Eigen::MatrixXi labels(triangles, 2);
   for (Eigen::Index t = 0; t < triangles; ++t)
@@ -40,12 +40,10 @@ void vtkShapeRegions::RequireNoneTouch(vtkPolyData* surface, const std::string& 
 {
   vtkDataArray* regions = surface->GetCellData()->GetArray("Regions");
   vtkIdType touching = 0;
-  for (vtkIdType t = 0; regions && regions->GetNumberOfComponents() == 2 &&
-       t < regions->GetNumberOfTuples();
-       ++t)
+  for (vtkIdType t = 0;
+       regions && regions->GetNumberOfComponents() == 2 && t < regions->GetNumberOfTuples(); ++t)
   {
-    touching +=
-      regions->GetComponent(t, 0) != 0.0 && regions->GetComponent(t, 1) != 0.0 ? 1 : 0;
+    touching += regions->GetComponent(t, 0) != 0.0 && regions->GetComponent(t, 1) != 0.0 ? 1 : 0;
   }
   if (touching > 0)
   {

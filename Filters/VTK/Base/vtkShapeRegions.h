@@ -9,8 +9,8 @@ class vtkPolyData;
 namespace vtkShapeRegions
 {
 
-/// Returns the cell array Regions (m x 2): the labels of the regions on both sides of each triangle;
-/// empty if there is none. triangles: m. name: denotes the surface in messages. Throws
+/// Returns the cell array Regions (m x 2): the labels of the regions on both sides of each
+/// triangle; empty if there is none. triangles: m. name: denotes the surface in messages. Throws
 /// shape::InvalidInput if the array has not 2 components, or if cells are not triangles.
 Eigen::MatrixXi Read(vtkPolyData* surface, Eigen::Index triangles, const std::string& name);
 

@@ -5,8 +5,8 @@
 #include "vtkShapeConvert.h"
 #include "vtkShapeFeatures.h"
 #include "vtkShapeGather.h"
-#include "vtkShapeSolid.h"
 #include "vtkShapeRegions.h"
+#include "vtkShapeSolid.h"
 #include "vtkShapeVolumeMapFacts.h"
 
 #include "vtkDataSet.h"

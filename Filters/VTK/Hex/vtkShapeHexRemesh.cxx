@@ -218,8 +218,7 @@ void vtkShapeHexRemesh::Execute(const shape::Progress& progress)
   }
   if (this->GetNumberOfInputConnections(0) == 0)
   {
-    throw shape::InvalidInput(
-      "Surface is not connected; choose it, or Labels, under Inputs");
+    throw shape::InvalidInput("Surface is not connected; choose it, or Labels, under Inputs");
   }
   // Every process has the complete input, and one of them computes the result.
   if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)

@@ -7,10 +7,10 @@
  *
  * Inputs (polygons are triangulated internally)
  * - Surface: the closed surface that bounds one or several solids, which may have voids. A
- *   self-intersecting surface bounds the region with a winding number of at least 1. If the surface
- *   has the cell array `Regions` (int, 2), such as the output of vtkShapeLabelSurfaces, its
- *   triangles are the interfaces between regions that touch: the labels on both sides of each
- *   triangle, of which 0 is the outside; the normal leaves the first. All cells are then triangles.
+ *   self-intersecting surface bounds the region with a winding number of at least 1. With the cell
+ *   array `Regions` (int, 2), its triangles are the interfaces between regions that touch, as
+ *   vtkShapeLabelSurfaces makes them. `Regions` has the labels on both sides of each triangle: 0 is
+ *   the outside, and the normal leaves the first. All cells are then triangles.
  * - Polycube (optional): a surface whose faces are orthogonal to the axes and lie at integer
  *   multiples of one length, such as the second output of vtkShapePolycube. Its point array
  *   `SourcePosition` (double, 3) gives the corresponding positions on Surface. The cells of this

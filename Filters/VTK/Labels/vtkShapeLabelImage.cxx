@@ -219,8 +219,9 @@ shape::LabelImage vtkShapeLabelImage::Read(vtkDataObject* input, const std::stri
   {
     if (layouts[i] != -layouts[13 + i])
     {
-      throw shape::InvalidInput(name + " has images with different origins, spacings or "
-                                "directions; extract one of them");
+      throw shape::InvalidInput(name +
+        " has images with different origins, spacings or "
+        "directions; extract one of them");
     }
   }
 
@@ -271,8 +272,9 @@ shape::LabelImage vtkShapeLabelImage::Read(vtkDataObject* input, const std::stri
               double& known = values[image.IndexOf(i - first[0], j - first[1], k - first[2])];
               if (known != none && known != value)
               {
-                throw shape::InvalidInput(name + " has images that overlap with different "
-                                          "values; extract one of them with Extract Block");
+                throw shape::InvalidInput(name +
+                  " has images that overlap with different "
+                  "values; extract one of them with Extract Block");
               }
               known = value;
             }

@@ -17,8 +17,8 @@ namespace vtkShapeLabelImage
  *
  * array: the name of an array of one component at points or cells; if it is empty, the active
  * scalars. thresholds: if there are any, the array has grey values (shape::MakeLabels). Otherwise
- * its values are integers. Hidden voxels and ghosts that no piece owns are the outside. name: denotes
- * the input in messages.
+ * its values are integers. Hidden voxels and ghosts that no piece owns are the outside. name:
+ * denotes the input in messages.
  *
  * Throws shape::InvalidInput if a block is not an image, if images have different origins, spacings
  * or directions, if the array is missing, or if a value is not an integer

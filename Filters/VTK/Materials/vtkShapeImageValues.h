@@ -28,7 +28,7 @@
  *
  * Facts, over all processes, without ghosts: ImageValues.Cells, .Volume, .CellsOutside and
  * .CellsPartlyOutside (of the image). With an expression for Density also .Mass and .Stiffness (the
- * integrals of density and modulus) and .Materials, and the voxels at the boundary: .BoundaryVoxels,
+ * integrals of density and modulus) and .Materials. Of the voxels at the boundary: .BoundaryVoxels,
  * .RaisedVoxels and .UnresolvedVoxels (without inner voxels nearby).
  *
  * The mathematics: shape::ComputeImageValues, shape::ExtrapolateToBoundary, shape::MaterialBins.

@@ -30,8 +30,8 @@ shape::LabelledSurfaces Blocks(const std::array<int, 3>& size, const Rule& rule)
 {
   const auto labelAt = [&](const Eigen::Array3i& cell)
   {
-    const bool isInside = (cell >= 0).all() && cell(0) < size[0] && cell(1) < size[1] &&
-      cell(2) < size[2];
+    const bool isInside =
+      (cell >= 0).all() && cell(0) < size[0] && cell(1) < size[1] && cell(2) < size[2];
     return isInside ? rule((cell.cast<double>() + 0.5).matrix().transpose()) : 0;
   };
   std::map<std::array<int, 3>, int> pointOf;
@@ -194,7 +194,8 @@ TEST(RegionRemesh, TwoCubesShareTheirFace)
   EXPECT_NEAR(VolumeOf(result, 3), 64.0, rounded);
   EXPECT_NEAR(VolumeOf(result, 7), 64.0, rounded);
   ASSERT_EQ(result.Fit.Interfaces.size(), 1U);
-  EXPECT_EQ(result.Fit.QuadRegions.row(result.Fit.QuadRegions.rows() - 1), Eigen::RowVector2i(7, 3));
+  EXPECT_EQ(
+    result.Fit.QuadRegions.row(result.Fit.QuadRegions.rows() - 1), Eigen::RowVector2i(7, 3));
   int shared = 0;
   for (const auto& [point, around] : RegionsAtPoints(result.Fit))
   {
@@ -212,9 +213,12 @@ TEST(RegionRemesh, ThreeWedgesOfABallMeetAlongALine)
   // A ball that one plane divides, and another plane one of its halves.
   constexpr double radius = 14.0;
   const Eigen::RowVector3d first = Eigen::RowVector3d(1.0, 0.2, 0.1).normalized();
-  const Eigen::RowVector3d along =
-    Eigen::Vector3d(first.transpose()).cross(Eigen::Vector3d(0.0, 1.0, 0.0)).normalized().transpose();
-  const Eigen::RowVector3d second = Eigen::Vector3d(along.transpose()).cross(Eigen::Vector3d(first.transpose())).transpose();
+  const Eigen::RowVector3d along = Eigen::Vector3d(first.transpose())
+                                     .cross(Eigen::Vector3d(0.0, 1.0, 0.0))
+                                     .normalized()
+                                     .transpose();
+  const Eigen::RowVector3d second =
+    Eigen::Vector3d(along.transpose()).cross(Eigen::Vector3d(first.transpose())).transpose();
   const auto rule = [&](const Eigen::RowVector3d& at)
   { return at.norm() > radius ? 0 : (at.dot(first) > 0.0 ? 1 : (at.dot(second) > 0.0 ? 2 : 3)); };
   const Eigen::RowVector3d origin = Eigen::RowVector3d::Constant(-16.0);
@@ -272,7 +276,8 @@ TEST(RegionRemesh, TheGridFollowsTheAxesOfTheImage)
   const Eigen::RowVector3d origin(3.0, -2.0, 5.0);
   // Two blocks along an axis of the image, whose voxels are not cubes.
   const Eigen::Matrix3d axes = turn * Eigen::Vector3d(1.0, 0.5, 2.0).asDiagonal();
-  shape::LabelImage image = Image({ 22, 22, 8 }, axes, origin, [](const Eigen::RowVector3d&) { return 0; });
+  shape::LabelImage image =
+    Image({ 22, 22, 8 }, axes, origin, [](const Eigen::RowVector3d&) { return 0; });
   for (int k = 1; k < 7; ++k)
   {
     for (int j = 1; j < 21; ++j)

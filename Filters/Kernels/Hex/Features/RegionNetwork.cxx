@@ -278,10 +278,9 @@ public:
       {
         if (this->Own.CornerLabels[i] == this->Wanted.CornerLabels[j])
         {
-          pairs.emplace_back(
-            (this->Grid.Points.row(this->Own.Corners[i]) -
-              this->Surfaces.Points.row(this->Wanted.Corners[j]))
-              .norm(),
+          pairs.emplace_back((this->Grid.Points.row(this->Own.Corners[i]) -
+                               this->Surfaces.Points.row(this->Wanted.Corners[j]))
+                               .norm(),
             i, j);
         }
       }
@@ -374,8 +373,8 @@ private:
     FeatureCurve along;
     along.Points = curve.Points;
     along.Closed = curve.Closed;
-    const CurvePositions positions = DistributeAlongCurve(
-      this->Grid.Points(chain.Points, Eigen::all), this->Surfaces, along);
+    const CurvePositions positions =
+      DistributeAlongCurve(this->Grid.Points(chain.Points, Eigen::all), this->Surfaces, along);
     for (std::size_t i = 0; i < chain.Points.size(); ++i)
     {
       if (!this->CornerOf.count(chain.Points[i]))
@@ -421,8 +420,8 @@ private:
         constexpr Eigen::Index reach = 3; // edges of the curve to either side
         const Eigen::Index last = static_cast<Eigen::Index>(best->Points.size()) - 1;
         std::vector<int> span;
-        for (Eigen::Index i = std::max<Eigen::Index>(at - reach, 0); i <= std::min(at + reach, last);
-             ++i)
+        for (Eigen::Index i = std::max<Eigen::Index>(at - reach, 0);
+             i <= std::min(at + reach, last); ++i)
         {
           span.push_back(best->Points[i]);
         }

@@ -19,8 +19,8 @@ struct RegionFaces
   Eigen::Index Outer = 0; ///< the number of faces of the boundary
 };
 
-/// Finds these faces, in the order of their pairs of labels. The first label is the greater one, but
-/// never the outside (ConformingRegions). regionOf: the label of each hexahedron.
+/// Finds these faces, in the order of their pairs of labels. The first label is the greater one,
+/// but never the outside (ConformingRegions). regionOf: the label of each hexahedron.
 RegionFaces FindRegionFaces(const HexMesh& mesh, const Eigen::VectorXi& regionOf);
 
 /// The curves where three or more regions, of which the outside is one, meet, and their ends.
@@ -52,11 +52,11 @@ struct RegionMatch
 };
 
 /**
- * Assigns the faces between regions of hexahedra near surfaces to these surfaces. Each corner of the
- * faces' network gets the closest corner of the surfaces with the same labels. Each chain of edges
- * gets the curve with the same labels between the same corners, and its points are distributed
- * along it. Points of other chains start at the closest curve with the same labels, along which they
- * may move near there; if there is none, they move on a patch.
+ * Assigns the faces between regions of hexahedra near surfaces to these surfaces. Each corner of
+ * the faces' network gets the closest corner of the surfaces with the same labels. Each chain of
+ * edges gets the curve with the same labels between the same corners, and its points are
+ * distributed along it. Points of other chains start at the closest curve with the same labels,
+ * along which they may move near there; if there is none, they move on a patch.
  *
  * surfaces, labels: as for ConformingRegions.
  */

@@ -144,8 +144,8 @@ void ImproveWorst(HexFit& fit, const Surface& surface, const Progress& progress 
 /**
  * Lets points around bad hexahedra leave the surface. The first step releases points around
  * inverted hexahedra (RelaxBoundaryOfInverted). If none stays inverted, the second step releases
- * points around hexahedra with a scaled Jacobian below `wanted` (RelaxBoundaryOfWorst). The second step
- * lets the distance between boundary and surface grow to maximumDistance or to 1.05 times its
+ * points around hexahedra with a scaled Jacobian below `wanted` (RelaxBoundaryOfWorst). The second
+ * step lets the distance between boundary and surface grow to maximumDistance or to 1.05 times its
  * previous value, whichever is larger.
  *
  * fit: from FitHexahedra with the same surface. Throws Aborted.

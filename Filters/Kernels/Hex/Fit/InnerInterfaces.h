@@ -36,9 +36,9 @@ public:
   /// Adds `layers` layers of hexahedra to the mesh on each side of each interface.
   InterfaceLayers(HexMesh& mesh, const InnerInterfaces& interfaces, int layers);
 
-  /// Adds `layers` layers of hexahedra inside the boundary of each region: along interfaces, on both
-  /// sides, and along the boundary of the mesh. Interfaces may touch. regionOf: the region of each
-  /// hexahedron; the boundary of each region is a manifold.
+  /// Adds `layers` layers of hexahedra inside the boundary of each region: along interfaces, on
+  /// both sides, and along the boundary of the mesh. Interfaces may touch. regionOf: the region of
+  /// each hexahedron; the boundary of each region is a manifold.
   InterfaceLayers(HexMesh& mesh, const Eigen::VectorXi& regionOf, int layers);
 
   /// Returns the region of each hexahedron. hexahedra: the number of hexahedra that the mesh has

@@ -46,11 +46,11 @@ RegionHexesResult BuildRegionHexahedra(
   HexFitOptions fitting;
   fitting.PaddingLayers = options.PaddingLayers;
   const bool isGiven = options.CellSize > 0.0;
-  const double minimum = isGiven ? SmallestShare * options.CellSize
-                                 : voxels.CellSizeFor(options.MaximumHexahedra);
-  double size = isGiven ? options.CellSize
-                        : voxels.CellSizeFor(std::min<double>(
-                            options.FirstHexahedra, options.MaximumHexahedra));
+  const double minimum =
+    isGiven ? SmallestShare * options.CellSize : voxels.CellSizeFor(options.MaximumHexahedra);
+  double size = isGiven
+    ? options.CellSize
+    : voxels.CellSizeFor(std::min<double>(options.FirstHexahedra, options.MaximumHexahedra));
   std::optional<RegionHexesResult> best;
   double begin = 0.05;
   for (int grids = 0; grids < MaximumGrids && size >= minimum * (1.0 - 1e-9);)

@@ -64,10 +64,10 @@ private:
 
   Mesh Whole;
   ConformingRegions Bounded;
-  std::vector<int> Labels;          ///< of the regions, in the order of their numbers; 0 first
-  std::vector<int> Parts;           ///< for each number: the number of connected parts
-  std::map<int, Topology> Wanted;   ///< of each region's surface, by label
-  Eigen::MatrixXi Numbers;          ///< the numbers of the regions on both sides of each triangle
+  std::vector<int> Labels;        ///< of the regions, in the order of their numbers; 0 first
+  std::vector<int> Parts;         ///< for each number: the number of connected parts
+  std::map<int, Topology> Wanted; ///< of each region's surface, by label
+  Eigen::MatrixXi Numbers;        ///< the numbers of the regions on both sides of each triangle
   std::string Wrong;
 };
 

@@ -37,7 +37,8 @@ struct NetEdge
  * Coordinates are those of the image's indices. No point leaves its cell, a cube with its centre at
  * Centres and half its edge in Reach. Inside an interface, the cell is the point's cube. A region
  * that ends in a sharp edge has samples only where it is about as wide as a voxel, so that the
- * curve along the edge lies ahead of the cubes with three labels: there, the cell reaches one voxel.
+ * curve along the edge lies ahead of the cubes with three labels: there, the cell reaches one
+ * voxel.
  */
 struct SurfaceNet
 {

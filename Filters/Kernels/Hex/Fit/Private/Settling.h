@@ -14,8 +14,8 @@ inline constexpr double RaisedTo = 0.55;
 
 struct SettlingOptions
 {
-  int Smoothings = 2;      ///< sweeps that smooth the positions first
-  double RaisedFrom = 0.0; ///< see HexFitOptions
+  int Smoothings = 2;                ///< sweeps that smooth the positions first
+  double RaisedFrom = 0.0;           ///< see HexFitOptions
   double RaisedTo = shape::RaisedTo; ///< the target for the minimum scaled Jacobian
 };
 

@@ -17,8 +17,7 @@ namespace
 class RegionRepair
 {
 public:
-  RegionRepair(
-    const SampledGrid& grid, const RegionMeetings& meetings, std::vector<int>& regionOf)
+  RegionRepair(const SampledGrid& grid, const RegionMeetings& meetings, std::vector<int>& regionOf)
     : Grid(grid)
     , Meetings(meetings)
     , RegionOf(regionOf)
@@ -116,8 +115,8 @@ private:
     {
       for (int axis = 0; axis < 3; ++axis)
       {
-        if ((k >> axis & 1) == 0 && this->IsForeign(corner + this->Around[k],
-                                      corner + this->Around[k | 1 << axis]))
+        if ((k >> axis & 1) == 0 &&
+          this->IsForeign(corner + this->Around[k], corner + this->Around[k | 1 << axis]))
         {
           return true;
         }
@@ -204,8 +203,8 @@ private:
       }
     }
     std::sort(regions.begin() + static_cast<std::ptrdiff_t>(own.size()), regions.end());
-    regions.erase(std::unique(regions.begin() + static_cast<std::ptrdiff_t>(own.size()),
-                    regions.end()),
+    regions.erase(
+      std::unique(regions.begin() + static_cast<std::ptrdiff_t>(own.size()), regions.end()),
       regions.end());
     return regions;
   }
