@@ -15,16 +15,20 @@ RULES = {'class': CAMEL, 'struct': CAMEL, 'enum': CAMEL, 'enumerator': CAMEL, 'f
          'member': CAMEL, 'parameter': BACK, 'local': BACK, 'namespace': LOWER}
 # Classes of VTK and Qt, macros, operators, and what Ctags makes up.
 OTHERS = re.compile(r'(vtk|pq)Shape\w*|HWY_\w+|__anon\w*|~\w+|operator\b.*|&|Q_\w+|VTK\w+')
-# What Qt and ParaView, Eigen, nanoflann, TetGen and the standard library call by these names, and functions that
+# What Qt and ParaView, Eigen, nanoflann, TetGen, OpenCASCADE and the standard library call by these names, and functions that
 # Highway's macros declare.
 GIVEN = {'startup', 'shutdown', 'apply', 'reset', 'select', 'deselect', 'setView', 'eventFilter', 'event',
          'createWidgetForProperty',
          'intersectVolume', 'intersectObject', 'minimumOnVolume', 'minimumOnObject', 'worstDist', 'full', 'addPoint',
-         'terminatetetgen', 'what', 'Index', 'PotentialsFor', 'GradientsFor', 'FloatProducts', 'DoubleProducts'}
+         'terminatetetgen', 'send', 'what', 'Index', 'PotentialsFor', 'GradientsFor', 'FloatProducts',
+         'DoubleProducts'}
+# The types of parameters without a name, which Ctags takes for their names.
+GIVEN |= {'size_t', 'string_view'}
 # These macros declare members or only mark them.
 MACROS = ('vtkShapeOption', 'vtkShapeOptionOf', 'vtkShapeVectorOptionOf', 'vtkShapeEnumOption', 'vtkShapeEnumOptionOf',
           'vtkTypeMacro', 'vtkSetMacro', 'vtkGetMacro', 'vtkBooleanMacro', 'vtkSetVector3Macro', 'vtkGetVector3Macro',
-          'vtkStandardNewMacro', 'vtkSetStdStringFromCharMacro', 'vtkGetCharFromStdStringMacro', 'vtkCxxSetObjectMacro', 'vtkErrorMacro', 'vtkWarningMacro')
+          'vtkStandardNewMacro', 'vtkSetStdStringFromCharMacro', 'vtkGetCharFromStdStringMacro', 'vtkCxxSetObjectMacro', 'vtkErrorMacro', 'vtkWarningMacro',
+          'Handle', 'DEFINE_STANDARD_RTTI_INLINE')
 
 
 def tags():

@@ -82,6 +82,7 @@ NEEDED_INPUTS = {
     ('ShapeFillHoles', 'Input'): holed,
     ('ShapeLabelSurfaces', 'Input'): segmented,
     ('ShapeImageValues', 'Image'): scanned,
+    ('ShapeHexRemesh', 'Surface'): lambda: shapetesting.read('DentedSphere600.vtp'),
 }
 
 GetActiveSource()

@@ -7,6 +7,7 @@
 #include "vtkShapeGather.h"
 #include "vtkShapeMeasures.h"
 #include "vtkShapeProgress.h"
+#include "vtkShapeRepair.h"
 #include "vtkShapeRequests.h"
 #include "vtkShapeTurn.h"
 
@@ -267,8 +268,13 @@ void vtkShapeAlgorithm::GatherInput(int port, int connection)
 void vtkShapeAlgorithm::RepairInput(int port, int connection, bool separate)
 {
   GatheredInput& whole = this->GatheredInputs[port][connection];
-  vtkShapeRepaired repaired = this->Repairs[{ port, connection }].Apply(
-    whole.Data, "the input '" + this->GetInputName(port) + "'", separate);
+  std::unique_ptr<vtkShapeRepair>& repair = this->Repairs[{ port, connection }];
+  if (!repair)
+  {
+    repair = std::make_unique<vtkShapeRepair>();
+  }
+  vtkShapeRepaired repaired =
+    repair->Apply(whole.Data, "the input '" + this->GetInputName(port) + "'", separate);
   if (repaired.Description.empty())
   {
     return;

@@ -29,7 +29,6 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkShapeFiltersModule.h" // for the export macro
-#include "vtkShapeRepair.h"        // for repaired inputs
 #include "vtkSmartPointer.h"       // for the gathered inputs
 
 #include "Base/Progress.h" // for shape::Progress
@@ -37,6 +36,7 @@
 #include <Eigen/Core> // for positions
 
 #include <map>     // for ports
+#include <memory>  // for repairs
 #include <set>     // for ports
 #include <string>  // for names
 #include <utility> // for connections
@@ -44,6 +44,7 @@
 
 class vtkMultiProcessController;
 class vtkPolyData;
+class vtkShapeRepair;
 class vtkUnstructuredGrid;
 
 /// Set/Get a field of this->`options` that is a number, a Boolean or a small vector.
@@ -275,8 +276,9 @@ private:
   std::string MemoryRemedy;
   std::vector<std::vector<GatheredInput>> GatheredInputs;
   std::vector<Count> Counts;
-  std::map<std::pair<int, int>, vtkShapeRepair> Repairs; ///< by port and connection
-  int SplitPoints = 0, RemovedTriangles = 0;             ///< of all inputs, when repaired
+  /// By port and connection.
+  std::map<std::pair<int, int>, std::unique_ptr<vtkShapeRepair>> Repairs;
+  int SplitPoints = 0, RemovedTriangles = 0; ///< of all inputs, when repaired
   vtkMultiProcessController* Controller = nullptr;
 };
 

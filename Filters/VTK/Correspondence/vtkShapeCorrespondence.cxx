@@ -3,6 +3,7 @@
 #include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeMapColors.h"
+#include "vtkShapeRepair.h"
 
 #include "Base/Errors.h"
 #include "Correspondence/Landmarks/LandmarkPairs.h"

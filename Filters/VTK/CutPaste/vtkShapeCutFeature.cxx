@@ -6,6 +6,7 @@
 #include "vtkShapeGather.h"
 #include "vtkShapeList.h"
 #include "vtkShapePreciseMap.h"
+#include "vtkShapeRepair.h"
 #include "vtkShapeSeenInput.h"
 #include "vtkShapeSelectedCells.h"
 

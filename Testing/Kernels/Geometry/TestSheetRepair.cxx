@@ -123,7 +123,7 @@ TEST(SheetRepair, APillowStays)
 TEST(SheetRepair, TheEndsOfAnEdgeWithoutLengthBecomeOne)
 {
   const shape::Mesh sphere = shapetest::Icosphere(2);
-  const std::vector<int>& twins = shape::Surface(sphere).Twins();
+  const std::vector<int> twins = shape::Surface(sphere).Twins();
   // The fan of point a is divided in two at its edges to b and d; the second half gets a copy of a,
   // and two triangles without area connect them.
   const int a = sphere.Triangles(9, 0), b = sphere.Triangles(9, 1);
