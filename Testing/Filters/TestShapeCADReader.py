@@ -23,10 +23,10 @@ def numbers(data, name):
 
 folder = tempfile.mkdtemp()
 script = os.path.join(folder, 'plate.geo')
-with open(script, 'w') as file:
+with open(script, 'w') as file:  # Gmsh skips a last line that does not end
     file.write('SetFactory("OpenCASCADE"); Box(1) = {0, 0, 0, 4, 3, 2};'
                'Cylinder(2) = {2, 1.5, -1, 0, 0, 4, 0.75};'
-               'BooleanDifference{ Volume{1}; Delete; }{ Volume{2}; Delete; }')
+               'BooleanDifference{ Volume{1}; Delete; }{ Volume{2}; Delete; }\n')
 for kind in ('step', 'brep'):
     subprocess.check_call(['gmsh', script, '-0', '-o', os.path.join(folder, 'plate.' + kind)],
                           stdout=subprocess.DEVNULL)
