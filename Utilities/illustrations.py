@@ -461,7 +461,7 @@ def CADReader():
     bracket = ShapeCADReader(FileName=step)
     show(bracket, array='Patch', kind='CELLS', preset='Turbo')
     lines = show(OutputPort(bracket, 1), colour=INK)
-    lines.LineWidth = 2.5
+    lines.LineWidth = 5
     return (0.5, -1.0, 0.9), (0, 0, 1)
 
 
