@@ -450,18 +450,18 @@ def CADReader():
     """A bracket that Gmsh's OpenCASCADE models: its faces and edges."""
     folder = tempfile.mkdtemp()
     script, step = os.path.join(folder, 'bracket.geo'), os.path.join(folder, 'bracket.step')
-    with open(script, 'w') as file:
+    with open(script, 'w') as file:  # Gmsh skips a last line that does not end
         file.write('SetFactory("OpenCASCADE");'
                    'Box(1) = {-3, -2, 0, 6, 4, 1}; Cylinder(2) = {0, 0, 1, 0, 0, 2, 1.4};'
                    'BooleanUnion(3) = { Volume{1}; Delete; }{ Volume{2}; Delete; };'
                    'Cylinder(4) = {0, 0, -1, 0, 0, 5, 0.8}; Cylinder(5) = {-2.2, -1.2, -1, 0, 0, 5, 0.4};'
                    'Cylinder(6) = {2.2, 1.2, -1, 0, 0, 5, 0.4}; Sphere(7) = {2.2, -1.2, 1, 0.5};'
-                   'BooleanDifference{ Volume{3}; Delete; }{ Volume{4:7}; Delete; }')
+                   'BooleanDifference{ Volume{3}; Delete; }{ Volume{4:7}; Delete; }\n')
     subprocess.run(['gmsh', script, '-0', '-o', step], check=True, stdout=subprocess.DEVNULL)
     bracket = ShapeCADReader(FileName=step)
     show(bracket, array='Patch', kind='CELLS', preset='Turbo')
     lines = show(OutputPort(bracket, 1), colour=INK)
-    lines.LineWidth = 2.5
+    lines.LineWidth = 5
     return (0.5, -1.0, 0.9), (0, 0, 1)
 
 
