@@ -125,7 +125,7 @@ together = shapetesting.outputs(made)
 assert together[0].GetNumberOfBlocks() == 3
 for number in (0, 2):
     assert abs(values(together[0].GetBlock(number), 'HU') - 7.0).max() < 1e-13
-    assert abs(values(together[0].GetBlock(number), 'Colour') - [10, 20, 30]).max() < 1e-13
+    assert abs(values(together[0].GetBlock(number), 'Colour') / [10, 20, 30] - 1.0).max() < 1e-13
     assert abs(values(together[0].GetBlock(number), 'Density') - 1.0).max() < 1e-13
 assert fact(together[0], 'ImageValues.Cells') == 23
 
