@@ -131,7 +131,7 @@ assert fact(together[0], 'ImageValues.Cells') == 23
 
 # Cells outside of the image: counted, and without a material.
 away = block()
-shapetesting.set_points(away, points(away) + [3.0, 0.0, 0.0])
+shapetesting.set_points(away, points(away) + [3.6, 0.0, 0.0])
 cut = compute(away, image(linear))[0]
 outside = values(cut, 'Coverage') == 0.0
 assert 0 < outside.sum() < 12 and (values(cut, 'HU')[outside] == 0.0).all()

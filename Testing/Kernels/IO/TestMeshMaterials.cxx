@@ -101,7 +101,7 @@ TEST(MeshMaterials, ArePartsForDyna)
   ExpectContains(text, "*PART\nRegion0_Material2\n         1         1         3\n");
   ExpectContains(text, "*PART\nRegion1_Material7\n         3         1         8\n");
   ExpectContains(text, "*SECTION_SOLID\n         1         1\n");
-  ExpectContains(text, "*MAT_ELASTIC\n         8      0.75    1234.5      0.25\n");
+  ExpectContains(text, "*MAT_ELASTIC\n         8       .75    1234.5       .25\n");
 }
 
 TEST(MeshMaterials, AreGroupsForGmsh)
