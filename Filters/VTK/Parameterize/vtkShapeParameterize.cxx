@@ -38,8 +38,8 @@ namespace
 std::vector<int> FindKept(const shape::Mesh& mesh, const shape::Mesh& given)
 {
   std::vector<int> kept = shape::FindUsedPoints(mesh.Triangles, mesh.Points.rows());
-  const Eigen::Index used = static_cast<Eigen::Index>(
-    shape::FindUsedPoints(given.Triangles, given.Points.rows()).size());
+  const Eigen::Index used =
+    static_cast<Eigen::Index>(shape::FindUsedPoints(given.Triangles, given.Points.rows()).size());
   if (used < given.Points.rows())
   {
     kept.resize(mesh.Points.rows());
@@ -68,8 +68,9 @@ Eigen::MatrixXd Expand(const Eigen::MatrixXd& positions, const shape::Surface& s
       continue;
     }
     const shape::ClosestPoint closest = locator.FindOne(points.row(i));
-    all.row(i) = shape::PullBack({ Eigen::VectorXi::Constant(1, closest.Triangle), closest.Barycentric },
-      surface.Triangles(), positions);
+    all.row(i) =
+      shape::PullBack({ Eigen::VectorXi::Constant(1, closest.Triangle), closest.Barycentric },
+        surface.Triangles(), positions);
   }
   return all;
 }
@@ -101,8 +102,8 @@ void vtkShapeParameterize::Execute(const shape::Progress& progress)
     shape::Parameterize(mesh, landmarks, this->Options, progress.Part(0.0, 0.93));
   progress(0.93);
 
-  const Eigen::MatrixXd positions = vtkShapeConvert::Rows(
-    Expand(map.Positions, mesh, kept, repaired.Points), whole.OwnPoints);
+  const Eigen::MatrixXd positions =
+    vtkShapeConvert::Rows(Expand(map.Positions, mesh, kept, repaired.Points), whole.OwnPoints);
   vtkDataObject* input = this->GetInputDataObject(0, 0);
   vtkDataObject* surface = this->GetOutputDataObject(0);
   vtkDataObject* image = this->GetOutputDataObject(1);
