@@ -9,6 +9,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.util.numpy_support import numpy_to_vtk
 import shapemap
 
 import shapetesting
@@ -193,7 +194,9 @@ assert 'feature 0' in message and 'feature 1' in message and 'cross' in message,
 
 # Regions that touch have no map of their own each.
 touching = sphere(0.4, 1.0)
-add_cell_array(touching, numpy.tile([1, 2], (touching.GetNumberOfCells(), 1)), 'Regions')
+regions = numpy_to_vtk(numpy.tile([1, 2], (touching.GetNumberOfCells(), 1)), deep=True)
+regions.SetName('Regions')
+touching.GetCellData().AddArray(regions)
 message = error_of(touching)
 assert 'feature 0' in message and 'touch' in message and 'extract' in message, message
 

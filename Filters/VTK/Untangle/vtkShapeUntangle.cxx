@@ -11,6 +11,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include "Base/Errors.h"
+#include "Mesh/UsedPoints.h"
 
 #include <array>
 #include <map>
@@ -31,14 +32,13 @@ vtkShapeUntangle::vtkShapeUntangle()
 namespace
 {
 
-/// Joins points that coincide in both shapes, which connects the cells of several pieces. Each is
-/// replaced by the first of them. Returns the points that remain, by their given indices.
-std::vector<int> Join(shape::Cells& cells, Eigen::MatrixXd& rest)
+/// Connects the cells of several pieces: their corners become the first of the points that coincide
+/// in both shapes. Returns the first for each point.
+Eigen::VectorXi Connect(shape::Cells& cells, const Eigen::MatrixXd& rest)
 {
-  const auto count = static_cast<int>(cells.Points.rows());
   std::map<std::array<double, 6>, int> firsts;
-  std::vector<int> kept, newId(count);
-  for (int i = 0; i < count; ++i)
+  Eigen::VectorXi first(cells.Points.rows());
+  for (int i = 0; i < first.size(); ++i)
   {
     std::array<double, 6> position = {};
     for (int k = 0; k < 3; ++k)
@@ -46,13 +46,28 @@ std::vector<int> Join(shape::Cells& cells, Eigen::MatrixXd& rest)
       position[k] = cells.Points(i, k);
       position[3 + k] = rest.rows() > 0 ? rest(i, k) : 0.0;
     }
-    const auto [first, isNew] = firsts.emplace(position, static_cast<int>(kept.size()));
-    newId[i] = first->second;
-    if (isNew)
+    first(i) = firsts.emplace(position, i).first->second;
+  }
+  for (int& corner : cells.Corners)
+  {
+    corner = first(corner);
+  }
+  return first;
+}
+
+/// Removes the points that another one replaces. Returns the points that remain.
+std::vector<int> RemoveCopies(
+  const Eigen::VectorXi& first, shape::Cells& cells, Eigen::MatrixXd& rest)
+{
+  std::vector<int> kept;
+  for (int i = 0; i < first.size(); ++i)
+  {
+    if (first(i) == i)
     {
       kept.push_back(i);
     }
   }
+  const std::vector<int> newId = shape::InvertIndices(kept, first.size());
   for (int& corner : cells.Corners)
   {
     corner = newId[corner];
@@ -63,6 +78,32 @@ std::vector<int> Join(shape::Cells& cells, Eigen::MatrixXd& rest)
     rest = rest(kept, Eigen::all).eval();
   }
   return kept;
+}
+
+/// Gives the cells their given points again, which move like the first of them.
+void Separate(
+  const shape::Cells& given, const Eigen::VectorXi& first, shape::UntangleResult& result)
+{
+  shape::Cells& solid = result.Solid;
+  for (Eigen::Index cell = 0; cell < solid.Kinds.size(); ++cell)
+  {
+    const int original = result.Provenance.Cells(cell);
+    for (int i = solid.Offsets(cell); i < solid.Offsets(cell + 1); ++i)
+    {
+      const int joined = solid.Corners(i);
+      for (int k = given.Offsets(original); k < given.Offsets(original + 1); ++k)
+      {
+        if (first(given.Corners(k)) == joined)
+        {
+          solid.Corners(i) = given.Corners(k);
+        }
+      }
+    }
+  }
+  for (int i = 0; i < first.size(); ++i)
+  {
+    solid.Points.row(i) = solid.Points.row(first(i)).eval();
+  }
 }
 
 } // namespace
@@ -98,21 +139,30 @@ void vtkShapeUntangle::Execute(const shape::Progress& progress)
   const Eigen::MatrixXd givenRest = rest;
   progress(0.05);
   // Within one data set, coincident points may belong to faces that are separate on purpose.
-  const bool inPieces = vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0)) ||
-    (controller && controller->GetNumberOfProcesses() > 1);
+  const bool isDistributed = controller && controller->GetNumberOfProcesses() > 1;
+  const bool isComposite = vtkCompositeDataSet::SafeDownCast(this->GetInputDataObject(0, 0));
+  Eigen::VectorXi first;
   std::vector<int> kept;
-  if (inPieces)
+  if (isDistributed || isComposite)
   {
-    kept = Join(cells, rest);
+    first = Connect(cells, rest);
+  }
+  if (isDistributed)
+  {
+    kept = RemoveCopies(first, cells, rest);
   }
   shape::UntangleResult result =
     shape::Untangle(cells, rest, this->Options, progress.Part(0.05, 0.95));
-  if (inPieces)
+  if (isDistributed)
   {
     const auto count = static_cast<int>(given.Kinds.size());
     result.Provenance = shape::Compose(shape::TraceCopies(kept, given.Points.rows(),
                                          Eigen::VectorXi::LinSpaced(count, 0, count - 1)),
       result.Provenance);
+  }
+  else if (isComposite)
+  {
+    Separate(given, first, result);
   }
 
   Eigen::MatrixXd sources = rest.rows() > 0 ? givenRest : given.Points;

@@ -7,7 +7,8 @@
  *
  * Inputs
  * - Input: tetrahedra, pyramids, wedges, hexahedra and voxels (which become hexahedra), of any data
- *   set, which may be composite or distributed. Coincident points of different pieces are merged.
+ *   set, which may be composite or distributed. Coincident points of different pieces move as one;
+ *   those of a distributed input are merged, and the blocks on one process keep theirs.
  * - RestShape (optional): the same cells before they were moved. The distortion of the map from
  *   RestShape to the output is then minimised. If RestShape is not connected, the cells become as
  *   regular as possible.
