@@ -11,7 +11,8 @@ folder = sys.argv[1] if len(sys.argv) > 1 else '.'
 # A ball of two halves, as an image of labels. Your own: OpenDataFile('segmentation.nrrd').
 image = Calculator(Input=Wavelet(WholeExtent=[-10, 10] * 3), ResultArrayName='Label',
                    Function='if(coordsX^2 + coordsY^2 + coordsZ^2 < 64, if(coordsX > 0.3, 2, 1), 0)')
-hexahedra = ShapeHexRemesh(Labels=image, LabelArray='Label', CellSize=2.0)
+# Without Surface=None, ParaView would also connect the active source, the image, to Surface.
+hexahedra = ShapeHexRemesh(Surface=None, Labels=image, LabelArray='Label', CellSize=2.0)
 hexahedra.UpdatePipeline()
 
 facts = shapemap.facts(hexahedra)

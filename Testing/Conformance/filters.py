@@ -76,6 +76,7 @@ def scanned():
 # required.
 NEEDED_INPUTS = {
     ('ShapeGeodesicDistance', 'Seeds'): lambda: shapetesting.read('DentedSphere600.vtp'),
+    ('ShapeHexRemesh', 'Surface'): lambda: shapetesting.read('DentedSphere600.vtp'),
     ('ShapePasteFeature', 'Feature'): cap,
     ('ShapeCutFeature', 'Loop'): lambda: shapetesting.closed_curve(
         [[0.6 * numpy.cos(t), 0.6 * numpy.sin(t), 0.8] for t in 0.26 * numpy.arange(24)]),

@@ -71,10 +71,11 @@ i, j, k = numpy.indices((SIZE,) * 3)
 ball = (i - 8) ** 2 + (j - 8) ** 2 + (k - 8) ** 2 < 6.6 ** 2
 labels = numpy.where(ball, numpy.where(i < 8, 2, 9), 0).astype(numpy.uint8)
 
-# The example: through ParaView's own proxies.
+# The example: through ParaView's own proxies. ParaView connects the active source to the first input
+# that is not given, which is Surface.
 source = simple.TrivialProducer()
 source.GetClientSideObject().SetOutput(image(labels))
-remesh = simple.ShapeHexRemesh(Labels=source, LabelArray='Label', CellSize=2.0)
+remesh = simple.ShapeHexRemesh(Surface=None, Labels=source, LabelArray='Label', CellSize=2.0)
 remesh.UpdatePipeline()
 solid, boundary = shapetesting.output(remesh, 0), shapetesting.output(remesh, 1)
 check(solid, boundary)

@@ -70,7 +70,7 @@ HexRemeshResult RemeshRegions(
   if (hexes.Fit.Inverted > 0)
   {
     throw SolveFailure(
-      std::to_string(hexes.Fit.Inverted) + " hexahedra stay inverted; try another CellSize");
+      std::to_string(hexes.Fit.Inverted) + " hexahedra stay inverted; set a smaller CellSize");
   }
   HexRemeshResult result;
   result.Fit = std::move(hexes.Fit);
