@@ -15,11 +15,13 @@ import shapetesting
 POINT, CELL, FIELD = vtkDataObject.POINT, vtkDataObject.CELL, vtkDataObject.FIELD
 FALSE = 12345.0
 
-# What ShapeMap filters write that is no measure: maps, ids, labels, and what a feature stood on.
+# What ShapeMap filters write that is no measure: maps, ids, labels, materials with the means of an image,
+# and what a feature stood on.
 CONTRACT = {'TargetPosition', 'TargetCell', 'TargetBarycentric', 'SourcePosition', 'OriginalPointId',
             'OriginalCellId', 'OutsideDomain', 'RegionId', 'Regions', 'SurfacePointId', 'Patch', 'Interface', 'Label',
             'Filled', 'Part', 'ExponentialMap', 'LoopCoordinates', 'LoopNormal', 'Charge', 'Name', 'Number',
-            'MapColors', 'FacePatch', 'Origin', 'Defect'}
+            'MapColors', 'FacePatch', 'Origin', 'Defect',
+            'Grey', 'Coverage', 'Density', 'Modulus', 'MaterialId', 'MaterialDensity', 'MaterialModulus'}
 # Measures of hexahedra that Shape Hex Remesh writes, by Verdict.
 VERDICT = {name[len('SetHexQualityMeasureTo'):]
            for name in dir(vtkMeshQuality) if name.startswith('SetHexQualityMeasureTo')}

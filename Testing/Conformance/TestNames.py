@@ -33,6 +33,9 @@ def check_value(where, key, property, fresh):
     check(hasattr(fresh, 'Get' + key), where, 'has no Get' + key)
 
 
+# The menu asks for these inputs, but another one can take their place.
+REPLACEABLE = {('ShapeHexRemesh', 'Surface')}
+
 for name in filters.names():
     proxy = filters.proxy(name)
     fresh = filters.new(name)
@@ -69,7 +72,8 @@ for name in filters.names():
             check((optional is None) == asked, where,
                   'is not asked for in a dialog exactly where it is the first input and needed')
             needed = optional is None or optional.GetAttribute('needed') == '1'
-            check(needed == fresh.IsInputRequired(ports[0]), where, 'is needed in XML or in C++, but not in both')
+            check(needed == fresh.IsInputRequired(ports[0]) or (name, key) in REPLACEABLE, where,
+                  'is needed in XML or in C++, but not in both')
             check(hasattr(fresh, property.GetCommand()), where, 'calls', property.GetCommand())
         else:
             check_value(where, key, property, fresh)
