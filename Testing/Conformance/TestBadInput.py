@@ -107,8 +107,7 @@ for name in filters.names():
 
         # One object meets all of them, and works each time that the input is mended.
         bad = filters.with_good_inputs(name)
-        is_image = isinstance(filters.good_input(name, port), vtkImageData)
-        for what, data in (('nothing in it', vtkImageData() if is_image else vtkPolyData()),
+        for what, data in (('nothing in it', filters.good_input(name, port).NewInstance()),
                            ('a NaN', spoiled(name, port, numpy.nan)),
                            ('an infinity', spoiled(name, port, numpy.inf))):
             bad.SetInputDataObject(port, data)
