@@ -11,7 +11,8 @@ DIALOG = 'QuickLaunchDialog'
 # What a solid without a map can be an input of, or a grid of polygons, which has the same type.
 SOLID = ['Shape Apply Volume Map', 'Shape Boundary Distance', 'Shape Deform', 'Shape Harmonic Volume Map',
          'Shape Solidify', 'Shape Transfer Fields', 'Shape Untangle']
-OF_AN_IMAGE = ['Shape Label Surfaces', 'Shape Image Values']
+# What needs an image, and the active source that offers it.
+OF_AN_IMAGE = {'Shape Label Surfaces': 'Wavelet1', 'Shape Image Values': 'BallSmall.vtu'}
 hints = {}
 for path in glob.glob(os.path.join(shapetesting.ROOT, 'Filters', 'VTK', '*', '*.xml')):
     for proxy in ElementTree.parse(path).iter('SourceProxy'):
@@ -45,8 +46,9 @@ for label in hints:
     if label not in OF_AN_IMAGE:
         check(w, label, label if label in SOLID else '')
 w.python('Show(Wavelet())')
-w.wait(100)
-for label in OF_AN_IMAGE:
+for label, active in OF_AN_IMAGE.items():
+    w.python("SetActiveSource(FindSource('%s'))" % active)
+    w.wait(100)
     for word in hints.pop(label).get('keywords').split(', '):
         check(w, word, label)
 w.open('DentedSphere600.vtp')
