@@ -117,7 +117,7 @@ for algorithm, words in (
         (new(labels=image(labels), SizeArray='Size'), ('Size Array', 'None')),
         (new(surface, Method=1), ('grid', 'Method')),
         (new(two), ('both sides', 'Regions')),
-        (new(labels=grey), ('Labels', 'label')),
+        (new(labels=grey), ('no label', 'integers')),
         (new(labels=image(labels), LabelArray='Absent'), ('Absent', 'Label')),
         (new(labels=image(0 * labels)), ('outside',)),
         (new(labels=vtkImageData()), ('no points',))):
