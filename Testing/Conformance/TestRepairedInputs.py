@@ -10,7 +10,8 @@ import filters
 import shapetesting
 
 # Of these inputs, a filter uses the points alone, or leaves polygons as they are.
-NOT_REPAIRED = {('ShapeFillHoles', 'Input'), ('ShapeApplyVolumeMap', 'Map'), ('ShapeCutFeature', 'Loop'),
+NOT_REPAIRED = {('ShapeSolidify', 'Input'),
+                ('ShapeFillHoles', 'Input'), ('ShapeApplyVolumeMap', 'Map'), ('ShapeCutFeature', 'Loop'),
                 ('ShapeCutFeature', 'Input'), ('ShapePasteFeature', 'Feature')}
 
 
