@@ -114,20 +114,6 @@ w.python('''
     assert (rows == numpy.hstack(saved)).all()
     assert [line.split(',')[6] for line in lines[1:]] == ['"1"', '"belly"', '"3"'], lines''' % table)
 
-# So have the specimens of a .tps file.
-specimens = w.file('pairs.tps')
-w.click(GROUP + 'Buttons/Save')
-w.event('SaveLandmarks', 'filesSelected', specimens)
-w.wait(100)
-w.python('''
-    read = ShapeLandmarksReader(FileNames=[%r])
-    read.UpdatePipeline()
-    data = servermanager.Fetch(read)
-    assert [[data.GetPoint(i)[k] for k in range(3)] for i in range(3)] == saved[0].tolist()
-    targets = data.GetPointData().GetArray('TargetPosition')
-    assert [list(targets.GetTuple3(i)) for i in range(3)] == saved[1].tolist()
-    Delete(read)''' % specimens)
-
 # Where the surfaces overlap, the one in front is meant; without a translation, they are in one place.
 w.python('''
     made.PointsA, made.PointsB, made.Names = [], [], []
