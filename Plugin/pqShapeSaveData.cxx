@@ -109,7 +109,7 @@ void pqShapeSaveData::shutdown()
 {
 }
 
-/// ParaView's reaction goes on enabling the action.
+/// The reaction of ParaView remains: it enables the action.
 void pqShapeSaveData::FindActions()
 {
   for (QWidget* window : QApplication::topLevelWidgets())

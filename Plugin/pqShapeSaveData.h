@@ -11,8 +11,8 @@ class pqOutputPort;
  *
  * Two writers may have the same extension: a deck is written anew, or with its nodes moved.
  * ParaView 5.11 shows both types, and takes the first writer of the extension, whatever type is
- * chosen. This class runs the dialog in its stead. If the chosen writer is the one that ParaView
- * takes, ParaView goes on.
+ * chosen. This class shows the dialog instead. If the chosen writer is the one that ParaView
+ * takes, ParaView writes the file.
  */
 class pqShapeSaveData : public QObject
 {

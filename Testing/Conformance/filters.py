@@ -83,7 +83,6 @@ NEEDED_INPUTS = {
     ('ShapeFillHoles', 'Input'): holed,
     ('ShapeLabelSurfaces', 'Input'): segmented,
     ('ShapeImageValues', 'Image'): scanned,
-    ('ShapeHexRemesh', 'Surface'): lambda: shapetesting.read('DentedSphere600.vtp'),
 }
 
 GetActiveSource()

@@ -171,12 +171,20 @@ void RequireModulus(const Eigen::MatrixXd& sums, const MaterialLaws& laws)
 
 } // namespace
 
+void RequireInRange(const ImageValuesOptions& options)
+{
+  RequireOption(options.SamplingStep >= 0.05 && options.SamplingStep <= 10.0, "SamplingStep",
+    options.SamplingStep, "from 0.05 to 10");
+  RequireOption(options.BoundaryLayers >= 0 && options.BoundaryLayers <= 20, "BoundaryLayers",
+    options.BoundaryLayers, "from 0 to 20");
+  RequireOption(options.Materials >= 1 && options.Materials <= 10000, "Materials",
+    options.Materials, "from 1 to 10000");
+}
+
 ImageValuesResult ComputeImageValues(const Cells& cells, const VoxelImage& image,
   const MaterialLaws& laws, const ImageValuesOptions& options, const Progress& progress)
 {
-  RequireOption(options.SamplingStep > 0.0, "SamplingStep", options.SamplingStep, "positive");
-  RequireOption(options.BoundaryLayers >= 0, "BoundaryLayers", options.BoundaryLayers, "0 or more");
-  RequireOption(options.Materials >= 1, "Materials", options.Materials, "1 or more");
+  RequireInRange(options);
   RequireVoxelImage(image);
   const Eigen::Index count = cells.Kinds.size();
   const CellSampling sampling(cells, image, options.SamplingStep);

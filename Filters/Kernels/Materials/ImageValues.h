@@ -14,17 +14,20 @@ namespace shape
 
 struct ImageValuesOptions
 {
-  /// Cells are divided into parts whose edges are no longer than this, in voxels; > 0. Each part
-  /// has eight Gauss points. At 1 and below, no voxel is missed.
+  /// Cells are divided into parts whose edges are no longer than this, in voxels; from 0.05 to 10.
+  /// Each part has eight Gauss points. At 1 and below, no voxel is missed.
   double SamplingStep = 1.0;
-  /// Layers of voxels at the boundary of the mesh whose densities are extrapolated from inside; >=
-  /// 0. The boundary crosses the boxes of one layer, so that every image has that one; an image
-  /// that is blurred by more than a voxel has more.
+  /// Layers of voxels at the boundary of the mesh whose densities are extrapolated from inside;
+  /// from 0 to 20. The boundary crosses the boxes of one layer, so that every image has that one;
+  /// an image that is blurred by more than a voxel has more.
   int BoundaryLayers = 1;
-  /// Bins of equal relative width, from the minimum to the maximum of the modulus; >= 1. 50 bins
-  /// divide a ratio of 200, from trabecular to cortical bone, into steps of 11 %.
+  /// Bins of equal relative width, from the minimum to the maximum of the modulus; from 1 to
+  /// 10,000. 50 bins divide a ratio of 200, from trabecular to cortical bone, into steps of 11 %.
   int Materials = 50;
 };
+
+/// Throws InvalidInput if an option is out of range.
+void RequireInRange(const ImageValuesOptions& options);
 
 /// How values of an image become a density and a modulus.
 struct MaterialLaws

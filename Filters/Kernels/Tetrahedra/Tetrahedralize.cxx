@@ -1,6 +1,5 @@
 #include "Tetrahedra/Tetrahedralize.h"
 
-#include "Base/DisjointSets.h"
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
 #include "Mesh/Extent.h"
@@ -9,12 +8,12 @@
 #include "Solids/ConformingRegions.h"
 #include "Solids/SolidRegions.h"
 #include "Solids/SurfaceComplex.h"
+#include "Tetrahedra/Private/SetsBetweenSurfaces.h"
 #include "Tetrahedra/Private/TetGen.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -48,15 +47,6 @@ void CheckOptions(const TetrahedralizeOptions& options)
   }
 }
 
-/// Progress of a loop at item `i` of `count`.
-void ReportEvery(Eigen::Index i, Eigen::Index count, const Progress& progress)
-{
-  if (i % 65536 == 0)
-  {
-    progress(static_cast<double>(i) / count);
-  }
-}
-
 /// Orients all tetrahedra positively. Throws if their orientations differ.
 void MakePositive(
   const Eigen::MatrixXd& points, Eigen::MatrixXi& tetrahedra, const Progress& progress)
@@ -80,109 +70,6 @@ void MakePositive(
   {
     tetrahedra.col(0).swap(tetrahedra.col(1));
   }
-}
-
-/// A face of a tetrahedron, or a part of a surface if Tetrahedron is -1.
-struct Face
-{
-  std::array<int, 3> Points; ///< sorted
-  int Tetrahedron;
-};
-
-/// Returns all faces; equal ones are adjacent, those of surfaces before those of tetrahedra.
-std::vector<Face> SortFaces(
-  const Eigen::MatrixXi& tetrahedra, const Eigen::MatrixXi& onSurfaces, const Progress& progress)
-{
-  std::vector<Face> faces;
-  faces.reserve(4 * tetrahedra.rows() + onSurfaces.rows());
-  const auto add = [&](int a, int b, int c, int tetrahedron)
-  {
-    faces.push_back({ { a, b, c }, tetrahedron });
-    std::sort(faces.back().Points.begin(), faces.back().Points.end());
-  };
-  for (int i = 0; i < tetrahedra.rows(); ++i)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      add(tetrahedra(i, k), tetrahedra(i, (k + 1) % 4), tetrahedra(i, (k + 2) % 4), i);
-    }
-    ReportEvery(i, tetrahedra.rows(), progress.Part(0.0, 0.3));
-  }
-  for (Eigen::Index t = 0; t < onSurfaces.rows(); ++t)
-  {
-    add(onSurfaces(t, 0), onSurfaces(t, 1), onSurfaces(t, 2), -1);
-  }
-  // By their first points at once, then among those of each: no single call sorts them all.
-  std::vector<std::size_t> first(2 + std::max(tetrahedra.maxCoeff(), onSurfaces.maxCoeff()), 0);
-  for (const Face& face : faces)
-  {
-    ++first[face.Points[0] + 1];
-  }
-  std::partial_sum(first.begin(), first.end(), first.begin());
-  std::vector<Face> sorted(faces.size());
-  std::vector<std::size_t> next = first;
-  for (std::size_t i = 0; i < faces.size(); ++i)
-  {
-    sorted[next[faces[i].Points[0]]++] = faces[i];
-    ReportEvery(i, faces.size(), progress.Part(0.3, 0.6));
-  }
-  for (std::size_t point = 0; point + 1 < first.size(); ++point)
-  {
-    std::sort(sorted.begin() + first[point], sorted.begin() + first[point + 1],
-      [](const Face& a, const Face& b)
-      { return a.Points != b.Points ? a.Points < b.Points : a.Tetrahedron < b.Tetrahedron; });
-    ReportEvery(point, first.size(), progress.Part(0.6, 1.0));
-  }
-  return sorted;
-}
-
-/// Returns, for each tetrahedron, the index of its set; no surface separates the tetrahedra of a
-/// set. Throws if a part of a surface is no face of a tetrahedron, or the tetrahedra end elsewhere.
-Eigen::VectorXi SetsBetweenSurfaces(const Eigen::MatrixXi& tetrahedra,
-  const Eigen::MatrixXi& onSurfaces, int& sets, const Progress& progress)
-{
-  const std::vector<Face> faces = SortFaces(tetrahedra, onSurfaces, progress.Part(0.0, 0.6));
-  DisjointSets connected(static_cast<int>(tetrahedra.rows()));
-  int missing = 0, open = 0;
-  Eigen::Index visited = 0;
-  for (std::size_t i = 0; i < faces.size();)
-  {
-    // A face of two tetrahedra connects them unless it lies on a surface. One that lies on a
-    // surface without a tetrahedron is missing; one of a single tetrahedron that lies on no surface
-    // is open.
-    const bool onSurface = faces[i].Tetrahedron == -1;
-    const std::size_t first = i + onSurface;
-    std::size_t next = first;
-    while (next < faces.size() && faces[next].Points == faces[i].Points)
-    {
-      ++next;
-    }
-    missing += next == first;
-    open += !onSurface && next != first + 2;
-    if (!onSurface && next == first + 2)
-    {
-      connected.Merge(faces[first].Tetrahedron, faces[first + 1].Tetrahedron);
-    }
-    ReportEvery(visited++, faces.size(), progress.Part(0.6, 0.9));
-    i = next;
-  }
-  if (missing + open > 0)
-  {
-    throw SolveFailure("TetGen's tetrahedra do not contain " + std::to_string(missing) +
-      " triangles of the surface, and their boundary has " + std::to_string(open) +
-      " faces off the surface; remesh where triangles are thin, or change PreserveBoundary");
-  }
-  // Numbered in the order of their first tetrahedra.
-  std::vector<int> number(tetrahedra.rows(), -1);
-  Eigen::VectorXi set(tetrahedra.rows());
-  for (int i = 0; i < static_cast<int>(tetrahedra.rows()); ++i)
-  {
-    int& known = number[connected.Find(i)];
-    known = known == -1 ? sets++ : known;
-    set(i) = known;
-    ReportEvery(i, tetrahedra.rows(), progress.Part(0.9, 1.0));
-  }
-  return set;
 }
 
 struct Measures
@@ -253,8 +140,8 @@ double TotalVolume(const Solid& solid)
 Eigen::VectorXi FindRegionIds(const TetGenOutput& mesh, const Eigen::MatrixXi& onSurfaces,
   const Eigen::VectorXd& volumes, const Solid& solid, const Progress& progress)
 {
-  int sets = 0;
-  const Eigen::VectorXi set = SetsBetweenSurfaces(mesh.Tetrahedra, onSurfaces, sets, progress);
+  const Eigen::VectorXi set = FindSetsBetweenSurfaces(mesh.Tetrahedra, onSurfaces, progress);
+  const int sets = set.maxCoeff() + 1;
   Eigen::VectorXi largest = Eigen::VectorXi::Constant(sets, -1);
   for (int i = 0; i < set.size(); ++i)
   {

@@ -5,6 +5,7 @@
 #include "vtkShapeConvert.h"
 #include "vtkShapeFacts.h"
 #include "vtkShapeGather.h"
+#include "vtkShapeLabel.h"
 #include "vtkShapeMeasures.h"
 #include "vtkShapeProgress.h"
 #include "vtkShapeRepair.h"
@@ -26,7 +27,6 @@
 #include "Base/Memory.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstring>
 
 struct vtkShapeAlgorithm::InputPort
@@ -65,25 +65,7 @@ vtkMultiProcessController* vtkShapeAlgorithm::GetController()
 
 std::string vtkShapeAlgorithm::GetLabel()
 {
-  return LabelOf(this->GetClassName());
-}
-
-std::string vtkShapeAlgorithm::LabelOf(const std::string& className)
-{
-  const auto isUpper = [&](std::size_t i)
-  { return i < className.size() && std::isupper(static_cast<unsigned char>(className[i])); };
-  std::string label;
-  // Without "vtk". An abbreviation is one word: OFFReader is "OFF Reader".
-  for (std::size_t i = 3; i < className.size(); ++i)
-  {
-    const bool nextIsLower = i + 1 < className.size() && !isUpper(i + 1);
-    if (i > 3 && isUpper(i) && (!isUpper(i - 1) || nextIsLower))
-    {
-      label += ' ';
-    }
-    label += className[i];
-  }
-  return label;
+  return vtkShapeLabel::Of(this->GetClassName());
 }
 
 std::string vtkShapeAlgorithm::GetInputName(int port)

@@ -117,10 +117,8 @@ public:
   vtkTypeMacro(vtkShapeAlgorithm, vtkAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Returns the name of the filter in ParaView: "Shape Harmonic Volume Map" for
-  /// vtkShapeHarmonicVolumeMap.
+  /// Returns the name of the filter in ParaView, such as "Shape Harmonic Volume Map".
   std::string GetLabel();
-  static std::string LabelOf(const std::string& className);
 
   /// Returns the name of an input port in errors and in ParaView, such as "Domain".
   std::string GetInputName(int port);

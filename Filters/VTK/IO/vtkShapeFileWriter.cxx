@@ -1,5 +1,6 @@
 #include "vtkShapeFileWriter.h"
 
+#include "vtkShapeLabel.h"
 #include "vtkShapeProgress.h"
 
 #include "vtkErrorCode.h"
@@ -52,7 +53,7 @@ vtkShapeFileWriter::~vtkShapeFileWriter() = default;
 
 std::string vtkShapeFileWriter::GetLabel()
 {
-  return vtkShapeAlgorithm::LabelOf(this->GetClassName());
+  return vtkShapeLabel::Of(this->GetClassName());
 }
 
 void vtkShapeFileWriter::AddFile(const std::string& path, Content content)

@@ -1,6 +1,6 @@
 #include "vtkShapeSource.h"
 
-#include "vtkShapeAlgorithm.h"
+#include "vtkShapeLabel.h"
 
 #include "vtkDataObject.h"
 #include "vtkDataObjectTypes.h"
@@ -21,7 +21,7 @@ vtkShapeSource::vtkShapeSource()
 
 std::string vtkShapeSource::GetLabel()
 {
-  return vtkShapeAlgorithm::LabelOf(this->GetClassName());
+  return vtkShapeLabel::Of(this->GetClassName());
 }
 
 int vtkShapeSource::FillOutputPortInformation(int, vtkInformation* info)

@@ -277,6 +277,7 @@ void vtkShapeImageValues::WriteFacts(const Run& run)
 void vtkShapeImageValues::Execute(const shape::Progress& progress)
 {
   Run run;
+  shape::RequireInRange(this->Options); // before the layers are extrapolated
   this->ReadInputs(run);
   progress(0.1);
   this->MakeLaws(run, progress.Part(0.1, 0.4, "finding the voxels at the boundary"));

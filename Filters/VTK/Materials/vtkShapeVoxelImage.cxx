@@ -1,12 +1,11 @@
 #include "vtkShapeVoxelImage.h"
 
-#include "vtkShapeComposite.h"
 #include "vtkShapeGather.h"
+#include "vtkShapeImagePieces.h"
 
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -26,25 +25,6 @@ namespace
 using vtkShapeGather::Reduction;
 
 constexpr double None = std::numeric_limits<double>::lowest();
-
-std::vector<vtkImageData*> FindImages(vtkDataObject* input)
-{
-  std::vector<vtkImageData*> images;
-  for (vtkDataSet* block : vtkShapeComposite::Of(input))
-  {
-    auto* image = vtkImageData::SafeDownCast(block);
-    if (!image)
-    {
-      throw shape::InvalidInput(std::string("the Image contains ") + block->GetClassName() +
-        "; extract the image, or resample the data with Resample To Image");
-    }
-    if (image->GetNumberOfPoints() > 0)
-    {
-      images.push_back(image);
-    }
-  }
-  return images;
-}
 
 /// The numeric point arrays that all pieces of all processes have.
 std::vector<vtkShapeVoxelImage::Array> FindArrays(
@@ -88,83 +68,19 @@ std::vector<vtkShapeVoxelImage::Array> FindArrays(
   return arrays;
 }
 
-/// The origin and the axes of an image: 12 numbers.
-std::array<double, 12> LayoutOf(vtkImageData* image)
+/// Returns the part of the image that surrounds the points, without channels, and its first index.
+shape::VoxelImage Crop(const vtkShapeImagePieces::Grid& grid,
+  const std::vector<const Eigen::MatrixXd*>& points, vtkMultiProcessController* controller,
+  std::array<int, 3>& first)
 {
-  std::array<double, 12> layout;
-  image->GetOrigin(layout.data());
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      layout[3 + 3 * row + column] =
-        image->GetDirectionMatrix()->GetElement(row, column) * image->GetSpacing()[column];
-    }
-  }
-  return layout;
-}
-
-/// An image and the extent of its samples, over all processes.
-struct Frame
-{
-  shape::VoxelImage Image; ///< its origin is that of the index (0, 0, 0)
-  Eigen::Array3d Low, High;
-};
-
-Frame FindFrame(const std::vector<vtkImageData*>& images, vtkMultiProcessController* controller)
-{
-  // The maxima of the layouts and of their negatives; the minima of the extents.
-  std::array<double, 24> layouts;
-  layouts.fill(None);
-  std::array<double, 6> extent;
-  extent.fill(std::numeric_limits<double>::max());
-  for (vtkImageData* image : images)
-  {
-    const std::array<double, 12> layout = LayoutOf(image);
-    for (int i = 0; i < 12; ++i)
-    {
-      layouts[i] = std::max(layouts[i], layout[i]);
-      layouts[12 + i] = std::max(layouts[12 + i], -layout[i]);
-    }
-    const int* own = image->GetExtent();
-    for (int i = 0; i < 6; ++i)
-    {
-      extent[i] = std::min(extent[i], static_cast<double>(i % 2 == 0 ? own[i] : -own[i]));
-    }
-  }
-  vtkShapeGather::Reduce(controller, layouts.data(), 24, Reduction::Maximum);
-  vtkShapeGather::Reduce(controller, extent.data(), 6, Reduction::Minimum);
-  for (int i = 0; i < 12; ++i)
-  {
-    if (layouts[i] != -layouts[12 + i])
-    {
-      throw shape::InvalidInput("the Image has images with different origins, spacings or "
-                                "directions; extract one of them with Extract Block");
-    }
-  }
-  Frame frame;
-  frame.Image.Origin << layouts[0], layouts[1], layouts[2];
-  for (int row = 0; row < 3; ++row)
-  {
-    for (int column = 0; column < 3; ++column)
-    {
-      frame.Image.Axes(row, column) = layouts[3 + 3 * row + column];
-    }
-  }
+  shape::VoxelImage image;
+  image.Origin = grid.Origin;
+  image.Axes = grid.Axes;
   for (int axis = 0; axis < 3; ++axis)
   {
-    frame.Low(axis) = extent[2 * axis];
-    frame.High(axis) = -extent[2 * axis + 1];
-    frame.Image.Size[axis] = static_cast<int>(frame.High(axis) - frame.Low(axis)) + 1;
+    image.Size[axis] = grid.Extent[2 * axis + 1] - grid.Extent[2 * axis] + 1;
   }
-  shape::RequireVoxelImage(frame.Image);
-  return frame;
-}
-
-/// Returns the part of the image that surrounds the points, without channels, and its first index.
-shape::VoxelImage Crop(const Frame& frame, const std::vector<const Eigen::MatrixXd*>& points,
-  vtkMultiProcessController* controller, std::array<int, 3>& first)
-{
+  shape::RequireVoxelImage(image);
   // The minima of the indices of the points, and of their negatives.
   Eigen::Array<double, 6, 1> range =
     Eigen::Array<double, 6, 1>::Constant(std::numeric_limits<double>::max());
@@ -172,17 +88,16 @@ shape::VoxelImage Crop(const Frame& frame, const std::vector<const Eigen::Matrix
   {
     if (matrix->rows() > 0)
     {
-      const Eigen::MatrixXd indices = shape::ToIndices(frame.Image, *matrix);
+      const Eigen::MatrixXd indices = shape::ToIndices(image, *matrix);
       range.head(3) = range.head(3).min(indices.colwise().minCoeff().transpose().array());
       range.tail(3) = range.tail(3).min(-indices.colwise().maxCoeff().transpose().array());
     }
   }
   vtkShapeGather::Reduce(controller, range.data(), 6, Reduction::Minimum);
-  shape::VoxelImage image = frame.Image;
   Eigen::RowVector3d start;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double low = frame.Low(axis), high = frame.High(axis);
+    const double low = grid.Extent[2 * axis], high = grid.Extent[2 * axis + 1];
     start(axis) = std::clamp(std::floor(range(axis)), low, high - 1.0);
     const double end = std::clamp(std::ceil(-range(3 + axis)), start(axis) + 1.0, high);
     first[axis] = static_cast<int>(start(axis));
@@ -233,13 +148,15 @@ vtkShapeVoxelImage::Result vtkShapeVoxelImage::Read(vtkDataObject* input,
   const std::vector<const Eigen::MatrixXd*>& points, vtkMultiProcessController* controller)
 {
   std::vector<vtkImageData*> images;
-  vtkShapeGather::RunOnAllOrFail(controller, [&] { images = FindImages(input); });
-  double count = static_cast<double>(images.size());
-  vtkShapeGather::Reduce(controller, &count, 1, Reduction::Sum);
-  if (count == 0.0)
+  vtkShapeGather::RunOnAllOrFail(
+    controller, [&] { images = vtkShapeImagePieces::Find(input, "the Image"); });
+  std::vector<vtkShapeImagePieces::Piece> pieces;
+  for (vtkImageData* image : images)
   {
-    throw shape::InvalidInput("the Image has no voxels; choose an image with points");
+    pieces.push_back({ image, false });
   }
+  const vtkShapeImagePieces::Grid grid =
+    vtkShapeImagePieces::FindGrid(pieces, "the Image", controller);
   Result result;
   result.Arrays = FindArrays(images, controller);
   if (result.Arrays.empty())
@@ -248,7 +165,7 @@ vtkShapeVoxelImage::Result vtkShapeVoxelImage::Read(vtkDataObject* input,
                               "with Cell Data To Point Data");
   }
   std::array<int, 3> first;
-  result.Image = Crop(FindFrame(images, controller), points, controller, first);
+  result.Image = Crop(grid, points, controller, first);
   const double samples = 1.0 * result.Image.Size[0] * result.Image.Size[1] * result.Image.Size[2];
   if (samples > std::numeric_limits<int>::max())
   {

@@ -197,7 +197,7 @@ private:
     }
   }
 
-  /// A name that is too long for its line goes on after " +".
+  /// A name that is too long for its line continues after " +".
   void ReadInclude(const DeckLines& lines, int file)
   {
     std::string_view part = Trimmed(lines.Line());
