@@ -57,10 +57,10 @@ struct RepairedSheets
  *    that the triangles bound stay connected; of three, those closest to one plane. All other
  *    triangles end at the edge.
  * 3. A fin is removed. It is a piece that ends at such an edge, each of its triangles has a point
- * of such an edge, its area is at most 1% of that of the surface, and a larger piece has the edge,
- *    too. Such a piece is no more than noise at the edge.
+ *    of such an edge, its area is at most 1% of that of the surface, and a larger piece has the
+ *    edge, too. Such a piece is no more than noise at the edge.
  * 4. A point where several fans of triangles touch is split: the first fan keeps the point, and
- * each other fan gets a copy.
+ *    each other fan gets a copy.
  *
  * mesh: indices must be in range, and points finite where triangles use them.
  */

@@ -6,6 +6,8 @@
 #include "Solidify/Private/SolidSurface.h"
 #include "Solidify/Private/WrapSurface.h"
 
+#include <cmath>
+
 namespace shape
 {
 namespace
@@ -59,6 +61,14 @@ void ApplyFirst(SolidifyResult& result, const Mesh& surface, const SolidifyOptio
 SolidifyResult Solidify(
   const Mesh& surface, const SolidifyOptions& options, const Progress& progress)
 {
+  // Here, because not every method uses them, and a surface without defects needs no method.
+  const auto requireLength = [](const char* name, double length)
+  {
+    RequireOption(
+      length >= 0.0 && std::isfinite(length), name, length, "a finite number of at least 0");
+  };
+  requireLength("DetailSize", options.DetailSize);
+  requireLength("GapSize", options.GapSize);
   SolidifyResult result;
   result.Defects =
     FindSurfaceDefects(surface, options.Defects, progress.Part(0.0, 0.3, "looking for defects"));

@@ -37,10 +37,9 @@ struct vtkShapeRepaired
 class vtkShapeRepair
 {
 public:
-  /// name: denotes the surface in texts. Surfaces without polygons, and with coordinates that are
-  /// not finite, are returned as they are. Throws shape::InvalidInput if a polygon cannot be
-  /// triangulated.
-  /// separate: see shape::SheetRepairOptions.
+  /// name: denotes the surface in texts. separate: see shape::SheetRepairOptions. Surfaces without
+  /// polygons, and with coordinates that are not finite, are returned as they are. Throws
+  /// shape::InvalidInput if a polygon cannot be triangulated.
   vtkShapeRepaired Apply(vtkPolyData* data, const std::string& name, bool separate);
 
 private:
