@@ -1,6 +1,7 @@
 #include "Parameterize/SphereMap.h"
 
 #include "Base/Errors.h"
+#include "Base/FormatNumber.h"
 #include "Laplacian/CotangentWeights.h"
 #include "Linear/SparseSolve.h"
 #include "Mesh/Surface.h"
@@ -70,7 +71,7 @@ Mesh Normalised(const Mesh& surface)
   {
     throw InvalidInput(
       "the surface's area is zero in double precision (the longest edge of its box is " +
-      std::to_string(size) + "); scale the surface, or check its coordinates");
+      FormatNumber(size) + "); scale the surface, or check its coordinates");
   }
   mesh.Points /= std::sqrt(area);
   return mesh;

@@ -1,6 +1,7 @@
 #include "Tetrahedra/Tetrahedralize.h"
 
 #include "Base/Errors.h"
+#include "Base/FormatNumber.h"
 #include "Geometry/Orientation.h"
 #include "Mesh/Extent.h"
 #include "Mesh/UsedPoints.h"
@@ -37,12 +38,12 @@ void CheckOptions(const TetrahedralizeOptions& options)
   const double ratio = options.MaximumRadiusEdgeRatio, volume = options.MaximumVolume;
   if (!(ratio == 0.0 || ratio > 1.0) || std::isinf(ratio))
   {
-    throw InvalidInput("MaximumRadiusEdgeRatio is " + std::to_string(ratio) +
+    throw InvalidInput("MaximumRadiusEdgeRatio is " + FormatNumber(ratio) +
       "; give a number greater than 1, such as 2, or 0 for no bound");
   }
   if (!(volume >= 0.0) || std::isinf(volume))
   {
-    throw InvalidInput("MaximumVolume is " + std::to_string(volume) +
+    throw InvalidInput("MaximumVolume is " + FormatNumber(volume) +
       "; give a positive volume in the model's units cubed, or 0 for no bound");
   }
 }
@@ -169,7 +170,7 @@ Eigen::VectorXi FindRegionIds(const TetGenOutput& mesh, const Eigen::MatrixXi& o
     if (!(std::abs(found[id] - volume) <= 1e-9 * total))
     {
       throw SolveFailure("the volume of TetGen's tetrahedra in region " + std::to_string(id) +
-        " differs by " + std::to_string(100.0 * (found[id] / volume - 1.0)) +
+        " differs by " + FormatNumber(100.0 * (found[id] / volume - 1.0)) +
         " % from the volume that the surfaces enclose; remesh where triangles are thin, or change "
         "PreserveBoundary");
     }
@@ -227,7 +228,7 @@ TetrahedralizeResult Fill(
   {
     throw InvalidInput(
       "MaximumVolume would give more than 100 million tetrahedra; use a value greater than " +
-      std::to_string(total / unit * 1e-8));
+      FormatNumber(total / unit * 1e-8));
   }
   const Eigen::Index given = solid.Surfaces.Points.rows();
   // Refinement may not end near very sharp angles, and takes long inside a thin sheet.

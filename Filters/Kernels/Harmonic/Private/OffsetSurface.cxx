@@ -1,6 +1,7 @@
 #include "Harmonic/Private/OffsetSurface.h"
 
 #include "Base/Errors.h"
+#include "Base/FormatNumber.h"
 #include "Solids/IsoSurface.h"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ SampledGrid EmptyGrid(
     if (grid.Spacing > distance)
     {
       throw InvalidInput("the offset distance is too small to sample: " +
-        std::to_string(distance / ComputeLongestBoxEdge(points)) +
+        FormatNumber(distance / ComputeLongestBoxEdge(points)) +
         " times the longest edge of the surface's bounding box; increase it");
     }
   }
