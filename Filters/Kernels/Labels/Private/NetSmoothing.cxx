@@ -1,6 +1,7 @@
 #include "Labels/Private/NetSmoothing.h"
 
 #include "Base/Parallel.h"
+#include "Labels/Private/JunctionFit.h"
 
 #include <Eigen/Geometry>
 
@@ -28,6 +29,10 @@ constexpr double CurveStiffness = 4.0;
 /// three labels lies beside the curve, unless all angles there are equal. The interfaces know
 /// better.
 constexpr double CurveData = 0.5;
+/// Number of times that curves and their ends move to where the interfaces meet (FitJunctions).
+constexpr int Fits = 2;
+/// Weight of |x - x0|^2 there, where x0 is what FitJunctions returns.
+constexpr double FittedData = 2.0;
 
 using Positions = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
@@ -142,8 +147,11 @@ public:
     ParallelFor(static_cast<int>(y.rows()), Grain, apply);
   }
 
-  /// The weight of |x - x0|^2 at a point.
-  double DataWeight(int i) const { return this->IsOnCurve[i] && this->Uses[i] ? CurveData : 1.0; }
+  /// The weight of |x - x0|^2 at a point. areFitted: whether x0 is fitted on curves.
+  double DataWeight(int i, bool areFitted) const
+  {
+    return !this->IsOnCurve[i] ? 1.0 : areFitted ? FittedData : this->Uses[i] ? CurveData : 1.0;
+  }
   /// The weight of a row.
   double RowWeight(int i) const { return this->IsOnCurve[i] ? CurveStiffness : 1.0; }
 
@@ -224,10 +232,17 @@ std::vector<Direction> FindDirections(
   return directions;
 }
 
+/// The positions x0 of an energy.
+struct Data
+{
+  Positions Given;
+  bool AreJunctionsFitted = false; ///< whether those on curves come from FitJunctions
+};
+
 /// Minimises the energy by conjugate gradients, from x. directions: the parts of L x across them
 /// count, or all of it.
 void Solve(const NetLaplacian& laplacian, const std::vector<Direction>* directions,
-  const Positions& given, double wavelength, const std::vector<char>& isFixed, Positions& x,
+  const Data& data, double wavelength, const std::vector<char>& isFixed, Positions& x,
   const Progress& progress)
 {
   const double weight = std::pow(wavelength / (2.0 * EIGEN_PI), 4);
@@ -235,6 +250,7 @@ void Solve(const NetLaplacian& laplacian, const std::vector<Direction>* directio
   Positions inner(size, 3), outer(size, 3);
   const auto across = [&](int i, const Eigen::RowVector3d& vector)
   { return directions ? (*directions)[i].Across(vector) : vector; };
+  const auto weightOf = [&](int i) { return laplacian.DataWeight(i, data.AreJunctionsFitted); };
   const auto apply = [&](const Positions& v)
   {
     laplacian.Apply(v, inner,
@@ -243,7 +259,7 @@ void Solve(const NetLaplacian& laplacian, const std::vector<Direction>* directio
       });
     laplacian.ApplyTransposed(inner, outer,
       [&](int i, const Eigen::RowVector3d& sum) -> Eigen::RowVector3d
-      { return across(i, laplacian.DataWeight(i) * v.row(i) + weight * sum); });
+      { return across(i, weightOf(i) * v.row(i) + weight * sum); });
   };
   const auto clear = [&](Positions& v)
   {
@@ -259,7 +275,7 @@ void Solve(const NetLaplacian& laplacian, const std::vector<Direction>* directio
   Positions residual(size, 3);
   for (int i = 0; i < size; ++i)
   {
-    residual.row(i) = across(i, laplacian.DataWeight(i) * given.row(i));
+    residual.row(i) = across(i, weightOf(i) * data.Given.row(i));
   }
   residual -= outer;
   clear(residual);
@@ -312,27 +328,42 @@ void SmoothNet(SurfaceNet& net, double wavelength, const Progress& progress)
     return;
   }
   const NetLaplacian laplacian(net);
-  const Positions start = net.Points;
-  Positions x = start;
-  Solve(laplacian, nullptr, start, std::min(wavelength, FirstWavelength), {}, x,
-    progress.Part(0.0, 1.0 / (Rounds + 1)));
+  Positions target = net.Points;
+  Positions x = target;
+  constexpr int solutions = 1 + Rounds + Fits;
+  const auto part = [&](int solution)
+  { return progress.Part(double(solution) / solutions, (solution + 1.0) / solutions); };
+  Solve(laplacian, nullptr, { target }, std::min(wavelength, FirstWavelength), {}, x, part(0));
   Confine(net, x);
   std::vector<char> isFixed(size, 0);
-  for (int round = 0; round < Rounds; ++round)
+  // The target's positions across the surface, those of the solution before along it.
+  const auto solve = [&](bool areJunctionsFitted, const Progress& ofSolution)
   {
     const std::vector<Direction> directions = FindDirections(net, laplacian, x);
-    // The net's positions across the surface, the first solution's along it.
-    Positions given = x;
+    Data data = { x, areJunctionsFitted };
     for (int i = 0; i < size; ++i)
     {
-      given.row(i) += directions[i].Across(start.row(i) - x.row(i));
+      data.Given.row(i) += directions[i].Across(target.row(i) - x.row(i));
     }
-    Solve(laplacian, &directions, given, wavelength, isFixed, x,
-      progress.Part((round + 1.0) / (Rounds + 1), (round + 2.0) / (Rounds + 1)));
-    if (!Confine(net, x, &isFixed))
+    Solve(laplacian, &directions, data, wavelength, isFixed, x, ofSolution);
+    return Confine(net, x, &isFixed);
+  };
+  for (int round = 0; round < Rounds; ++round)
+  {
+    if (!solve(false, part(1 + round)))
     {
       break;
     }
+  }
+  for (int fit = 0; fit < Fits && !net.JunctionPoints.empty(); ++fit)
+  {
+    const Eigen::MatrixXd fitted = FitJunctions(net, x);
+    for (std::size_t i = 0; i < net.JunctionPoints.size(); ++i)
+    {
+      target.row(net.JunctionPoints[i]) = fitted.row(static_cast<Eigen::Index>(i));
+    }
+    std::fill(isFixed.begin(), isFixed.end(), 0);
+    solve(true, part(1 + Rounds + fit));
   }
   net.Points = x;
 }

@@ -13,7 +13,8 @@ namespace shape
  * point i to its neighbours. For a point inside an interface these are all neighbours; on a curve
  * where regions meet, those on the curve; at the end of such a curve or where curves meet there are
  * none, so that curves stay straight up to their ends. On curves, the first term weighs less and
- * the second more: a curve lies where the smooth interfaces beside it meet.
+ * the second more. Then x0 becomes the position where the smooth interfaces beside the curve, or
+ * its end, meet (FitJunctions), and all points are smoothed again.
  *
  * The second-order energy does not shrink regions as repeated averaging does (Gibson 1998), so that
  * few points reach the border of their cells. These stay there: the remaining points are smoothed
