@@ -330,7 +330,7 @@ void SmoothNet(SurfaceNet& net, double wavelength, const Progress& progress)
   const NetLaplacian laplacian(net);
   Positions target = net.Points;
   Positions x = target;
-  constexpr int solutions = 1 + Rounds + Fits;
+  constexpr int solutions = 1 + Rounds * (Fits + 1);
   const auto part = [&](int solution)
   { return progress.Part(double(solution) / solutions, (solution + 1.0) / solutions); };
   Solve(laplacian, nullptr, { target }, std::min(wavelength, FirstWavelength), {}, x, part(0));
@@ -348,22 +348,25 @@ void SmoothNet(SurfaceNet& net, double wavelength, const Progress& progress)
     Solve(laplacian, &directions, data, wavelength, isFixed, x, ofSolution);
     return Confine(net, x, &isFixed);
   };
-  for (int round = 0; round < Rounds; ++round)
+  const int fits = net.JunctionPoints.empty() ? 0 : Fits;
+  for (int fit = 0; fit <= fits; ++fit)
   {
-    if (!solve(false, part(1 + round)))
+    if (fit > 0)
     {
-      break;
+      const Eigen::MatrixXd fitted = FitJunctions(net, x);
+      for (std::size_t i = 0; i < net.JunctionPoints.size(); ++i)
+      {
+        target.row(net.JunctionPoints[i]) = fitted.row(static_cast<Eigen::Index>(i));
+      }
+      std::fill(isFixed.begin(), isFixed.end(), 0);
     }
-  }
-  for (int fit = 0; fit < Fits && !net.JunctionPoints.empty(); ++fit)
-  {
-    const Eigen::MatrixXd fitted = FitJunctions(net, x);
-    for (std::size_t i = 0; i < net.JunctionPoints.size(); ++i)
+    for (int round = 0; round < Rounds; ++round)
     {
-      target.row(net.JunctionPoints[i]) = fitted.row(static_cast<Eigen::Index>(i));
+      if (!solve(fit > 0, part(1 + fit * Rounds + round)))
+      {
+        break;
+      }
     }
-    std::fill(isFixed.begin(), isFixed.end(), 0);
-    solve(true, part(1 + Rounds + fit));
   }
   net.Points = x;
 }
