@@ -239,11 +239,13 @@ struct Data
   bool AreJunctionsFitted = false; ///< whether those on curves come from FitJunctions
 };
 
-/// Minimises the energy by conjugate gradients, from x. directions: the parts of L x across them
-/// count, or all of it.
-void Solve(const NetLaplacian& laplacian, const std::vector<Direction>* directions,
-  const Data& data, double wavelength, const std::vector<char>& isFixed, Positions& x,
-  const Progress& progress)
+/// Minimises the energy by conjugate gradients, from x, until the squared norm of the residual has
+/// decreased by SolverTolerance squared from that at the begin, or from `largest` if that is
+/// greater. Returns the squared norm at the begin. directions: the parts of L x across them count,
+/// or all of it.
+double Solve(const NetLaplacian& laplacian, const std::vector<Direction>* directions,
+  const Data& data, double wavelength, const std::vector<char>& isFixed, double largest,
+  Positions& x, const Progress& progress)
 {
   const double weight = std::pow(wavelength / (2.0 * EIGEN_PI), 4);
   const int size = static_cast<int>(x.rows());
@@ -281,7 +283,8 @@ void Solve(const NetLaplacian& laplacian, const std::vector<Direction>* directio
   clear(residual);
   Positions direction = residual;
   double square = residual.squaredNorm();
-  const double limit = square * SolverTolerance * SolverTolerance;
+  const double first = square;
+  const double limit = std::max(first, largest) * SolverTolerance * SolverTolerance;
   for (int iteration = 0; iteration < MaximumIterations && square > limit; ++iteration)
   {
     apply(direction);
@@ -294,6 +297,7 @@ void Solve(const NetLaplacian& laplacian, const std::vector<Direction>* directio
     direction = residual + (square / before) * direction;
     progress(static_cast<double>(iteration) / MaximumIterations);
   }
+  return first;
 }
 
 /// Moves points back into their cells, and marks them. Returns whether there were any.
@@ -333,9 +337,10 @@ void SmoothNet(SurfaceNet& net, double wavelength, const Progress& progress)
   constexpr int solutions = 1 + Rounds * (Fits + 1);
   const auto part = [&](int solution)
   { return progress.Part(double(solution) / solutions, (solution + 1.0) / solutions); };
-  Solve(laplacian, nullptr, { target }, std::min(wavelength, FirstWavelength), {}, x, part(0));
+  Solve(laplacian, nullptr, { target }, std::min(wavelength, FirstWavelength), {}, 0.0, x, part(0));
   Confine(net, x);
   std::vector<char> isFixed(size, 0);
+  double largest = 0.0; // squared norm of a residual: later solutions start close to their end
   // The target's positions across the surface, those of the solution before along it.
   const auto solve = [&](bool areJunctionsFitted, const Progress& ofSolution)
   {
@@ -345,7 +350,8 @@ void SmoothNet(SurfaceNet& net, double wavelength, const Progress& progress)
     {
       data.Given.row(i) += directions[i].Across(target.row(i) - x.row(i));
     }
-    Solve(laplacian, &directions, data, wavelength, isFixed, x, ofSolution);
+    largest = std::max(
+      largest, Solve(laplacian, &directions, data, wavelength, isFixed, largest, x, ofSolution));
     return Confine(net, x, &isFixed);
   };
   const int fits = net.JunctionPoints.empty() ? 0 : Fits;
