@@ -103,7 +103,6 @@ void vtkShapeMovedDeckWriter::AddIncludedFiles(
     }
     if (!isInPlace && IsBelow(name))
     {
-      fs::create_directories(copy.parent_path());
       this->AddFile(copy.string(), contentOf(file));
     }
   }
