@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -38,6 +39,9 @@ void RequireSolidCells(const Eigen::VectorXi& kinds)
   }
 }
 
+/// Flat cells have relative volumes of any sign, up to this number. Their numbering is right.
+constexpr double RoundingError = 1e-14;
+
 /// The faces of the cells, counter-clockwise seen from outside.
 class OutwardFaces
 {
@@ -48,7 +52,7 @@ public:
   {
     for (int cell = 0; cell < static_cast<int>(mesh.Kinds.size()); ++cell)
     {
-      this->IsTurned[cell] = this->ComputeVolume(cell) < 0.0;
+      this->IsTurned[cell] = this->ComputeRelativeVolume(cell) < -RoundingError;
     }
   }
 
@@ -75,21 +79,23 @@ private:
     return corners;
   }
 
-  /// By the divergence theorem; faces have their area vectors and the means of their corners.
-  double ComputeVolume(int cell) const
+  /// Returns the volume divided by the cube of the largest distance from the first corner, by the
+  /// divergence theorem. Faces have their area vectors and the means of their corners.
+  double ComputeRelativeVolume(int cell) const
   {
     const Eigen::MatrixXd& points = this->Mesh.Points;
     const Eigen::RowVector3d origin = points.row(this->Mesh.Corners(this->Mesh.Offsets(cell)));
-    double volume = 0.0;
+    double volume = 0.0, extent = 0.0;
     const auto count = static_cast<int>(GetFaces(this->Mesh.Kinds(cell)).size());
     for (int face = 0; face < count; ++face)
     {
       const FaceCorners corners = this->GetNumbered(cell, face);
       const int size = Size(corners);
-      Eigen::RowVector3d sum = -size * origin;
+      Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
       for (int k = 0; k < size; ++k)
       {
-        sum += points.row(corners[k]);
+        sum += points.row(corners[k]) - origin;
+        extent = std::max(extent, (points.row(corners[k]) - origin).norm());
       }
       // The area vector is half of this, also that of a triangle, where the last corner is 2.
       const Eigen::RowVector3d twiceArea =
@@ -97,7 +103,7 @@ private:
           .cross(Eigen::RowVector3d(points.row(corners[size - 1]) - points.row(corners[1])));
       volume += twiceArea.dot(sum) / (6.0 * size);
     }
-    return volume;
+    return volume / std::max(extent * extent * extent, std::numeric_limits<double>::min());
   }
 
   const Cells& Mesh;

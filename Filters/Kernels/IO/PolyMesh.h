@@ -54,8 +54,8 @@ struct PolyMesh
 
 /**
  * Returns the faces of a mesh of solid cells. Cells keep their numbers. A cell whose corners are
- * numbered inside out, with a negative volume, is turned: only its faces are in the result.
- * Patches without faces are left out.
+ * numbered inside out, with a negative volume, is turned: only its faces are in the result. Flat
+ * cells are taken as they are numbered. Patches without faces are left out.
  *
  * Throws InvalidInput if a cell is not solid, a cell has a point twice, more than two cells have
  * the same face, or both cells of a face are on the same side of it, as a neighbour of an inverted

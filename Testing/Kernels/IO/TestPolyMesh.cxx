@@ -234,6 +234,27 @@ TEST(PolyMesh, TurnsCellsThatAreNumberedInsideOut)
   CheckFaces(Make(cells), cells);
 }
 
+TEST(PolyMesh, TakesFlatCellsAsTheyAreNumbered)
+{
+  // The apex of the tetrahedron lies in its base, but for rounding.
+  shape::Cells cells = shapetest::OneOfEach();
+  cells.Points.rowwise() += Eigen::RowVector3d(0.1, 0.7, 0.3);
+  std::mt19937_64 generator(13);
+  std::uniform_real_distribution<double> uniform(0.1, 0.4);
+  int negative = 0;
+  for (int i = 0; i < 500; ++i)
+  {
+    const double a = uniform(generator), b = uniform(generator);
+    cells.Points.row(11) =
+      a * cells.Points.row(5) + b * cells.Points.row(6) + (1.0 - a - b) * cells.Points.row(8);
+    const shape::PolyMesh mesh = Make(cells);
+    EXPECT_EQ(FacesOf(mesh), FacesOf(cells));
+    EXPECT_NEAR(Closure(mesh).Volumes(3), 0.0, 1e-15);
+    negative += Closure(mesh).Volumes(3) < 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(negative, 0) << "the case is among them";
+}
+
 TEST(PolyMesh, DividesCellsIntoZonesAndOrientsInterfaces)
 {
   const shape::Cells cells = BentCubes();
