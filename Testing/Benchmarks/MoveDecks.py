@@ -106,7 +106,8 @@ def read_and_write(path):
     assert writer.Write()
 
 
-AWK = '''{ if ($0 ~ /^\\*/) { n = ($0 ~ /^\\*[Nn][Oo][Dd][Ee] /) } else if (n) {
+AWK = '''FNR == 1 { n = FILENAME ~ /upper/ }
+{ if ($0 ~ /^\\*/) { n = ($0 ~ /^\\*[Nn][Oo][Dd][Ee] /) } else if (n) {
 $0 = sprintf("%s, %.17g, %.17g, %.17g", $1, 1.1*$2, 1.1*$3, 1.1*$4) } print }'''
 rows = []
 for count in (cells // 8, cells):

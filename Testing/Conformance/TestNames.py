@@ -33,9 +33,6 @@ def check_value(where, key, property, fresh):
     check(hasattr(fresh, 'Get' + key), where, 'has no Get' + key)
 
 
-# What all writers inherit, and the writers whose files have no materials.
-OF_MATERIALS = {'PoissonRatio', 'DensityScale'}
-WITHOUT_MATERIALS = {'ShapeExodusWriter', 'ShapeGmshWriter', 'ShapeMeditWriter', 'ShapeMovedDeckWriter'}
 # The menu asks for these inputs, but another one can take their place.
 REPLACEABLE = {('ShapeHexRemesh', 'Surface')}
 
@@ -97,8 +94,7 @@ for name in filters.writers():
         if property.IsA('vtkSMInputProperty'):  # for the lists of arrays alone
             continue
         where = name + '.' + key
-        check(bool(proxy.GetProperty(key)) != (key in OF_MATERIALS and name in WITHOUT_MATERIALS), where,
-              'is in the dialog exactly if the file has such values')
+        check(proxy.GetProperty(key), where, 'is not in the dialog')
         check_property(where, key, property)
         check_value(where, key, property, fresh)
     print(name, 'is named and documented')

@@ -104,8 +104,8 @@ scenes = {scene.__name__: scene for scene in (Landmarks, LandmarksReader, OFFRea
 # is tested in a browser.
 for name in proxies.proxies():
     stem = name[len('Shape'):]
-    if stem not in ('DynaWriter', 'ExodusWriter', 'FebioWriter', 'GmshWriter', 'MeditWriter', 'MovedDeckWriter',
-                    'HTMLWriter'):
+    if stem not in ('DynaWriter', 'ExodusWriter', 'FebioWriter', 'FoamWriter', 'GmshWriter', 'MeditWriter',
+                    'MovedDeckWriter', 'HTMLWriter'):
         scenes.setdefault(stem, illustrations.drawings.get(stem))
 assert None not in scenes.values(), scenes
 

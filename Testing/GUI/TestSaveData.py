@@ -1,4 +1,5 @@
-"""File > Save Data writes a mesh for Abaqus, with the element that the user chooses in the dialog."""
+"""File > Save Data writes a mesh for Abaqus, with the element that the user chooses in the dialog, and one for
+OpenFOAM, which is a folder beside the file."""
 import window
 
 DIALOG = 'WriterSettingsDialog/'
@@ -13,6 +14,14 @@ w.click(DIALOG + 'widget/OKButton')
 w.python('''
     text = open(%r).read()
     assert '*ELEMENT, TYPE=C3D8, ELSET=Hexahedra' in text and 'NSET=Patch0' in text''' % w.file('ball.inp'))
+
+w.menu('menu_File', 'actionFileSaveData')
+w.event('FileSaveDialog', 'filesSelected', w.file('ball.foam'))
+w.click(DIALOG + 'widget/OKButton')
+w.python('''
+    owner = open(%r + '/constant/polyMesh/owner').read()
+    assert 'nCells:%%d ' %% GetActiveSource().GetDataInformation().GetNumberOfCells() in owner, owner[:300]
+    assert open(%r).read() == ""''' % (w.folder, w.file('ball.foam')))
 
 # The array with the regions is chosen from a list.
 w.python('''

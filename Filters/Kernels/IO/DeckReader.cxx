@@ -10,8 +10,8 @@
 namespace shape
 {
 
-Deck ReadDeck(
-  const std::string& name, std::string content, const ReadNamedFile& read, const Progress& progress)
+Deck ReadDeck(const std::string& name, std::string content, const ReadNamedFile& read,
+  const Progress& progress, DeckContent wanted)
 {
   const std::string extension = InUpperCase(name.substr(std::min(name.rfind('.'), name.size())));
   const auto parse = extension == ".INP"                              ? ParseAbaqusDeck
@@ -23,7 +23,8 @@ Deck ReadDeck(
     throw InvalidInput("the extension '" + extension +
       "' is no format of a deck; it must be .inp, .k, .key, .dyn or .feb");
   }
-  DeckBuilder builder(name, std::move(content), read, progress);
+  DeckBuilder builder(
+    name, std::move(content), read, progress, wanted == DeckContent::NodesAndElements);
   parse(builder);
   return builder.Finish();
 }

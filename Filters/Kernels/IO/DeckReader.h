@@ -8,6 +8,13 @@
 namespace shape
 {
 
+/// What is read of a deck.
+enum class DeckContent
+{
+  NodesAndElements,
+  Nodes ///< elements are not even checked
+};
+
 /**
  * Reads the nodes and elements of an input deck. name: of the deck; its extension is the format:
  * .inp; .k, .key or .dyn; .feb. content: of that file. read: the files that it includes.
@@ -32,6 +39,6 @@ namespace shape
  * Throws Aborted.
  */
 Deck ReadDeck(const std::string& name, std::string content, const ReadNamedFile& read,
-  const Progress& progress = {});
+  const Progress& progress = {}, DeckContent wanted = DeckContent::NodesAndElements);
 
 } // namespace shape

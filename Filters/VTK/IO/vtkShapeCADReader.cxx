@@ -20,7 +20,7 @@ std::string vtkShapeCADReader::GetOutputType()
 }
 
 void vtkShapeCADReader::ReadContent(
-  std::string_view content, vtkDataObject* output, const shape::Progress& progress)
+  std::string content, vtkDataObject* output, const shape::Progress& progress)
 {
   const shape::CADModel model = shape::ReadCAD(content, this->Options, progress);
   vtkShapeFileContent::ToPolyData(

@@ -43,7 +43,7 @@ protected:
   ~vtkShapeCADReader() override = default;
   std::string GetOutputType() override;
   void ReadContent(
-    std::string_view content, vtkDataObject* output, const shape::Progress& progress) override;
+    std::string content, vtkDataObject* output, const shape::Progress& progress) override;
 
 private:
   vtkShapeCADReader(const vtkShapeCADReader&) = delete;

@@ -7,6 +7,8 @@
 
 #include "IO/DeckReader.h"
 
+#include <utility>
+
 vtkStandardNewMacro(vtkShapeDeckReader);
 
 std::string vtkShapeDeckReader::GetOutputType()
@@ -15,9 +17,10 @@ std::string vtkShapeDeckReader::GetOutputType()
 }
 
 void vtkShapeDeckReader::ReadContent(
-  std::string_view content, vtkDataObject* output, const shape::Progress& progress)
+  std::string content, vtkDataObject* output, const shape::Progress& progress)
 {
   const std::string path = this->GetFileName();
-  const shape::Deck deck = vtkShapeFileContent::ReadDeck(path, std::string(content), progress);
+  const shape::Deck deck = vtkShapeFileContent::ReadDeck(
+    path, std::move(content), progress, shape::DeckContent::NodesAndElements);
   vtkShapeFileContent::ToGrid(deck, path, vtkUnstructuredGrid::SafeDownCast(output));
 }

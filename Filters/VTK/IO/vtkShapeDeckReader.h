@@ -32,7 +32,7 @@ protected:
   ~vtkShapeDeckReader() override = default;
   std::string GetOutputType() override;
   void ReadContent(
-    std::string_view content, vtkDataObject* output, const shape::Progress& progress) override;
+    std::string content, vtkDataObject* output, const shape::Progress& progress) override;
 
 private:
   vtkShapeDeckReader(const vtkShapeDeckReader&) = delete;

@@ -247,11 +247,11 @@ std::string vtkShapeFileContent::FindBeside(const std::string& path, const std::
   return (std::filesystem::path(path).parent_path() / name).string();
 }
 
-shape::Deck vtkShapeFileContent::ReadDeck(
-  const std::string& path, std::string content, const shape::Progress& progress)
+shape::Deck vtkShapeFileContent::ReadDeck(const std::string& path, std::string content,
+  const shape::Progress& progress, shape::DeckContent wanted)
 {
   const auto read = [&](const std::string& name) { return Read(FindBeside(path, name)); };
-  return shape::ReadDeck(path, std::move(content), read, progress);
+  return shape::ReadDeck(path, std::move(content), read, progress, wanted);
 }
 
 void vtkShapeFileContent::ToGrid(

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
+#include "IO/DeckReader.h"
 #include "Mesh/Cells.h"
 
 #include <string>
@@ -11,7 +12,6 @@ class vtkUnstructuredGrid;
 namespace shape
 {
 struct CADModel;
-struct Deck;
 struct MeditMesh;
 struct OFFSurface;
 } // namespace shape
@@ -27,7 +27,8 @@ std::string Read(const std::string& path);
 std::string FindBeside(const std::string& path, const std::string& name);
 
 /// Reads a deck and the files that it includes. Throws as shape::ReadDeck does.
-shape::Deck ReadDeck(const std::string& path, std::string content, const shape::Progress& progress);
+shape::Deck ReadDeck(const std::string& path, std::string content, const shape::Progress& progress,
+  shape::DeckContent wanted);
 
 /// Fills a surface with points, faces and the arrays of vtkShapeOFFReader.
 void ToPolyData(const shape::OFFSurface& surface, vtkPolyData* output);

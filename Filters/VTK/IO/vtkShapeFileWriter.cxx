@@ -115,6 +115,24 @@ void vtkShapeFileWriter::Replace(const OutputFile& file) const
   }
 }
 
+void vtkShapeFileWriter::MakeFolder(const std::string& folder)
+{
+  std::error_code error;
+  if (folder.empty() || fs::path(this->FileName).parent_path() == folder ||
+    fs::is_directory(folder, error))
+  {
+    return;
+  }
+  this->MakeFolder(fs::path(folder).parent_path().string());
+  if (!fs::create_directory(folder, error))
+  {
+    throw FileError("cannot make the folder '" + folder + "' (" + error.message() +
+        "); choose an existing folder with write permission",
+      vtkErrorCode::CannotOpenFileError);
+  }
+  this->MadeFolders.push_back(folder);
+}
+
 /// Files are written under other names in their folders, and then renamed: older files are replaced
 /// only by complete ones.
 void vtkShapeFileWriter::WriteFiles(const shape::Progress& progress)
@@ -125,6 +143,7 @@ void vtkShapeFileWriter::WriteFiles(const shape::Progress& progress)
     for (std::size_t i = 0; i < this->Files.size(); ++i)
     {
       const OutputFile& file = this->Files[i];
+      this->MakeFolder(fs::path(file.Name).parent_path().string());
       const double begin = static_cast<double>(i) / count;
       this->WriteTo(file, file.Part.empty() ? file.Name : file.Part.string(),
         progress.Part(begin, begin + 1.0 / count));
@@ -140,6 +159,12 @@ void vtkShapeFileWriter::WriteFiles(const shape::Progress& progress)
     {
       std::error_code error;
       file.Part.empty() ? false : fs::remove(file.Part, error);
+    }
+    // A folder that has a file stays.
+    for (auto folder = this->MadeFolders.rbegin(); folder != this->MadeFolders.rend(); ++folder)
+    {
+      std::error_code error;
+      fs::remove(*folder, error);
     }
     throw;
   }
@@ -157,6 +182,7 @@ void vtkShapeFileWriter::WriteData()
       throw FileError("there is no file name; set one", vtkErrorCode::NoFileNameError);
     }
     this->Files.clear();
+    this->MadeFolders.clear();
     Content content = this->ReadInput(progress.Part(0.0, 0.5, "reading the input"));
     this->AddFile(this->FileName, std::move(content));
     this->WriteFiles(progress.Part(0.5, 1.0, "writing the file"));

@@ -47,7 +47,8 @@ protected:
   using Content = std::function<void(std::ostream& file, const shape::Progress& progress)>;
   /// Reads the input and returns what writes it. Throws shape::InvalidInput, shape::Aborted.
   virtual Content ReadInput(const shape::Progress& progress) = 0;
-  /// Adds a file that belongs to FileName, and is written before it. ReadInput calls this.
+  /// Adds a file that belongs to FileName, and is written before it. ReadInput calls this. Folders
+  /// below that of FileName are made if necessary.
   void AddFile(const std::string& path, Content content);
 
   std::string FileName;
@@ -59,11 +60,13 @@ private:
   struct OutputFile;
 
   void WriteFiles(const shape::Progress& progress);
+  void MakeFolder(const std::string& folder);
   void WriteTo(
     const OutputFile& file, const std::string& path, const shape::Progress& progress) const;
   void Replace(const OutputFile& file) const;
 
-  std::vector<OutputFile> Files; ///< to be written
+  std::vector<OutputFile> Files;        ///< to be written
+  std::vector<std::string> MadeFolders; ///< for them, from outer to inner ones
 };
 
 #endif

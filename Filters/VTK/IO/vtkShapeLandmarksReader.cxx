@@ -20,7 +20,7 @@ std::string vtkShapeLandmarksReader::GetOutputType()
 }
 
 void vtkShapeLandmarksReader::ReadContent(
-  std::string_view content, vtkDataObject* output, const shape::Progress& progress)
+  std::string content, vtkDataObject* output, const shape::Progress& progress)
 {
   const shape::LandmarkFile file = shape::ReadLandmarks(content, this->Options);
   vtkNew<vtkPoints> points;

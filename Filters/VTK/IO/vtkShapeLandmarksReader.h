@@ -39,7 +39,7 @@ protected:
   ~vtkShapeLandmarksReader() override = default;
   std::string GetOutputType() override;
   void ReadContent(
-    std::string_view content, vtkDataObject* output, const shape::Progress& progress) override;
+    std::string content, vtkDataObject* output, const shape::Progress& progress) override;
 
 private:
   vtkShapeLandmarksReader(const vtkShapeLandmarksReader&) = delete;

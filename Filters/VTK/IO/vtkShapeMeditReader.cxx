@@ -15,7 +15,7 @@ std::string vtkShapeMeditReader::GetOutputType()
 }
 
 void vtkShapeMeditReader::ReadContent(
-  std::string_view content, vtkDataObject* output, const shape::Progress& progress)
+  std::string content, vtkDataObject* output, const shape::Progress& progress)
 {
   vtkShapeFileContent::ToGrid(
     shape::ReadMedit(content, progress), vtkUnstructuredGrid::SafeDownCast(output));

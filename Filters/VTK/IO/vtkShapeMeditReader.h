@@ -24,7 +24,7 @@ protected:
   ~vtkShapeMeditReader() override = default;
   std::string GetOutputType() override;
   void ReadContent(
-    std::string_view content, vtkDataObject* output, const shape::Progress& progress) override;
+    std::string content, vtkDataObject* output, const shape::Progress& progress) override;
 
 private:
   vtkShapeMeditReader(const vtkShapeMeditReader&) = delete;

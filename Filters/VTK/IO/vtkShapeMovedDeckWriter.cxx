@@ -103,7 +103,6 @@ void vtkShapeMovedDeckWriter::AddIncludedFiles(
     }
     if (!isInPlace && IsBelow(name))
     {
-      fs::create_directories(copy.parent_path());
       this->AddFile(copy.string(), contentOf(file));
     }
   }
@@ -112,8 +111,8 @@ void vtkShapeMovedDeckWriter::AddIncludedFiles(
 vtkShapeFileWriter::Content vtkShapeMovedDeckWriter::ReadInput(const shape::Progress& progress)
 {
   const std::string path = this->FindDeck();
-  auto deck = std::make_shared<shape::Deck>(
-    vtkShapeFileContent::ReadDeck(path, vtkShapeFileContent::Read(path), progress.Part(0.0, 0.8)));
+  auto deck = std::make_shared<shape::Deck>(vtkShapeFileContent::ReadDeck(
+    path, vtkShapeFileContent::Read(path), progress.Part(0.0, 0.8), shape::DeckContent::Nodes));
   if (fs::path(path).extension() != fs::path(this->FileName).extension())
   {
     throw shape::InvalidInput("the deck is '" + fs::path(path).filename().string() +

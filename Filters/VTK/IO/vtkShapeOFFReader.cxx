@@ -15,7 +15,7 @@ std::string vtkShapeOFFReader::GetOutputType()
 }
 
 void vtkShapeOFFReader::ReadContent(
-  std::string_view content, vtkDataObject* output, const shape::Progress& progress)
+  std::string content, vtkDataObject* output, const shape::Progress& progress)
 {
   vtkShapeFileContent::ToPolyData(
     shape::ReadOFF(content, progress), vtkPolyData::SafeDownCast(output));

@@ -28,7 +28,7 @@ protected:
   ~vtkShapeOFFReader() override = default;
   std::string GetOutputType() override;
   void ReadContent(
-    std::string_view content, vtkDataObject* output, const shape::Progress& progress) override;
+    std::string content, vtkDataObject* output, const shape::Progress& progress) override;
 
 private:
   vtkShapeOFFReader(const vtkShapeOFFReader&) = delete;

@@ -4,16 +4,18 @@
 
 #include "Base/Errors.h"
 
+#include <utility>
+
 void vtkShapeReader::Make(vtkDataObject* output, const shape::Progress& progress)
 {
   if (this->FileName.empty())
   {
     throw shape::InvalidInput("there is no file name; set one");
   }
-  const std::string content = vtkShapeFileContent::Read(this->FileName);
+  std::string content = vtkShapeFileContent::Read(this->FileName);
   try
   {
-    this->ReadContent(content, output, progress);
+    this->ReadContent(std::move(content), output, progress);
   }
   catch (const shape::InvalidInput& error)
   {

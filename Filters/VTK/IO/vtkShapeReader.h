@@ -9,7 +9,7 @@
 
 #include "vtkShapeSource.h"
 
-#include <string_view> // for the content
+#include <string> // for the content
 
 class VTKSHAPEFILTERS_EXPORT vtkShapeReader : public vtkShapeSource
 {
@@ -30,7 +30,7 @@ protected:
 
   /// Fills the output from the content of the file.
   virtual void ReadContent(
-    std::string_view content, vtkDataObject* output, const shape::Progress& progress) = 0;
+    std::string content, vtkDataObject* output, const shape::Progress& progress) = 0;
 
 private:
   vtkShapeReader(const vtkShapeReader&) = delete;

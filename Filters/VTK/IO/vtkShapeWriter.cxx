@@ -140,10 +140,15 @@ vtkShapeFileWriter::Content vtkShapeWriter::ReadInput(const shape::Progress& pro
   vtkShapeConvert::ReorderVoxels(cells);
   RequireKnownCells(cells);
   shape::MeshSets sets = shape::FindMeshSets(cells, ReadRegions(grid, this->RegionArray),
-    this->FeatureAngle, ReadFacePatches(grid), progress);
+    this->FeatureAngle, ReadFacePatches(grid), progress.Part(0.0, 0.7));
   sets.Materials = ReadMaterials(grid, this->MaterialOptions);
+  this->AddFiles(sets, progress.Part(0.7, 1.0));
   return [this, sets = std::move(sets)](std::ostream& file, const shape::Progress& part)
   { this->WriteText(file, sets, part); };
+}
+
+void vtkShapeWriter::AddFiles(const shape::MeshSets&, const shape::Progress&)
+{
 }
 
 void vtkShapeWriter::PrintSelf(ostream& os, vtkIndent indent)

@@ -50,7 +50,10 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   Content ReadInput(const shape::Progress& progress) final;
 
-  /// Writes the content of the file.
+  /// Adds the files that belong to FileName (AddFile), if the format has several.
+  virtual void AddFiles(const shape::MeshSets& sets, const shape::Progress& progress);
+
+  /// Writes the content of FileName.
   virtual void WriteText(
     std::ostream& file, const shape::MeshSets& sets, const shape::Progress& progress) = 0;
 

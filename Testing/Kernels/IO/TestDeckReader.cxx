@@ -170,6 +170,33 @@ TEST(DeckReader, ReadsSectionsOfFebio)
   EXPECT_EQ(old.Mesh.Kinds, Eigen::VectorXi::Constant(1, 5));
 }
 
+TEST(DeckReader, FindsTheSameNodesWithoutElements)
+{
+  const std::pair<std::string, std::string> decks[] = {
+    { "a.inp", "*NODE\n1,0,0,0\n2,1,0,0\n*ELEMENT, TYPE=T3D2\n1,1,\n2\n*NODE\n3,0,1,0\n" },
+    { "a.k",
+      "*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n*ELEMENT_SHELL\n1,1,1,2,3,3\n*NODE\n4,0,0,1\n*END\n" },
+    { "a.feb",
+      "<febio_spec><Nodes><node id=\"1\">0,0,0</node><node id=\"2\">1,0,0</node></Nodes>"
+      "<Elements type=\"line2\" name=\"A\"><elem id=\"1\">1,2</elem></Elements>"
+      "<Nodes><node id=\"3\">0,1,0</node></Nodes></febio_spec>" }
+  };
+  for (const auto& [name, content] : decks)
+  {
+    const shape::Deck all = Read(name, content);
+    const shape::Deck nodes = shape::ReadDeck(
+      name, content, [](const std::string&) { return ""; }, {}, shape::DeckContent::Nodes);
+    EXPECT_EQ(all.ElementNumbers.size(), 1u) << name;
+    EXPECT_EQ(nodes.ElementNumbers.size(), 0u);
+    EXPECT_EQ(NumbersOf(nodes), NumbersOf(all));
+    EXPECT_EQ(nodes.Mesh.Points, all.Mesh.Points);
+    for (std::size_t i = 0; i < all.Nodes.size(); ++i)
+    {
+      EXPECT_EQ(nodes.Nodes[i].Begin, all.Nodes[i].Begin);
+    }
+  }
+}
+
 TEST(DeckReader, RefusesNodesThatAreNotWhereTheirCoordinatesSay)
 {
   const std::string node = "*NODE\n1, 0, 0, 0\n";

@@ -228,7 +228,9 @@ private:
     const std::string type = InUpperCase(keyword.Get("TYPE")), set = keyword.Get("ELSET");
     this->Type = FindAbaqusElement(type);
     this->TypeName = type;
-    this->Current = this->Type.Kind == 0 ? Block::SkippedElements : Block::Elements;
+    this->Current = !this->Builder.WantsElements() ? Block::Other
+      : this->Type.Kind == 0                       ? Block::SkippedElements
+                                                   : Block::Elements;
     this->IsContinued = false;
     if (this->Current == Block::Elements)
     {

@@ -17,7 +17,7 @@ class DeckBuilder
 {
 public:
   DeckBuilder(const std::string& name, std::string content, const ReadNamedFile& read,
-    const Progress& progress);
+    const Progress& progress, bool wantsElements);
 
   /// Reads a file that the deck includes, and calls parse(file). A file without nodes is read once.
   /// file, at: where it is included.
@@ -36,6 +36,8 @@ public:
 
   /// at: of the node.
   void AddNode(const DeckNode& node, const Eigen::RowVector3d& position);
+  /// Whether elements are read; AddElement ignores them otherwise.
+  bool WantsElements() const { return this->HasElements; }
   /// Returns the number of a region. A new name is a new region.
   int FindRegion(const std::string& name);
   void AddElement(
@@ -53,11 +55,13 @@ public:
 
 private:
   int Open(const std::string& name, int file, std::size_t at);
+  void ReserveNodes(std::string_view content);
   void FindCorners();
 
   Deck Result;
   ReadNamedFile Read;
   shape::Progress Progress;
+  bool HasElements;
   std::vector<int> Reading; ///< the files that are open, each included by the one before
   std::vector<double> Positions;
   std::map<std::string, int> Regions, Skipped;
