@@ -1,7 +1,7 @@
 // Damaged surfaces mended by ShapeMap, judged by CGAL, beside CGAL's alpha wrapping of the same
 // input.
 #include "Cases/CgalMesh.h"
-#include "Driver/BenchmarkData.h"
+#include "Cases/ModelFile.h"
 #include "Driver/Case.h"
 #include "Driver/Cost.h"
 
@@ -31,7 +31,7 @@ namespace
 
 constexpr const char* Usage = R"(MODEL [MUTATION ...] [Seed=1] [Wrap=0] [Method=0]
 
-Damages a model (OFF) by the mutations in order, and turns the result into a solid (Automatic):
+Damages a model (OFF, STL, PLY, OBJ) by the mutations in order, and turns the result into a solid (Automatic):
   soup        no two triangles share a point
   reversed    30 % of the triangles
   duplicates  5 % of the triangles once more, with points of their own
@@ -304,7 +304,7 @@ void WrapByCgal(const shape::Mesh& model, const shape::Mesh& input, Eigen::Index
 
 void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
 {
-  const shape::Mesh model = benchmark::ReadOff(arguments.NextWord(), false);
+  const shape::Mesh model = benchmark::ReadModel(arguments.NextWord());
   const std::vector<std::string> mutations = arguments.RemainingWords();
   Chance chance(static_cast<unsigned int>(arguments.Setting("Seed", 1)));
   const bool wrap = arguments.Setting("Wrap", false);

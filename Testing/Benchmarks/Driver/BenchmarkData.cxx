@@ -167,10 +167,15 @@ shape::Mesh ReadOff(const std::string& path, bool weld)
   {
     mesh.Triangles.row(t) << triangles[t][0], triangles[t][1], triangles[t][2];
   }
+  ScaleToUnitBox(mesh);
+  return weld ? Welded(mesh) : mesh;
+}
+
+void ScaleToUnitBox(shape::Mesh& mesh)
+{
   const Eigen::RowVector3d middle =
     0.5 * (mesh.Points.colwise().minCoeff() + mesh.Points.colwise().maxCoeff());
   mesh.Points = (mesh.Points.rowwise() - middle) / shape::ComputeLongestBoxEdge(mesh.Points);
-  return weld ? Welded(mesh) : mesh;
 }
 
 shape::Mesh Subdivide(const shape::Mesh& mesh)

@@ -14,6 +14,9 @@ namespace benchmark
 /// shape::InvalidInput.
 shape::Mesh ReadOff(const std::string& path, bool weld);
 
+/// Scales a surface to a box with longest edge 1 around the origin.
+void ScaleToUnitBox(shape::Mesh& mesh);
+
 /// Divides each triangle into three by its centroid, flips the old edges, and smooths the old
 /// points (Kobbelt, "Sqrt(3)-subdivision", 2000). For closed surfaces.
 shape::Mesh Subdivide(const shape::Mesh& mesh);
