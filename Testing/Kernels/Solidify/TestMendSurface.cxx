@@ -278,6 +278,10 @@ TEST(MendSurface, RefusesWhatEnclosesNoSolid)
     "intersects itself", "pairs of triangles", "Report");
   shape::Mesh strip = shapetest::FlatSquare(1, 0.0);
   EXPECT_REFUSED(shape::MendSurface(strip, { 10.0, 0.0 }), "no triangle of the surface is left");
+  const shape::Mesh sheet = shapetest::FlatSquare(4, 0.0);
+  EXPECT_REFUSED(shape::MendSurface(sheet), "1 of its pieces are sheets", "Wrap");
+  // A hemisphere is no sheet: its hole is a third of both.
+  ExpectSolid(shapetest::SphereWithoutCap(4, 90.0), 4.0 / 3.0 * M_PI, 0.2, 2);
   // A Moebius strip of 12 quads.
   constexpr int quads = 12;
   shape::Mesh moebius{ Eigen::MatrixXd(2 * quads, 3), Eigen::MatrixXi(2 * quads, 3) };

@@ -1,6 +1,5 @@
 #include "Solidify/Private/ClosedDraft.h"
 
-#include "Base/Errors.h"
 #include "Geometry/SelfIntersections.h"
 #include "Mesh/BoundaryLoops.h"
 #include "Mesh/CoincidentPoints.h"
@@ -8,6 +7,7 @@
 #include "Mesh/VertexFans.h"
 #include "Solidify/Private/JoinedSoup.h"
 #include "Solidify/Private/SheetPairing.h"
+#include "Solidify/Private/SolidSampling.h"
 
 #include <Eigen/Geometry>
 
@@ -142,6 +142,36 @@ OrientedDraft DraftSurface(
   }
   drafted.Draft = std::move(draft);
   return drafted;
+}
+
+void RequireNoSheets(const Mesh& surface)
+{
+  const Topology topology = ComputeTopology(surface);
+  const Mesh closed = CloseByCones(surface);
+  const Eigen::VectorXd areas = 0.5 * ComputeAreaVectors(closed).rowwise().norm();
+  Eigen::VectorXd own = Eigen::VectorXd::Zero(topology.Components), cones = own;
+  for (Eigen::Index t = 0; t < areas.size(); ++t)
+  {
+    (t < surface.Triangles.rows() ? own : cones)(topology.ComponentId(closed.Triangles(t, 0))) +=
+      areas(t);
+  }
+  constexpr double most = 0.45, share = 0.1; // of a flat sheet with its cone, half is the cone
+  double sheets = 0.0;
+  int count = 0;
+  for (Eigen::Index component = 0; component < own.size(); ++component)
+  {
+    if (cones(component) >= most * (own(component) + cones(component)))
+    {
+      sheets += own(component);
+      ++count;
+    }
+  }
+  if (count > 0 && sheets >= share * own.sum())
+  {
+    throw NoSolid("the solid of the surface is empty: " + std::to_string(count) +
+      " of its pieces are sheets, whose holes are as large as the pieces, so that they enclose "
+      "nothing; choose the method Wrap, or remove them");
+  }
 }
 
 ClosedDraft CloseDraft(MendedDraft draft, const Progress& progress)
