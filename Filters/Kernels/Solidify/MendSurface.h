@@ -25,12 +25,12 @@ namespace shape
  *    tenth of all triangles, and the number of components and the Euler number must stay the same.
  * 5. Pieces are oriented by nesting.
  *
- * surface: any triangles. Parts that cross each other are not united. A component is a sheet if
- * cones over the edges of its holes have 45 % of the area or more of both: it encloses little, and
- * no fill of its holes is the right one.
- * Throws InvalidInput, with the number and first position of the defects, if the result does not
- * bound a solid; if sheets make up a tenth of the area or more; or under the conditions of
- * FindSurfaceDefects. Throws SolveFailure if a hole cannot be filled; Aborted.
+ * surface: any triangles. Parts that cross each other are not united. A component is a sheet if the
+ * area vectors of its holes, whose lengths no fill undercuts, have 45 % of the area or more of
+ * both: it encloses little, and no fill is the right one. Throws InvalidInput, with the number and
+ * first position of the defects, if the result does not bound a solid; if sheets make up a tenth of
+ * the area or more; or under the conditions of FindSurfaceDefects. Throws SolveFailure if a hole
+ * cannot be filled; Aborted.
  */
 MendedSurface MendSurface(
   const Mesh& surface, const SurfaceDefectOptions& options = {}, const Progress& progress = {});

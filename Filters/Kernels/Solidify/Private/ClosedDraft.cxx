@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <sstream>
 #include <utility>
@@ -148,19 +149,32 @@ void RequireNoSheets(const Mesh& surface)
 {
   const Topology topology = ComputeTopology(surface);
   const Mesh closed = CloseByCones(surface);
-  const Eigen::VectorXd areas = 0.5 * ComputeAreaVectors(closed).rowwise().norm();
-  Eigen::VectorXd own = Eigen::VectorXd::Zero(topology.Components), cones = own;
-  for (Eigen::Index t = 0; t < areas.size(); ++t)
+  const Eigen::MatrixXd vectors = 0.5 * ComputeAreaVectors(closed);
+  Eigen::VectorXd own = Eigen::VectorXd::Zero(topology.Components), fills = own;
+  std::map<int, RowVector3d> holes; // the area vectors of the cones, by their apexes
+  std::map<int, int> componentOf;
+  for (Eigen::Index t = 0; t < vectors.rows(); ++t)
   {
-    (t < surface.Triangles.rows() ? own : cones)(topology.ComponentId(closed.Triangles(t, 0))) +=
-      areas(t);
+    const int component = topology.ComponentId(closed.Triangles(t, 0));
+    if (t < surface.Triangles.rows())
+    {
+      own(component) += vectors.row(t).norm();
+      continue;
+    }
+    const int apex = closed.Triangles(t, 2);
+    holes.emplace(apex, RowVector3d::Zero()).first->second += vectors.row(t);
+    componentOf[apex] = component;
   }
-  constexpr double most = 0.45, share = 0.1; // of a flat sheet with its cone, half is the cone
+  for (const auto& [apex, vector] : holes)
+  {
+    fills(componentOf[apex]) += vector.norm(); // no fill of the hole has a smaller area
+  }
+  constexpr double most = 0.45, share = 0.1; // half of a flat sheet with its fill is the fill
   double sheets = 0.0;
   int count = 0;
   for (Eigen::Index component = 0; component < own.size(); ++component)
   {
-    if (cones(component) >= most * (own(component) + cones(component)))
+    if (fills(component) >= most * (own(component) + fills(component)))
     {
       sheets += own(component);
       ++count;
