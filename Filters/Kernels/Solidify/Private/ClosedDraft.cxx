@@ -67,7 +67,10 @@ FilledSurface FillAllHoles(const Surface& surface, const Progress& progress)
       " boundary edges of the surface form no closed loop; find them with the method Report, and "
       "remove the triangles beside them");
   }
-  return FillLoops(surface, boundary.Loops, {}, progress);
+  // Holes are filled several times if triangles cross. Each of the fills takes at most a second.
+  FillHolesOptions options;
+  options.Filler.MaximumPoints = 2000;
+  return FillLoops(surface, boundary.Loops, options, progress);
 }
 
 /// Moves copies of a point apart, each towards the points around it.
