@@ -20,9 +20,11 @@ namespace shape
  *    parts of the solid touch along an edge or at a point, they are separated (SheetPairing.h).
  *    Copies of a point are moved apart by 1/1000 of their shortest edge.
  * 3. Triangles are reversed until neighbours agree. Small pieces are removed.
- * 4. Holes are filled (FillHoles), each with at most about 2000 points. Triangles that intersect others are replaced by fills, then
- *    those that the fills intersect, or a ring of triangles around them. They must be at most a
- *    tenth of all triangles, and the number of components and the Euler number must stay the same.
+ * 4. Holes are filled (FillHoles), each with at most about 2000 points. A hole whose area vector
+ *    has a fifth of the area or more is filled by a membrane, as a smooth fill may bulge far.
+ *    Triangles that intersect others are replaced by fills, then those that the fills intersect, or
+ *    a ring of triangles around them. They must be at most a tenth of all triangles, and the number
+ *    of components and the Euler number must stay the same.
  * 5. Pieces are oriented by nesting.
  *
  * surface: any triangles. Parts that cross each other are not united. A component is a sheet if the

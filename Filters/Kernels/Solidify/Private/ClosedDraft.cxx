@@ -57,6 +57,19 @@ int RemoveSmallPieces(MendedDraft& draft, double smallest)
   return removed;
 }
 
+/// The area vector of a loop, whose length is the least area of a surface that spans it.
+RowVector3d ComputeAreaVector(const Eigen::MatrixXd& points, const std::vector<int>& loop)
+{
+  const RowVector3d origin = points.row(loop.front());
+  RowVector3d sum = RowVector3d::Zero();
+  for (std::size_t i = 0; i + 1 < loop.size(); ++i)
+  {
+    const RowVector3d begin = points.row(loop[i]) - origin, end = points.row(loop[i + 1]) - origin;
+    sum += 0.5 * begin.cross(end);
+  }
+  return sum;
+}
+
 /// Fills all holes. A surface whose boundary does not close has no solid.
 FilledSurface FillAllHoles(const Surface& surface, const Progress& progress)
 {
@@ -67,10 +80,28 @@ FilledSurface FillAllHoles(const Surface& surface, const Progress& progress)
       " boundary edges of the surface form no closed loop; find them with the method Report, and "
       "remove the triangles beside them");
   }
+  // A smooth fill of a large hole may bulge as far as the surface is long.
+  constexpr double large = 0.2; // of the area
+  const double area = ComputeArea(surface);
+  std::vector<std::vector<int>> small, wide;
+  for (const std::vector<int>& loop : boundary.Loops)
+  {
+    const double least = ComputeAreaVector(surface.Points(), loop).norm();
+    (least > large * (area + least) ? wide : small).push_back(loop);
+  }
   // Holes are filled several times if triangles cross. Each of the fills takes at most a second.
   FillHolesOptions options;
   options.Filler.MaximumPoints = 2000;
-  return FillLoops(surface, boundary.Loops, options, progress);
+  FilledSurface filled = FillLoops(surface, small, options, progress.Part(0.0, 0.5));
+  if (wide.empty())
+  {
+    return filled;
+  }
+  options.Method = FillMethod::Membrane;
+  FilledSurface all = FillLoops(filled.Surface, wide, options, progress.Part(0.5, 1.0));
+  all.Provenance = Compose(filled.Provenance, all.Provenance);
+  all.Holes.insert(all.Holes.begin(), filled.Holes.begin(), filled.Holes.end());
+  return all;
 }
 
 /// Moves copies of a point apart, each towards the points around it.
