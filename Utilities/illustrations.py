@@ -106,9 +106,12 @@ def Solidify():
     debris = [Sphere(Center=[0.3 * k, -0.1, 0.25], Radius=0.02) for k in (-1, 1)]
     damaged = AppendDatasets(Input=[rest] + debris)
     show(damaged, (-0.62, 0, 0))
-    defects = show(OutputPort(ShapeSolidify(Input=damaged, Method='Report', SmallestPiece=0.1), 1), (-0.62, 0, 0),
-                   colour=ACCENT)
-    defects.Representation, defects.PointSize, defects.RenderPointsAsSpheres = 'Points', 12, 1
+    defects = OutputPort(ShapeSolidify(Input=damaged, Method='Report', SmallestPiece=0.1), 1)
+    # Spheres of triangles: ParaView shifts surfaces against points, and VTK then draws points as flat disks, which the
+    # surface that they lie on hides in part.
+    spheres = Glyph(Input=defects, GlyphType='Sphere', GlyphMode='All Points', ScaleFactor=0.09)
+    spheres.ScaleArray, spheres.OrientationArray = ['POINTS', 'No scale array'], ['POINTS', 'No orientation array']
+    show(spheres, (-0.62, 0, 0), colour=ACCENT)
     solid = ShapeSolidify(Input=damaged, SmallestPiece=0.1)
     show(solid, (0.62, 0, 0), array='Origin', kind='CELLS', preset='Cool to Warm')
     return FRONT

@@ -1,14 +1,18 @@
 """Damaged models turned into solids: each of the build's models as it is, then mutations of the closed ones.
 
-    python3 Testing/Benchmarks/Solidify.py [--mutations 300] [--half 1] [--wrap] [MODEL ...]
+    python3 Testing/Benchmarks/Solidify.py [--folder FOLDER] [--mutations 300] [--half 1] [--wrap] [MODEL ...]
+
+Models are files in the formats OFF, STL, PLY and OBJ, also those in folders below, such as those of the
+package assimp-testmodels in /usr/share/assimp/models. VTK reads the last three; its reader crashes on
+issue623.ply of that package.
 
 The mutations occur as often as in 10,000 printable models: 26 % have several components (debris), 22 %
 edges that are not manifold (fins), 16 % degenerate triangles, 11 % holes, 10 % are not oriented, 45 %
 cross themselves; and half of the files are soups. Every result must be valid for CGAL, or an error names
 the defect; there is no crash and no run of more than 120 s; a right model stays bit for bit. --half 1 or 2
 takes every other model, so that one half serves to develop and the other one to report. --wrap also wraps
-each input by CGAL with as many triangles; then the result must not be farther from the input on 90 % of the
-inputs that were changed, and take at most twice the time.
+each input that was changed by CGAL, with as many triangles; then the result must not be farther from the
+input on 90 % of them, nor from the creases of the model, and take at most twice the time.
 """
 import collections
 import random
@@ -29,7 +33,7 @@ def main():
     program, claims = sweep.Program(options), sweep.Claims()
     counts = collections.Counter()
     table = sweep.Table('model:<24', 'method:<10', 'before:8d', 'after:8d', 'kept:8d', 'mended:7d', 'made:6d',
-                        'gaps:4d', 'pieces:6d', 'euler:6d', 'valid:5d', 'grid:7.4f', 'distance:9.2e', 'away:9.2e', 'cpu:7.2f')
+                        'gaps:4d', 'pieces:6d', 'euler:6d', 'valid:5d', 'grid:7.4f', 'distance:9.2e', 'crease:9.2e', 'away:9.2e', 'far:9.2e', 'cpu:7.2f')
 
     pairs = []  # ours and CGAL's, of the same input
 
@@ -47,13 +51,13 @@ def main():
             table.print(dict(row, model=name), note)
         row = outcome.rows[0]
         counts[row['method']] += 1
-        if len(outcome.rows) > 1 and row['method'] != 'unchanged':
+        if len(outcome.rows) > 1:
             pairs.append((row, outcome.rows[1]))
         claims.at_least(what, 'valid for CGAL', row['valid'], 1)
         return row
 
     sound = []
-    models = sweep.models(options)
+    models = sweep.models(options, formats=('.off', '.stl', '.ply', '.obj'))
     if options.half:
         models = models[options.half - 1::2]
     for name, path in models:
@@ -72,8 +76,12 @@ def main():
         solidify(name, path, mutations, seed)
     print('mutations:', dict(counts))
     if pairs:
-        claims.at_least('beside CGAL', 'share not farther from the input',
-                        sum(ours['away'] <= peer['away'] for ours, peer in pairs) / len(pairs), 0.9)
+        def share(figure, chosen=pairs):
+            return sum(ours[figure] <= peer[figure] for ours, peer in chosen) / max(len(chosen), 1)
+        claims.at_least('beside CGAL', 'share not farther by the larger distance', share('far'), 0.9)
+        claims.at_least('beside CGAL', 'share whose result is not farther from the input', share('away'), 0.9)
+        creased = [pair for pair in pairs if max(each['crease'] for each in pair) > 0]
+        claims.at_least('beside CGAL', 'share of creases not farther', share('crease', creased), 0.9)
         claims.at_most('beside CGAL', 'CPU seconds relative to CGAL',
                        sum(ours['cpu'] for ours, _ in pairs) / sum(peer['cpu'] for _, peer in pairs), 2.0)
     claims.finish()

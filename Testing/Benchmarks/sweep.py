@@ -50,22 +50,24 @@ def parser(description, models=True):
     made.add_argument('--build', default=BUILD)
     made.add_argument('--program', help="another benchmark program than the build's")
     if models:
-        made.add_argument('--folder', help="of OFF files; the build's models by default")
+        made.add_argument('--folder', help="of models; the build's by default")
         made.add_argument('words', nargs='*', metavar='MODEL | Property=value')
     return made
 
 
-def models(options, usual=()):
-    """(name, path) of the models that are named, of the `usual` ones, or of all, the small ones
-    first."""
+def models(options, usual=(), formats=('.off',)):
+    """(name, path) of the models that are named, of the `usual` ones, or of all in the folder and
+    below, the small ones first. Only names of OFF files are without their extension."""
     folder = options.folder or os.environ.get('SHAPEMAP_MODELS', os.path.join(options.build, 'models'))
     names = [word for word in options.words if '=' not in word] or usual
-    paths = [os.path.join(folder, name + '.off') for name in names] or sorted(
-        glob.glob(os.path.join(folder, '*.off')), key=lambda path: (os.path.getsize(path), path))
+    paths = [os.path.join(folder, name if name.endswith(formats) else name + '.off') for name in names]
+    paths = paths or sorted(
+        (path for path in glob.glob(os.path.join(folder, '**', '*'), recursive=True)
+         if path.lower().endswith(formats)), key=lambda path: (os.path.getsize(path), path))
     assert paths, 'there are no models in ' + folder
     for path in paths:
         assert os.path.exists(path), 'there is no model ' + path
-    return [(os.path.basename(path)[:-len('.off')], path) for path in paths]
+    return [(os.path.basename(path).removesuffix('.off'), path) for path in paths]
 
 
 def properties(options):
@@ -123,8 +125,8 @@ class Program:
         if threads:
             environment['VTK_SMP_MAX_THREADS'] = str(threads)
         try:
-            done = subprocess.run(command, capture_output=True, text=True, env=environment,
-                                  timeout=seconds)
+            done = subprocess.run(command, capture_output=True, encoding='utf-8', errors='replace',
+                                  env=environment, timeout=seconds)
         except subprocess.TimeoutExpired:
             return Outcome([], None, 'no end after %g s' % seconds)
         error = done.stderr.strip() if done.returncode else ''

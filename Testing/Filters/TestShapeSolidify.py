@@ -143,7 +143,7 @@ assert fact(united, 'Solidify.DistanceToInput') < 1e-6
 # Wrap makes a plate of a sheet and fills a hollow sphere; its sizes are lengths.
 sheet = simple.Plane(XResolution=4, YResolution=4)
 sheet.UpdatePipeline()
-shapetesting.check_refused(new(shapetesting.output(sheet), 'Solid', DetailSize=0.05), 'encloses nothing', 'Wrap')
+shapetesting.check_refused(new(shapetesting.output(sheet), 'Solid', DetailSize=0.05), 'enclose nothing', 'Wrap')
 plate = solid(shapetesting.output(sheet), 'Wrap', DetailSize=0.05)[0]
 assert fact(plate, 'Solidify.Method') == 'Wrap' and fact(plate, 'Solidify.GridSpacing') == 0.05
 assert fact(plate, 'Solidify.EulerNumber') == 2 and open_or_tangled(plate) == 0

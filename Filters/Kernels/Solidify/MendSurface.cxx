@@ -126,6 +126,7 @@ MendedSurface MendSurface(
   const Mesh& surface, const SurfaceDefectOptions& options, const Progress& progress)
 {
   const OrientedDraft drafted = DraftSurface(surface, options, progress.Part(0.0, 0.3));
+  RequireNoSheets(drafted.Draft.Surface);
   MendedSurface mended;
   mended.RemovedTriangles = drafted.RemovedTriangles;
   mended.ReversedTriangles = drafted.ReversedTriangles;

@@ -7,6 +7,8 @@
 #include "Solidify/Private/WrapSurface.h"
 
 #include <cmath>
+#include <set>
+#include <vector>
 
 namespace shape
 {
@@ -56,6 +58,44 @@ void ApplyFirst(SolidifyResult& result, const Mesh& surface, const SolidifyOptio
     options.Method == SolidifyMethod::Automatic ? progress.Part(0.6, 1.0) : progress);
 }
 
+/// Returns the largest distance of some triangles of a surface from another one; 0 without any.
+double MeasureFarthest(const Mesh& surface, const std::vector<int>& triangles, const Surface& other,
+  const Progress& progress)
+{
+  const Surface part = Mesh{ surface.Points, surface.Triangles(triangles, Eigen::all) };
+  return ComputeArea(part) > 0.0
+    ? ComputeDistancesToSurface(part, SurfaceLocator(other), progress).Distances.maxCoeff()
+    : 0.0;
+}
+
+/// The distances between the input and the result. Triangles that were kept lie on both, so that
+/// only the others are measured.
+HausdorffDistances MeasureDistances(const JoinedSoup& input, const MendedSurface& mended,
+  const Surface& solid, const Progress& progress)
+{
+  std::set<int> kept;
+  std::vector<int> changed, lost;
+  for (int t = 0; t < static_cast<int>(mended.Origin.size()); ++t)
+  {
+    if (mended.Origin(t) == static_cast<int>(TriangleOrigin::Kept))
+    {
+      kept.insert(mended.Provenance.Cells(t));
+      continue;
+    }
+    changed.push_back(t);
+  }
+  for (int t = 0; t < static_cast<int>(input.Triangles.size()); ++t)
+  {
+    if (kept.count(input.Triangles[t]) == 0)
+    {
+      lost.push_back(t);
+    }
+  }
+  return { MeasureFarthest(
+             input.Surface, lost, solid, progress.Part(0.0, 0.5, "measuring the distances")),
+    MeasureFarthest(solid, changed, input.Surface, progress.Part(0.5, 1.0)) };
+}
+
 } // namespace
 
 SolidifyResult Solidify(
@@ -87,9 +127,8 @@ SolidifyResult Solidify(
   const Surface solid = result.Mended.Surface;
   result.Pieces = solid.Topology().Components;
   result.EulerNumber = solid.Topology().EulerNumber;
-  const Surface before = JoinSoup(surface, options.Defects.Tolerance, {}).Surface;
-  result.Distances =
-    ComputeHausdorffDistance(before, solid, progress.Part(0.9, 1.0, "measuring the distances"));
+  result.Distances = MeasureDistances(JoinSoup(surface, options.Defects.Tolerance, {}),
+    result.Mended, solid, progress.Part(0.9, 1.0));
   return result;
 }
 

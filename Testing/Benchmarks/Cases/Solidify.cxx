@@ -1,12 +1,15 @@
 // Damaged surfaces mended by ShapeMap, judged by CGAL, beside CGAL's alpha wrapping of the same
 // input.
 #include "Cases/CgalMesh.h"
-#include "Driver/BenchmarkData.h"
+#include "Cases/ModelFile.h"
 #include "Driver/Case.h"
 #include "Driver/Cost.h"
 
 #include "Distance/HausdorffDistance.h"
+#include "Mesh/HalfEdges.h"
+#include "Mesh/Surface.h"
 #include "Mesh/UsedPoints.h"
+#include "Search/ClosestPoint.h"
 #include "Solidify/Solidify.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -31,7 +34,7 @@ namespace
 
 constexpr const char* Usage = R"(MODEL [MUTATION ...] [Seed=1] [Wrap=0] [Method=0]
 
-Damages a model (OFF) by the mutations in order, and turns the result into a solid (Automatic):
+Damages a model (OFF, STL, PLY, OBJ) by the mutations in order, and turns the result into a solid (Automatic):
   soup        no two triangles share a point
   reversed    30 % of the triangles
   duplicates  5 % of the triangles once more, with points of their own
@@ -44,9 +47,10 @@ Damages a model (OFF) by the mutations in order, and turns the result into a sol
 Figures: triangles before and after, kept, mended, made; valid: whether CGAL finds the result a closed
 manifold without self-intersections that bounds a volume; same: whether no bit of the input changed;
 grid: the spacing of the grid that was used, or 0; distance: the larger Hausdorff distance from the
-undamaged model, in % of its longest box edge; away: the largest distance of a position on the result
-from the damaged model. Method=1 to 4 sets the method: Report, Mend, Solid or Wrap.
-With Wrap=1, a row of CGAL's alpha wrapping of the same input, whose alpha is chosen such that it has
+undamaged model, in % of its longest box edge; crease: the median distance of its creases; away: the
+largest distance of a position on the result from the damaged model; far: the larger Hausdorff distance
+from that. Method=1 to 4 sets the method: Report, Mend, Solid or Wrap.
+With Wrap=1, a row of CGAL's alpha wrapping of the same input if it was changed, whose alpha is chosen such that it has
 about as many triangles; its offset is alpha / 30. An input that is refused has no figures, but an error.)";
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -243,12 +247,6 @@ bool IsValidForCgal(const shape::Mesh& solid)
   return CGAL::is_closed(mesh) && !pmp::does_self_intersect(mesh) && pmp::does_bound_a_volume(mesh);
 }
 
-double DistanceFrom(const shape::Mesh& model, const shape::Mesh& result)
-{
-  return 100.0 * shape::ComputeHausdorffDistance(model, result).Larger() /
-    shape::ComputeLongestBoxEdge(model.Points);
-}
-
 CgalMesh Wrap(const CgalSoup& soup, double alpha)
 {
   CgalMesh wrapped;
@@ -256,10 +254,52 @@ CgalMesh Wrap(const CgalSoup& soup, double alpha)
   return wrapped;
 }
 
-double AwayFrom(const shape::Mesh& input, const shape::Mesh& result)
+/// The median distance of the middles of a model's creases, edges with angles of more than 40
+/// degrees, from a result; 0 without creases.
+double DistanceOfCreases(const shape::Surface& model, const shape::Mesh& result)
 {
-  return 100.0 * shape::ComputeHausdorffDistance(input, result).FromSecond /
-    shape::ComputeLongestBoxEdge(input.Points);
+  const std::vector<shape::HalfEdge>& sides = model.HalfEdges();
+  const Eigen::MatrixXd normals = model.AreaVectors().rowwise().normalized();
+  const double cosine = std::cos(40.0 * M_PI / 180.0);
+  std::vector<Eigen::RowVector3d> middles;
+  for (std::size_t i = 1; i < sides.size(); ++i)
+  {
+    const shape::HalfEdge &side = sides[i - 1], &other = sides[i];
+    if (side.Low() == other.Low() && side.High() == other.High() &&
+      normals.row(side.Triangle).dot(normals.row(other.Triangle)) < cosine)
+    {
+      middles.emplace_back(0.5 * (model.Points().row(side.Begin) + model.Points().row(side.End)));
+    }
+  }
+  if (middles.empty())
+  {
+    return 0.0;
+  }
+  Eigen::MatrixXd positions(static_cast<Eigen::Index>(middles.size()), 3);
+  for (std::size_t i = 0; i < middles.size(); ++i)
+  {
+    positions.row(static_cast<Eigen::Index>(i)) = middles[i];
+  }
+  Eigen::VectorXd distances = shape::SurfaceLocator(result).Find(positions).Distances;
+  std::nth_element(distances.begin(), distances.begin() + distances.size() / 2, distances.end());
+  return distances(distances.size() / 2);
+}
+
+/// How far a result is from the undamaged model, from its creases, and from the input, in % of the
+/// longest box edge.
+benchmark::Row MeasureDistances(
+  const shape::Mesh& model, const shape::Mesh& input, const shape::Mesh& result)
+{
+  const shape::HausdorffDistances distances = shape::ComputeHausdorffDistance(input, result);
+  const double percent = 100.0 / shape::ComputeLongestBoxEdge(input.Points);
+  return benchmark::Row()
+    .Add("distance",
+      100.0 * shape::ComputeHausdorffDistance(model, result).Larger() /
+        shape::ComputeLongestBoxEdge(model.Points))
+    .Add("crease",
+      100.0 * DistanceOfCreases(model, result) / shape::ComputeLongestBoxEdge(model.Points))
+    .Add("away", percent * distances.FromSecond)
+    .Add("far", percent * distances.Larger());
 }
 
 /// The wrap with about `triangles` triangles, and its cost.
@@ -296,15 +336,14 @@ void WrapByCgal(const shape::Mesh& model, const shape::Mesh& input, Eigen::Index
                   .Add("before", input.Triangles.rows())
                   .Add("after", result.Triangles.rows())
                   .Add("valid", static_cast<int>(IsValidForCgal(result)))
-                  .Add("distance", DistanceFrom(model, result))
-                  .Add("away", AwayFrom(input, result))
+                  .Append(MeasureDistances(model, input, result))
                   .Add("cpu", cost.Cpu)
                   .Add("wall", cost.Wall));
 }
 
 void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
 {
-  const shape::Mesh model = benchmark::ReadOff(arguments.NextWord(), false);
+  const shape::Mesh model = benchmark::ReadModel(arguments.NextWord());
   const std::vector<std::string> mutations = arguments.RemainingWords();
   Chance chance(static_cast<unsigned int>(arguments.Setting("Seed", 1)));
   const bool wrap = arguments.Setting("Wrap", false);
@@ -351,11 +390,10 @@ void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
                   .Add("same", static_cast<int>(isSame))
                   .Add("grid", result.Mended.GridSpacing)
                   .Add("valid", static_cast<int>(IsValidForCgal(solid)))
-                  .Add("distance", DistanceFrom(model, solid))
-                  .Add("away", AwayFrom(input, solid))
+                  .Append(MeasureDistances(model, input, solid))
                   .Add("cpu", cost.Cpu)
                   .Add("wall", cost.Wall));
-  if (wrap)
+  if (wrap && result.Method != shape::SolidifyMethod::Report)
   {
     WrapByCgal(model, input, solid.Triangles.rows(), figures);
   }

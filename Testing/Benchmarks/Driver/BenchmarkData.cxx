@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Distance/SignedDistance.h"
+#include "IO/OFFReader.h"
 #include "Parameterize/Parameterize.h"
 
 #include <Eigen/Geometry>
@@ -12,11 +13,11 @@
 #include <complex>
 #include <cstddef>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
 #include <random>
-#include <sstream>
 
 namespace benchmark
 {
@@ -127,50 +128,36 @@ std::vector<std::array<int, 3>> Triangulated(
 
 shape::Mesh ReadOff(const std::string& path, bool weld)
 {
-  std::ifstream file(path);
-  std::stringstream words;
-  for (std::string line; std::getline(file, line);)
-  {
-    words << line.substr(0, line.find('#')) << '\n';
-  }
-  std::string word;
-  int points = 0, polygons = 0, edges = 0;
-  if (!(words >> word >> points >> polygons >> edges) || word != "OFF")
-  {
-    throw shape::InvalidInput("cannot read " + path);
-  }
-  shape::Mesh mesh{ Eigen::MatrixXd(points, 3), {} };
-  for (int i = 0; i < points; ++i)
-  {
-    words >> mesh.Points(i, 0) >> mesh.Points(i, 1) >> mesh.Points(i, 2);
-  }
+  std::ifstream file(path, std::ios::binary);
+  const std::string content{ std::istreambuf_iterator<char>(file), {} };
+  const shape::Cells faces = shape::ReadOFF(content).Faces;
+  shape::Mesh mesh{ faces.Points, {} };
   std::vector<std::array<int, 3>> triangles;
-  for (int p = 0; p < polygons; ++p)
+  for (Eigen::Index face = 0; face < faces.Kinds.size(); ++face)
   {
-    int count = 0;
-    words >> count;
-    std::vector<int> corners(words ? count : 0);
-    for (int& corner : corners)
-    {
-      words >> corner;
-    }
-    if (!words)
-    {
-      throw shape::InvalidInput("cannot read polygon " + std::to_string(p) + " of " + path);
-    }
-    std::getline(words, word); // a colour
-    const auto cut = Triangulated(mesh.Points, corners);
+    const auto cut = Triangulated(mesh.Points,
+      { faces.Corners.begin() + faces.Offsets(face),
+        faces.Corners.begin() + faces.Offsets(face + 1) });
     triangles.insert(triangles.end(), cut.begin(), cut.end());
+  }
+  if (triangles.empty())
+  {
+    throw shape::InvalidInput(path + " has no polygons");
   }
   mesh.Triangles.resize(triangles.size(), 3);
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
     mesh.Triangles.row(t) << triangles[t][0], triangles[t][1], triangles[t][2];
   }
+  ScaleToUnitBox(mesh);
+  return weld ? Welded(mesh) : mesh;
+}
+
+void ScaleToUnitBox(shape::Mesh& mesh)
+{
   const Eigen::RowVector3d middle =
     0.5 * (mesh.Points.colwise().minCoeff() + mesh.Points.colwise().maxCoeff());
   mesh.Points = (mesh.Points.rowwise() - middle) / shape::ComputeLongestBoxEdge(mesh.Points);
-  return weld ? Welded(mesh) : mesh;
 }
 
 shape::Mesh Subdivide(const shape::Mesh& mesh)

@@ -11,8 +11,11 @@ namespace benchmark
 
 /// Reads a surface in OFF format and scales it to a box with longest edge 1 around the origin.
 /// Polygons are divided into triangles; coincident points are merged if `weld` is set. Throws
-/// shape::InvalidInput.
+/// shape::InvalidInput if it cannot be read or has no polygons.
 shape::Mesh ReadOff(const std::string& path, bool weld);
+
+/// Scales a surface to a box with longest edge 1 around the origin.
+void ScaleToUnitBox(shape::Mesh& mesh);
 
 /// Divides each triangle into three by its centroid, flips the old edges, and smooths the old
 /// points (Kobbelt, "Sqrt(3)-subdivision", 2000). For closed surfaces.

@@ -145,6 +145,16 @@ TEST(MendSurface, HolesAreFilled)
   EXPECT_EQ(CountOrigin(mended, TriangleOrigin::Mended), 0);
 }
 
+TEST(MendSurface, LargeHolesAreFilledByMembranesOfFewPoints)
+{
+  // Half of a sphere is missing. Its hole is a third of both: neither a sheet nor a small hole. The
+  // sphere that a smooth fill would continue has about 5000 points there.
+  const shape::Mesh open = shapetest::SphereWithoutCap(5, 90.0);
+  const shape::MendedSurface mended = ExpectSolid(open, 2.0 / 3.0 * M_PI, 0.05, 2);
+  constexpr int most = 2 * 2000; // two triangles for each point
+  EXPECT_LT(CountOrigin(mended, TriangleOrigin::Made), 1.2 * most);
+}
+
 TEST(MendSurface, ATriangleWithoutAreaLeavesNoCrack)
 {
   // A box with a point on an edge. The triangle on one side of the edge is split at this point, the
@@ -278,6 +288,8 @@ TEST(MendSurface, RefusesWhatEnclosesNoSolid)
     "intersects itself", "pairs of triangles", "Report");
   shape::Mesh strip = shapetest::FlatSquare(1, 0.0);
   EXPECT_REFUSED(shape::MendSurface(strip, { 10.0, 0.0 }), "no triangle of the surface is left");
+  const shape::Mesh sheet = shapetest::FlatSquare(4, 0.0);
+  EXPECT_REFUSED(shape::MendSurface(sheet), "1 of its pieces are sheets", "Wrap");
   // A Moebius strip of 12 quads.
   constexpr int quads = 12;
   shape::Mesh moebius{ Eigen::MatrixXd(2 * quads, 3), Eigen::MatrixXi(2 * quads, 3) };

@@ -1,4 +1,5 @@
 #include "Mesh/Surface.h"
+#include "Solidify/Private/ClosedDraft.h"
 #include "Solidify/Private/SolidSurface.h"
 #include "Support/HoleShapes.h"
 #include "Support/Refusals.h"
@@ -139,6 +140,20 @@ TEST(SolidSurface, AVoidStaysWhereAnotherPartCrossesItsShell)
   EXPECT_EQ(CountFrom(solid, TriangleOrigin::Made), 0);
 }
 
+TEST(SolidSurface, FinsOfCrossingPartsAreRemoved)
+{
+  // A triangle stands on an edge of each box, inside the other one. There, rays cross both boxes.
+  const shape::Mesh fin = { (Eigen::Matrix3d() << 1, 1, 0, 1, 1, 1, 0.8, 0.8, 0.6).finished(),
+    Eigen::RowVector3i(0, 1, 2) };
+  shape::Mesh other = fin;
+  other.Points = -fin.Points.array() + 1.6;
+  const shape::Mesh moved = shapetest::Box(RowVector3d::Constant(0.6), RowVector3d::Constant(1.6));
+  const shape::MendedSurface solid = ExpectUnion(
+    shapetest::Joined({ UnitBox(), fin, moved, other }), 2.0 - 0.4 * 0.4 * 0.4, 1e-9, 2);
+  EXPECT_EQ(solid.GridSpacing, 0.0);
+  EXPECT_EQ(solid.GapsClosed, 0);
+}
+
 TEST(SolidSurface, TheHoleOfATorusStays)
 {
   // A knob on the outer side of the tube.
@@ -172,10 +187,20 @@ TEST(SolidSurface, InvertedPartsAreUnited)
   EXPECT_GT(shape::ComputeEnclosedVolume(solid.Surface), -shape::ComputeEnclosedVolume(ball));
 }
 
+TEST(SolidSurface, ASphereWithSlitsIsNoSheet)
+{
+  // Cones over the slits would be larger than the sphere, but the slits are narrow.
+  const shape::Mesh slits = shapetest::Without(shapetest::Icosphere(4),
+    [](const RowVector3d& centre)
+    { return centre(0) < 0.5 && std::abs(std::remainder(centre(2), 0.3)) < 0.03; });
+  ASSERT_LT(slits.Triangles.rows(), 0.9 * shapetest::Icosphere(4).Triangles.rows());
+  EXPECT_NO_THROW(shape::RequireNoSheets(slits));
+}
+
 TEST(SolidSurface, RefusesWhatEnclosesNothing)
 {
   const shape::Mesh sheet = shapetest::FlatSquare(4, 0.0);
-  EXPECT_REFUSED(shape::MakeSolid(sheet), "is empty", "encloses nothing", "Wrap");
+  EXPECT_REFUSED(shape::MakeSolid(sheet), "is empty", "sheets", "enclose nothing", "Wrap");
   EXPECT_REFUSED(shape::MakeSolid(UnitBox(), { {}, -1.0 }), "DetailSize is -1");
   // It has one side, so a grid is needed.
   EXPECT_REFUSED(shape::MakeSolid(MoebiusStrip(), { {}, 1e-6 }), "points", "raise DetailSize");

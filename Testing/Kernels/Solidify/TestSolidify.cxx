@@ -64,5 +64,6 @@ TEST(Solidify, AutomaticTakesTheFirstMethodThatSucceeds)
   const shape::SolidifyResult plate =
     shape::Solidify(shapetest::WithoutLast(shapetest::FlatSquare(1, 0.0)), coarse);
   EXPECT_EQ(plate.Method, SolidifyMethod::Wrap);
+  EXPECT_EQ(shape::Solidify(shapetest::FlatSquare(4, 0.0), coarse).Method, SolidifyMethod::Wrap);
   EXPECT_EQ(plate.EulerNumber, 2);
 }

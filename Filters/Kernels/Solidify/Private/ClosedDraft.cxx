@@ -1,6 +1,5 @@
 #include "Solidify/Private/ClosedDraft.h"
 
-#include "Base/Errors.h"
 #include "Geometry/SelfIntersections.h"
 #include "Mesh/BoundaryLoops.h"
 #include "Mesh/CoincidentPoints.h"
@@ -8,11 +7,13 @@
 #include "Mesh/VertexFans.h"
 #include "Solidify/Private/JoinedSoup.h"
 #include "Solidify/Private/SheetPairing.h"
+#include "Solidify/Private/SolidSampling.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <sstream>
 #include <utility>
@@ -56,6 +57,19 @@ int RemoveSmallPieces(MendedDraft& draft, double smallest)
   return removed;
 }
 
+/// The area vector of a loop, whose length is the least area of a surface that spans it.
+RowVector3d ComputeAreaVector(const Eigen::MatrixXd& points, const std::vector<int>& loop)
+{
+  const RowVector3d origin = points.row(loop.front());
+  RowVector3d sum = RowVector3d::Zero();
+  for (std::size_t i = 0; i + 1 < loop.size(); ++i)
+  {
+    const RowVector3d begin = points.row(loop[i]) - origin, end = points.row(loop[i + 1]) - origin;
+    sum += 0.5 * begin.cross(end);
+  }
+  return sum;
+}
+
 /// Fills all holes. A surface whose boundary does not close has no solid.
 FilledSurface FillAllHoles(const Surface& surface, const Progress& progress)
 {
@@ -66,7 +80,28 @@ FilledSurface FillAllHoles(const Surface& surface, const Progress& progress)
       " boundary edges of the surface form no closed loop; find them with the method Report, and "
       "remove the triangles beside them");
   }
-  return FillLoops(surface, boundary.Loops, {}, progress);
+  // A smooth fill of a large hole may bulge as far as the surface is long.
+  constexpr double large = 0.2; // of the area
+  const double area = ComputeArea(surface);
+  std::vector<std::vector<int>> small, wide;
+  for (const std::vector<int>& loop : boundary.Loops)
+  {
+    const double least = ComputeAreaVector(surface.Points(), loop).norm();
+    (least > large * (area + least) ? wide : small).push_back(loop);
+  }
+  // Holes are filled several times if triangles cross. Each of the fills takes at most a second.
+  FillHolesOptions options;
+  options.Filler.MaximumPoints = 2000;
+  FilledSurface filled = FillLoops(surface, small, options, progress.Part(0.0, 0.5));
+  if (wide.empty())
+  {
+    return filled;
+  }
+  options.Method = FillMethod::Membrane;
+  FilledSurface all = FillLoops(filled.Surface, wide, options, progress.Part(0.5, 1.0));
+  all.Provenance = Compose(filled.Provenance, all.Provenance);
+  all.Holes.insert(all.Holes.begin(), filled.Holes.begin(), filled.Holes.end());
+  return all;
 }
 
 /// Moves copies of a point apart, each towards the points around it.
@@ -142,6 +177,49 @@ OrientedDraft DraftSurface(
   }
   drafted.Draft = std::move(draft);
   return drafted;
+}
+
+void RequireNoSheets(const Mesh& surface)
+{
+  const Topology topology = ComputeTopology(surface);
+  const Mesh closed = CloseByCones(surface);
+  const Eigen::MatrixXd vectors = 0.5 * ComputeAreaVectors(closed);
+  Eigen::VectorXd own = Eigen::VectorXd::Zero(topology.Components), fills = own;
+  std::map<int, RowVector3d> holes; // the area vectors of the cones, by their apexes
+  std::map<int, int> componentOf;
+  for (Eigen::Index t = 0; t < vectors.rows(); ++t)
+  {
+    const int component = topology.ComponentId(closed.Triangles(t, 0));
+    if (t < surface.Triangles.rows())
+    {
+      own(component) += vectors.row(t).norm();
+      continue;
+    }
+    const int apex = closed.Triangles(t, 2);
+    holes.emplace(apex, RowVector3d::Zero()).first->second += vectors.row(t);
+    componentOf[apex] = component;
+  }
+  for (const auto& [apex, vector] : holes)
+  {
+    fills(componentOf[apex]) += vector.norm(); // no fill of the hole has a smaller area
+  }
+  constexpr double most = 0.45, share = 0.1; // half of a flat sheet with its fill is the fill
+  double sheets = 0.0;
+  int count = 0;
+  for (Eigen::Index component = 0; component < own.size(); ++component)
+  {
+    if (fills(component) >= most * (own(component) + fills(component)))
+    {
+      sheets += own(component);
+      ++count;
+    }
+  }
+  if (count > 0 && sheets >= share * own.sum())
+  {
+    throw NoSolid("the solid of the surface is empty: " + std::to_string(count) +
+      " of its pieces are sheets, whose holes are as large as the pieces, so that they enclose "
+      "nothing; choose the method Wrap, or remove them");
+  }
 }
 
 ClosedDraft CloseDraft(MendedDraft draft, const Progress& progress)

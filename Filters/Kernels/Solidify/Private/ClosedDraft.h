@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Base/Errors.h"
 #include "Base/Progress.h"
 #include "Fill/FillHoles.h"
 #include "Mesh/Surface.h"
@@ -36,6 +37,16 @@ struct OrientedDraft
 /// conditions of JoinSoup and SeparateSheets; Aborted.
 OrientedDraft DraftSurface(
   const Mesh& surface, const SurfaceDefectOptions& options, const Progress& progress);
+
+/// Thrown if triangles enclose nothing, so that no fill of their holes is the right one.
+class NoSolid : public InvalidInput
+{
+public:
+  using InvalidInput::InvalidInput;
+};
+
+/// Throws NoSolid if sheets (see MendSurface) make up a tenth of the area of a surface or more.
+void RequireNoSheets(const Mesh& surface);
 
 /// A draft whose holes are filled. Its triangles come first, then the fills.
 struct ClosedDraft

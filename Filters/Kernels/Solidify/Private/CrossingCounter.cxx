@@ -18,8 +18,9 @@ using Eigen::RowVector3d;
 struct RayCount
 {
   const Mesh& Crossed;
+  const Eigen::VectorXi& Components; ///< of the points
   RowVector3d Origin, Direction;
-  int Skipped;
+  int Component, Skipped;
   int Found = 0;
 
   // Eigen calls these two by their names. NOLINTBEGIN(readability-identifier-naming)
@@ -37,7 +38,8 @@ struct RayCount
   }
   bool intersectObject(int triangle)
   {
-    if (triangle == this->Skipped)
+    if (triangle == this->Skipped ||
+      this->Components(this->Crossed.Triangles(triangle, 0)) != this->Component)
     {
       return false;
     }
@@ -87,20 +89,22 @@ CrossingCounter::CrossingCounter(Surface surface)
 }
 
 int CrossingCounter::Count(
-  const RowVector3d& origin, const RowVector3d& direction, int skipped) const
+  const RowVector3d& origin, const RowVector3d& direction, int component, int skipped) const
 {
-  RayCount count{ this->Crossed, origin, direction, skipped };
+  const Eigen::VectorXi& components = this->Crossed.Topology().ComponentId;
+  RayCount count{ this->Crossed, components, origin, direction, component, skipped };
   Eigen::BVIntersect(*this->Boxes, count);
   return count.Found;
 }
 
-bool CrossingCounter::IsInside(const RowVector3d& position, int rays) const
+bool CrossingCounter::IsInside(const RowVector3d& position, int point, int rays) const
 {
+  const int component = this->Crossed.Topology().ComponentId(point);
   RandomDirections random;
   int odd = 0;
   for (int i = 0; i < rays; ++i)
   {
-    odd += this->Count(position, random.Next(), -1) % 2;
+    odd += this->Count(position, random.Next(), component, -1) % 2;
   }
   return 2 * odd > rays;
 }
@@ -116,6 +120,7 @@ double CrossingCounter::ComputeRedundancy(const std::vector<int>& triangles, int
     areas.push_back(
       (corners.row(1) - corners.row(0)).cross(corners.row(2) - corners.row(0)).norm());
   }
+  const int component = this->Crossed.Topology().ComponentId(mesh.Triangles(triangles[0], 0));
   std::mt19937 choices(2);
   std::discrete_distribution<int> choose(areas.begin(), areas.end());
   int same = 0;
@@ -126,7 +131,9 @@ double CrossingCounter::ComputeRedundancy(const std::vector<int>& triangles, int
     const RowVector3d position =
       RowVector3d(1.0 - root, root * (1.0 - along), root * along) * GetCorners(mesh, t);
     const RowVector3d direction = random.Next();
-    same += (this->Count(position, direction, t) + this->Count(position, -direction, t)) % 2 == 0;
+    const int crossings = this->Count(position, direction, component, t) +
+      this->Count(position, -direction, component, t);
+    same += crossings % 2 == 0;
   }
   return static_cast<double>(same) / rays;
 }

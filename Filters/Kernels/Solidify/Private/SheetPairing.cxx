@@ -160,7 +160,7 @@ private:
       const double angle = around[i].first + 0.5 * width;
       const RowVector3d position = 0.5 * (low + high) +
         distance * (high - low).norm() * (std::cos(angle) * across + std::sin(angle) * up);
-      if (!isTaken[i] && !isTaken[next] && this->Counter->IsInside(position, rays))
+      if (!isTaken[i] && !isTaken[next] && this->Counter->IsInside(position, begin->Begin, rays))
       {
         this->Pair(*around[i].second, *around[next].second);
         isTaken[i] = isTaken[next] = 1;

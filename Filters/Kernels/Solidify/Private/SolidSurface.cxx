@@ -21,29 +21,6 @@ namespace shape
 namespace
 {
 
-/// Thrown if no method of MakeSolid can help.
-class NoSolid : public InvalidInput
-{
-public:
-  using InvalidInput::InvalidInput;
-};
-
-/// Throws NoSolid if the fills are about as large as the rest: a sheet and the surface that spans
-/// its border enclose little, and fills of such holes are arbitrary.
-void RequireNoSheet(const ClosedDraft& closed)
-{
-  const auto count = static_cast<Eigen::Index>(closed.Draft.Triangles.size());
-  const double all = ComputeArea(closed.Result);
-  const double own = ComputeArea(closed.Draft.Surface);
-  constexpr double most = 0.45; // of a flat sheet with its fill, half is the fill
-  if (closed.Result.Triangles().rows() > count && all - own > most * all)
-  {
-    throw NoSolid("the solid of the surface is empty: the fills of its " +
-      std::to_string(closed.Filled.Holes.size()) +
-      " holes would be as large as the surface, which encloses nothing; choose the method Wrap");
-  }
-}
-
 /// A surface on its way to the boundary of a solid, and what it has in common with the input.
 struct Stage
 {
@@ -95,8 +72,11 @@ MendedSurface MakeSolidOfTriangles(
     SurfaceDefectOptions again = options;
     again.Tolerance = round == 0 ? options.Tolerance : 0.0;
     const OrientedDraft drafted = DraftSurface(stage.Surface, again, part.Part(0.0, 0.3));
+    if (round == 0)
+    {
+      RequireNoSheets(drafted.Draft.Surface);
+    }
     const ClosedDraft closed = CloseDraft(drafted.Draft, part.Part(0.3, 0.4));
-    RequireNoSheet(closed);
     result.SplitPoints += drafted.SplitPoints + closed.SplitPoints();
     result.RemovedPieces += drafted.RemovedPieces;
     result.ReversedTriangles += drafted.ReversedTriangles;
@@ -160,6 +140,7 @@ MendedSurface MakeSolidOnGrid(
   catch (const InvalidInput&) // it has no orientation of its own
   {
   }
+  RequireNoSheets(oriented);
   const double spacing = ChooseDetailSize(oriented, options.DetailSize);
   const Mesh made = ContourWinding(
     CloseByCones(oriented), spacing, progress.Part(0.3, 0.7, "sampling winding numbers"));

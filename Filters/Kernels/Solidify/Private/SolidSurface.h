@@ -33,9 +33,9 @@ struct SolidSurfaceOptions
  * The result is closed, a manifold, oriented outwards, and does not intersect itself; all of this
  * is checked exactly.
  *
- * surface: any triangles. Throws InvalidInput if there is no such region, if the fills of holes
- * would make up 45 % of the area or more, as those of a sheet do, if DetailSize is out of range or
- * needs too large a grid, or under the conditions of FindSurfaceDefects; Aborted.
+ * surface: any triangles. Throws InvalidInput if there is no such region, if sheets make up a
+ * tenth of the area or more (see MendSurface), if DetailSize is out of range or needs too large a
+ * grid, or under the conditions of FindSurfaceDefects; Aborted.
  */
 MendedSurface MakeSolid(
   const Mesh& surface, const SolidSurfaceOptions& options = {}, const Progress& progress = {});
