@@ -234,8 +234,17 @@ TEST(RegionRemesh, ThreeWedgesOfABallMeetAlongALine)
   int onLine = 0;
   for (const auto& [point, around] : RegionsAtPoints(result.Fit))
   {
-    onLine += around.size() == 3 ? 1 : 0;
+    if (around.size() == 3)
+    {
+      ++onLine;
+      const Eigen::RowVector3d position = result.Fit.Solid.Points.row(point);
+      // Half a voxel along each axis.
+      EXPECT_LT((position - position.dot(along) * along).norm(), std::sqrt(0.75));
+    }
   }
+  // The ball's circles are followed by chords: a step of a chain is at most twice a cell.
+  EXPECT_LT(
+    result.CurveDistance, std::sqrt(0.75) + 0.5 * options.CellSize * options.CellSize / radius);
   EXPECT_GT(onLine, static_cast<int>(2.0 * radius / options.CellSize));
   const double ball = 4.0 / 3.0 * M_PI * radius * radius * radius;
   EXPECT_NEAR(VolumeOf(result, 1) / ball, 0.5, 0.03);

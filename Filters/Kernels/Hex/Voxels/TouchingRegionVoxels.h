@@ -10,6 +10,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,16 @@ struct LabelledCells
   Eigen::VectorXi RegionOf; ///< m: the label of the region of each cell
 };
 
+/// Which regions meet. Regions are numbered from 0, which is the outside.
+struct RegionMeetings
+{
+  int Count = 0;                     ///< number of regions, with the outside
+  std::vector<char> Pairs;           ///< Count x Count: whether two regions share a face
+  std::set<std::vector<int>> Around; ///< sets of three or more regions around an edge, ascending
+
+  bool Touch(int one, int other) const { return this->Pairs[one * this->Count + other] != 0; }
+};
+
 /**
  * Fills regions that touch with cells of a grid. Each cell gets the region at its centre; then
  * single cells change until each region, and the outside, is well-composed (RepairRegions), and
@@ -48,7 +59,8 @@ public:
   const ConformingRegions& Regions() const { return this->Bounded; }
 
   /// Returns a size of cells such that these cells and one layer of hexahedra along both sides of
-  /// all surfaces are about `hexahedra` in number.
+  /// all surfaces are about `hexahedra` in number; if regions meet at curves, also one sheet
+  /// (InsertRegionSheets).
   double CellSizeFor(double hexahedra) const;
 
   /// Returns the cells of this size; nothing if a region has another Euler number or another number
@@ -67,7 +79,7 @@ private:
   std::vector<int> Labels;        ///< of the regions, in the order of their numbers; 0 first
   std::vector<int> Parts;         ///< for each number: the number of connected parts
   std::map<int, Topology> Wanted; ///< of each region's surface, by label
-  Eigen::MatrixXi Numbers;        ///< the numbers of the regions on both sides of each triangle
+  RegionMeetings Meetings;        ///< of the surfaces
   std::string Wrong;
 };
 
