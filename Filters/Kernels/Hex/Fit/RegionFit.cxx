@@ -111,6 +111,10 @@ RegionFit FitRegions(const LabelledCells& cells, const Mesh& surfaces,
   WriteFaces(faces, fit);
   Judge(fit);
   RelaxBoundaryAroundBad(fit, surface, maximumDistance, progress.Part(0.8, 1.0), needed);
+  for (const RegionNetwork::Curve& chain : match.Chains.Curves)
+  {
+    result.CurvePoints.insert(result.CurvePoints.end(), chain.Points.begin(), chain.Points.end());
+  }
   result.CurveDistance = ComputeCurveDistance(fit.Solid.Points, surfaces, match);
   fit.InnerDistance = MeasureInterfaces(fit, surfaces, labels);
   progress(1.0);

@@ -4,6 +4,8 @@
 #include "Hex/Fit/HexFit.h"
 #include "Hex/Voxels/TouchingRegionVoxels.h"
 
+#include <vector>
+
 namespace shape
 {
 
@@ -13,7 +15,8 @@ struct RegionFit
   HexFit Fit;                     ///< its patches are the pairs of labels along the boundary
   int Curves = 0, CurvesKept = 0; ///< see RegionMatch
   int Junctions = 0, JunctionsKept = 0;
-  double CurveDistance = 0.0; ///< see ComputeCurveDistance
+  std::vector<int> CurvePoints; ///< the points of the chains of edges
+  double CurveDistance = 0.0;   ///< see ComputeCurveDistance
 };
 
 /**

@@ -8,15 +8,15 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace shape
 {
 namespace
 {
 
-/// The factor by which cells shrink if they do not have the regions' topology.
-constexpr double TopologyShrinkage = 0.85;
 /// The factor by which they shrink if hexahedra are bad.
 constexpr double QualityShrinkage = 0.8;
 /// From this minimum scaled Jacobian on, cells are not made smaller.
@@ -25,10 +25,47 @@ constexpr int MaximumGrids = 3; ///< number of grids with the topology
 /// Cells are at most this much smaller than a given size.
 constexpr double SmallestShare = 0.25;
 
-bool IsBetterFit(const HexFit& one, const HexFit& other)
+/// The minimum scaled Jacobian of the hexahedra that are not near curves where interfaces meet.
+double FindMinimumAwayFromCurves(const RegionFit& result)
 {
-  return one.Inverted != other.Inverted ? one.Inverted < other.Inverted
-                                        : one.MinimumScaledJacobian > other.MinimumScaledJacobian;
+  std::vector<char> marked(result.Fit.Solid.Points.rows(), 0);
+  for (const int point : result.CurvePoints)
+  {
+    marked[point] = 1;
+  }
+  constexpr int rings = 2; // the layers along the interfaces
+  GrowRings(result.Fit.Solid.Hexahedra, rings, marked);
+  std::vector<int> near;
+  for (int point = 0; point < static_cast<int>(marked.size()); ++point)
+  {
+    if (marked[point])
+    {
+      near.push_back(point);
+    }
+  }
+  return FindMinimumScaledJacobianAwayFrom(near, result.Fit.Solid);
+}
+
+/// Whether smaller cells are not worth their number. Where interfaces meet at small angles, so do
+/// hexahedra of any size: these may be worse if all curves are followed.
+bool IsAccepted(const RegionFit& result)
+{
+  const bool isComplete =
+    result.CurvesKept == result.Curves && result.JunctionsKept == result.Junctions;
+  return result.Fit.Inverted == 0 &&
+    (result.Fit.MinimumScaledJacobian >= GoodScaledJacobian ||
+      (isComplete && FindMinimumAwayFromCurves(result) >= GoodScaledJacobian));
+}
+
+bool IsBetter(const RegionFit& one, const RegionFit& other)
+{
+  // An inverted hexahedron outweighs all, and a missing curve the quality of the others.
+  const auto rank = [](const RegionFit& result)
+  {
+    return std::tuple(-result.Fit.Inverted, result.CurvesKept + result.JunctionsKept,
+      result.Fit.MinimumScaledJacobian);
+  };
+  return rank(one) > rank(other);
 }
 
 } // namespace
@@ -61,18 +98,18 @@ RegionHexesResult BuildRegionHexahedra(
       voxels.Fill(size, progress.Part(begin, begin, "filling the regions with a grid"));
     if (!cells)
     {
-      size *= TopologyShrinkage;
+      size *= Shrinkage;
       continue;
     }
     RegionHexesResult result;
     static_cast<RegionFit&>(result) = FitRegions(*cells, surfaces, regions.Labels, fitting,
       goals.AcceptedDistance, progress.Part(begin, end, "fitting the grid to the surfaces"));
     result.CellSize = size;
-    if (!best || IsBetterFit(result.Fit, best->Fit))
+    if (!best || IsBetter(result, *best))
     {
       best = std::move(result);
     }
-    if (best->Fit.Inverted == 0 && best->Fit.MinimumScaledJacobian >= GoodScaledJacobian)
+    if (IsAccepted(*best))
     {
       break;
     }

@@ -20,7 +20,8 @@ struct RegionHexesResult : RegionFit
  *
  * The hexahedra of each region have the Euler number and the number of components of its surface:
  * cells are made smaller until they do, and also while hexahedra are inverted or bad, as long as
- * their number permits. The best result is kept.
+ * their number permits. Hexahedra at curves where interfaces meet may be bad if all curves are
+ * followed. The best result is kept.
  *
  * options: Seeds, Rounds, Snap and FeatureAngle are not used. Throws InvalidInput under the
  * conditions of TouchingRegionVoxels, or if an option is out of range; SolveFailure if no grid of
