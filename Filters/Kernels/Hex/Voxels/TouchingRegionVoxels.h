@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
+#include "Hex/Voxels/RegionMeetings.h"
 #include "Mesh/HexMesh.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/Topology.h"
@@ -10,7 +11,6 @@
 
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -31,16 +31,6 @@ struct LabelledCells
 {
   HexMesh Solid;
   Eigen::VectorXi RegionOf; ///< m: the label of the region of each cell
-};
-
-/// Which regions meet. Regions are numbered from 0, which is the outside.
-struct RegionMeetings
-{
-  int Count = 0;                     ///< number of regions, with the outside
-  std::vector<char> Pairs;           ///< Count x Count: whether two regions share a face
-  std::set<std::vector<int>> Around; ///< sets of three or more regions around an edge, ascending
-
-  bool Touch(int one, int other) const { return this->Pairs[one * this->Count + other] != 0; }
 };
 
 /**

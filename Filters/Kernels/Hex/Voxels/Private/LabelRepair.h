@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Hex/Voxels/TouchingRegionVoxels.h"
+#include "Hex/Voxels/RegionMeetings.h"
 #include "Solids/IsoSurface.h"
 
 #include <vector>
