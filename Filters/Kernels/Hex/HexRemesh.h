@@ -74,6 +74,7 @@ struct HexRemeshResult
   /// how many of them the hexahedra have.
   std::vector<HexRegion> Regions = {};
   int Curves = 0, CurvesKept = 0, Junctions = 0, JunctionsKept = 0;
+  double CurveDistance = 0.0; ///< see ComputeCurveDistance
 };
 
 /// Throws InvalidInput if CellsOnLongestSide is out of range, or given together with CellSize.

@@ -79,8 +79,9 @@ HexRemeshResult RemeshRegions(
   result.Regions = MeasureRegions(result.Fit);
   result.Curves = hexes.Curves;
   result.CurvesKept = hexes.CurvesKept;
-  result.Junctions = hexes.Corners;
-  result.JunctionsKept = hexes.CornersKept;
+  result.Junctions = hexes.Junctions;
+  result.JunctionsKept = hexes.JunctionsKept;
+  result.CurveDistance = hexes.CurveDistance;
   return result;
 }
 

@@ -66,8 +66,11 @@
  * - If regions touch: .RegionLabels, .RegionHexahedra, .RegionVolumes, .RegionEulerNumbers and
  *   .RegionComponents, one value for each region. .Curves: number of curves where three or more
  *   regions meet, of which the outside is one; .CurvesKept: number of these curves that are chains
- *   of edges. .Junctions: number of points where these curves meet; .JunctionsKept: number of these
- *   points that are points of the hexahedra. Patches are numbered by their pairs of regions.
+ *   of edges. .CurveDistance: the larger one-sided Hausdorff distance between these chains and
+ *   curves, each compared with those of the same regions. .Junctions: number of points where these
+ *   curves meet; .JunctionsKept: number of these points that are points of the hexahedra. .Distance
+ *   is that of all quads, .InnerDistance that of quads between regions. Patches are numbered by
+ *   their pairs of regions.
  * - .ReleasedPoints: number of boundary points that left the surface because hexahedra would
  *   otherwise be inverted or have low quality.
  * - .Crossings: number of pairs of triangles of the surface that intersect.

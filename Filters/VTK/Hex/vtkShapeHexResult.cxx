@@ -219,6 +219,7 @@ void AddRegionFacts(const shape::HexRemeshResult& result, vtkDataObject* output)
   add("Components", [](const shape::HexRegion& region) { return double(region.Components); });
   vtkShapeConvert::AddFact(output, "HexRemesh.Curves", result.Curves);
   vtkShapeConvert::AddFact(output, "HexRemesh.CurvesKept", result.CurvesKept);
+  vtkShapeConvert::AddFact(output, "HexRemesh.CurveDistance", result.CurveDistance);
   vtkShapeConvert::AddFact(output, "HexRemesh.Junctions", result.Junctions);
   vtkShapeConvert::AddFact(output, "HexRemesh.JunctionsKept", result.JunctionsKept);
 }

@@ -1,6 +1,7 @@
 #include "Hex/RegionRemesh.h"
 
 #include "Base/Errors.h"
+#include "Hex/Features/RegionNetwork.h"
 #include "Mesh/QuadSurface.h"
 #include "Quality/ScaledJacobian.h"
 #include "Search/ClosestPoint.h"
@@ -167,6 +168,26 @@ void Check(const shape::HexRemeshResult& result, const std::map<int, int>& euler
   EXPECT_TRUE((fit.QuadRegions.bottomRows(quads - fit.Quads.rows()).array() != 0).all());
 }
 
+/// The curves with these labels around them, as triangles without area.
+shape::Mesh CurveOf(const shape::LabelledSurfaces& regions, const std::vector<int>& labels)
+{
+  std::vector<Eigen::RowVector3i> edges;
+  for (const auto& curve :
+    shape::FindRegionNetwork(regions.Surfaces.Triangles, regions.Labels).Curves)
+  {
+    for (std::size_t i = 0; curve.Labels == labels && i + 1 < curve.Points.size(); ++i)
+    {
+      edges.emplace_back(curve.Points[i], curve.Points[i + 1], curve.Points[i + 1]);
+    }
+  }
+  shape::Mesh mesh{ regions.Surfaces.Points, Eigen::MatrixXi(edges.size(), 3) };
+  for (std::size_t i = 0; i < edges.size(); ++i)
+  {
+    mesh.Triangles.row(static_cast<Eigen::Index>(i)) = edges[i];
+  }
+  return mesh;
+}
+
 double VolumeOf(const shape::HexRemeshResult& result, int label)
 {
   const auto found = std::find_if(result.Regions.begin(), result.Regions.end(),
@@ -231,11 +252,25 @@ TEST(RegionRemesh, ThreeWedgesOfABallMeetAlongALine)
   EXPECT_GT(result.Fit.MinimumScaledJacobian, 0.3);
   EXPECT_EQ(result.JunctionsKept, 2);
   EXPECT_EQ(result.CurvesKept, 4);
-  int onLine = 0;
+  const shape::SurfaceLocator curve(CurveOf(regions, { 1, 2, 3 }));
+  int onLine = 0, away = 0;
   for (const auto& [point, around] : RegionsAtPoints(result.Fit))
   {
-    onLine += around.size() == 3 ? 1 : 0;
+    if (around.size() == 3)
+    {
+      ++onLine;
+      away += curve.FindOne(result.Fit.Solid.Points.row(point)).Distance > 1e-9 ? 1 : 0;
+      const Eigen::RowVector3d position = result.Fit.Solid.Points.row(point);
+      // Half a voxel along each axis.
+      EXPECT_LT((position - position.dot(along) * along).norm(), std::sqrt(0.75));
+    }
   }
+  // Points lie on the curve, except those that would make hexahedra inverted.
+  EXPECT_LE(away, result.Fit.Released);
+  EXPECT_LT(away, onLine / 2);
+  // The ball's circles are followed by chords: a step of a chain is at most twice a cell.
+  EXPECT_LT(
+    result.CurveDistance, std::sqrt(0.75) + 0.5 * options.CellSize * options.CellSize / radius);
   EXPECT_GT(onLine, static_cast<int>(2.0 * radius / options.CellSize));
   const double ball = 4.0 / 3.0 * M_PI * radius * radius * radius;
   EXPECT_NEAR(VolumeOf(result, 1) / ball, 0.5, 0.03);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "Hex/Features/PatchedBoundary.h"
 #include "Mesh/HexMesh.h"
 #include "Mesh/Mesh.h"
 
@@ -40,27 +39,5 @@ struct RegionNetwork
 /// Finds the network of polygons between regions: edges of more than two polygons. polygons: f x k
 /// point indices. labels: f x 2.
 RegionNetwork FindRegionNetwork(const Eigen::MatrixXi& polygons, const Eigen::MatrixXi& labels);
-
-/// Where the points of faces between regions may move.
-struct RegionMatch
-{
-  /// A patch for each pair of labels; its Quads are those whose pair the surfaces have. Points on
-  /// curves and corners have spans, and start there.
-  PatchedBoundary Boundary;
-  int Curves = 0, CurvesKept = 0;   ///< of the surfaces; those that a chain of edges follows
-  int Corners = 0, CornersKept = 0; ///< of the surfaces; those that are points of the hexahedra
-};
-
-/**
- * Assigns the faces between regions of hexahedra near surfaces to these surfaces. Each corner of
- * the faces' network gets the closest corner of the surfaces with the same labels. Each chain of
- * edges gets the curve with the same labels between the same corners, and its points are
- * distributed along it. Points of other chains start at the closest curve with the same labels,
- * along which they may move near there; if there is none, they move on a patch.
- *
- * surfaces, labels: as for ConformingRegions.
- */
-RegionMatch MatchRegions(const HexMesh& mesh, const RegionFaces& faces, const Mesh& surfaces,
-  const Eigen::MatrixXi& labels);
 
 } // namespace shape

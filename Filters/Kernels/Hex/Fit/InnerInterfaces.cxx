@@ -4,51 +4,26 @@
 #include "Hex/Fit/Private/Pillowing.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
-#include <set>
 #include <utility>
+#include <vector>
 
 namespace shape
 {
 namespace
 {
 
-/// A face's corners in ascending order: both hexahedra of the face give the same key.
-std::array<int, 4> Sorted(const Eigen::RowVector4i& quad)
+std::vector<int> FindRows(const std::vector<char>& marked)
 {
-  std::array<int, 4> corners{ quad(0), quad(1), quad(2), quad(3) };
-  std::sort(corners.begin(), corners.end());
-  return corners;
-}
-
-/// Finds, for each quad, the hexahedron among some that has it as a face.
-std::vector<int> HexahedraAt(
-  const Eigen::MatrixXi& hexahedra, const std::vector<int>& rows, const Eigen::MatrixXi& quads)
-{
-  std::map<std::array<int, 4>, int> quadOf;
-  for (int q = 0; q < static_cast<int>(quads.rows()); ++q)
+  std::vector<int> rows;
+  for (int row = 0; row < static_cast<int>(marked.size()); ++row)
   {
-    quadOf[Sorted(quads.row(q))] = q;
-  }
-  std::vector<int> found(quads.rows(), -1);
-  for (const int row : rows)
-  {
-    for (const auto& face : HexFaces)
+    if (marked[row])
     {
-      Eigen::RowVector4i corners;
-      for (int k = 0; k < 4; ++k)
-      {
-        corners(k) = hexahedra(row, face[k]);
-      }
-      const auto quad = quadOf.find(Sorted(corners));
-      if (quad != quadOf.end())
-      {
-        found[quad->second] = row;
-      }
+      rows.push_back(row);
     }
   }
-  return found;
+  return rows;
 }
 
 } // namespace
@@ -69,64 +44,33 @@ InterfaceLayers::InterfaceLayers(HexMesh& mesh, const InnerInterfaces& interface
     std::vector<char> outside(cells.Inside[i].size());
     std::transform(cells.Inside[i].begin(), cells.Inside[i].end(), outside.begin(),
       [](char inside) { return static_cast<char>(inside == 0); });
-    this->PillowSide(mesh, cells.Inside[i], cells.Interfaces[i], layers);
-    this->PillowSide(mesh, outside, cells.Interfaces[i].rowwise().reverse(), layers);
+    this->PillowSide(mesh, FindRows(cells.Inside[i]), cells.Interfaces[i], layers);
+    this->PillowSide(mesh, FindRows(outside), cells.Interfaces[i].rowwise().reverse(), layers);
   }
 }
 
 InterfaceLayers::InterfaceLayers(HexMesh& mesh, const Eigen::VectorXi& regionOf, int layers)
   : RegionOf(regionOf.begin(), regionOf.end())
 {
-  const std::set<int> regions(regionOf.begin(), regionOf.end());
-  for (const int region : regions)
+  std::map<int, std::vector<int>> rowsOf;
+  for (int hex = 0; hex < static_cast<int>(regionOf.size()); ++hex)
   {
-    std::vector<char> side(regionOf.size());
-    std::vector<int> rows;
-    for (int hex = 0; hex < static_cast<int>(regionOf.size()); ++hex)
-    {
-      side[hex] = regionOf(hex) == region;
-      if (side[hex])
-      {
-        rows.push_back(hex);
-      }
-    }
+    rowsOf[regionOf(hex)].push_back(hex);
+  }
+  for (const auto& [region, rows] : rowsOf)
+  {
     const Eigen::MatrixXi quads =
       FindBoundaryQuads({ mesh.Points, mesh.Hexahedra(rows, Eigen::all) });
-    this->PillowSide(mesh, side, quads, layers);
+    this->PillowSide(mesh, rows, quads, layers);
   }
 }
 
 void InterfaceLayers::PillowSide(
-  HexMesh& mesh, const std::vector<char>& side, const Eigen::MatrixXi& quads, int layers)
+  HexMesh& mesh, const std::vector<int>& rows, const Eigen::MatrixXi& quads, int layers)
 {
-  std::vector<int> rows;
-  for (int hex = 0; hex < static_cast<int>(side.size()); ++hex)
-  {
-    if (side[hex])
-    {
-      rows.push_back(hex);
-    }
-  }
-  const std::vector<int> beside = HexahedraAt(mesh.Hexahedra, rows, quads);
   PatchedBoundary copies;
   copies.Quads = quads;
-  // Only the hexahedra of this side use the copies: those of the other side keep the interface's
-  // points.
-  HexMesh part{ mesh.Points, mesh.Hexahedra(rows, Eigen::all) };
-  for (int layer = 0; layer < layers; ++layer)
-  {
-    PillowBoundary(part, copies);
-    for (const int hex : beside)
-    {
-      this->RegionOf.push_back(int(this->RegionOf[hex]));
-    }
-  }
-  const auto own = static_cast<Eigen::Index>(rows.size()), before = mesh.Hexahedra.rows();
-  const Eigen::Index added = part.Hexahedra.rows() - own;
-  mesh.Points = std::move(part.Points);
-  mesh.Hexahedra.conservativeResize(before + added, 8);
-  mesh.Hexahedra(rows, Eigen::all) = part.Hexahedra.topRows(own);
-  mesh.Hexahedra.bottomRows(added) = part.Hexahedra.bottomRows(added);
+  shape::PillowSide(mesh, rows, layers, copies, this->RegionOf);
   this->Sides.push_back(std::move(copies));
 }
 

@@ -51,7 +51,7 @@ public:
 
 private:
   void PillowSide(
-    HexMesh& mesh, const std::vector<char>& side, const Eigen::MatrixXi& quads, int layers);
+    HexMesh& mesh, const std::vector<int>& rows, const Eigen::MatrixXi& quads, int layers);
 
   std::vector<int> RegionOf;
   std::vector<PatchedBoundary> Sides; ///< the copied points on each side of each interface

@@ -1,12 +1,16 @@
 #include "Hex/Fit/RegionFit.h"
 
+#include "Distance/HausdorffDistance.h"
 #include "Hex/Features/FeatureConstraint.h"
-#include "Hex/Features/RegionNetwork.h"
+#include "Hex/Features/RegionMatch.h"
 #include "Hex/Fit/InnerInterfaces.h"
+#include "Hex/Fit/Private/RegionSheets.h"
 #include "Hex/Fit/Private/Settling.h"
+#include "Mesh/RegionSurfaces.h"
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace shape
 {
@@ -39,6 +43,34 @@ void WriteFaces(const RegionFaces& faces, HexFit& fit)
   }
 }
 
+/// Returns the larger one-sided Hausdorff distance between the interfaces and their surfaces.
+double MeasureInterfaces(const HexFit& fit, const Mesh& surfaces, const Eigen::MatrixXi& labels)
+{
+  std::vector<int> inner;
+  for (int t = 0; t < static_cast<int>(labels.rows()); ++t)
+  {
+    if (labels(t, 0) != RegionSurfaces::Outside && labels(t, 1) != RegionSurfaces::Outside)
+    {
+      inner.push_back(t);
+    }
+  }
+  const Eigen::Index outer = fit.Quads.rows(), count = fit.QuadRegions.rows() - outer;
+  if (inner.empty() || count == 0)
+  {
+    return 0.0;
+  }
+  Eigen::MatrixXi quads(count, 4);
+  Eigen::Index row = 0;
+  for (const Eigen::MatrixXi& interface : fit.Interfaces)
+  {
+    quads.middleRows(row, interface.rows()) = interface;
+    row += interface.rows();
+  }
+  return ComputeHausdorffDistance({ surfaces.Points, surfaces.Triangles(inner, Eigen::all) },
+    { fit.Solid.Points, SplitQuads(quads) })
+    .Larger();
+}
+
 } // namespace
 
 RegionFit FitRegions(const LabelledCells& cells, const Mesh& surfaces,
@@ -48,15 +80,19 @@ RegionFit FitRegions(const LabelledCells& cells, const Mesh& surfaces,
   RegionFit result;
   HexFit& fit = result.Fit;
   fit.Solid = cells.Solid;
-  const RegionFaces faces = FindRegionFaces(cells.Solid, cells.RegionOf);
+  std::vector<int> regions(cells.RegionOf.begin(), cells.RegionOf.end());
+  InsertRegionSheets(fit.Solid, regions, surfaces, labels);
   progress(0.0);
-  RegionMatch match = MatchRegions(cells.Solid, faces, surfaces, labels);
+  fit.RegionOf =
+    Eigen::Map<const Eigen::VectorXi>(regions.data(), static_cast<Eigen::Index>(regions.size()));
+  const RegionFaces faces = FindRegionFaces(fit.Solid, fit.RegionOf);
+  RegionMatch match = MatchRegions(fit.Solid, faces, surfaces, labels);
   progress(0.0);
   result.Curves = match.Curves;
   result.CurvesKept = match.CurvesKept;
-  result.Corners = match.Corners;
-  result.CornersKept = match.CornersKept;
-  const InterfaceLayers layers(fit.Solid, cells.RegionOf, options.PaddingLayers);
+  result.Junctions = match.Junctions;
+  result.JunctionsKept = match.JunctionsKept;
+  const InterfaceLayers layers(fit.Solid, fit.RegionOf, options.PaddingLayers);
   fit.RegionOf = layers.Regions(fit.Solid.Hexahedra.rows());
   const Surface surface(surfaces);
   fit.Constraint = std::make_shared<FeatureConstraint>(
@@ -66,14 +102,21 @@ RegionFit FitRegions(const LabelledCells& cells, const Mesh& surfaces,
     fit.Solid.Points.row(point) = position;
   }
   constexpr int smoothings = 30; // curves are bent where they meet
-  // Where interfaces meet at small angles, more is rarely possible.
-  constexpr double wanted = 0.4;
+  // Where interfaces meet at small angles, more is rarely possible. Points leave the surfaces only
+  // for a scaled Jacobian that the hexahedra need.
+  constexpr double wanted = 0.4, needed = 0.3;
   Settle(
     fit.Solid, *fit.Constraint, [&](Eigen::MatrixXd& points) { layers.Spread(points); },
     { smoothings, options.RaisedFrom, wanted }, progress.Part(0.0, 0.8));
   WriteFaces(faces, fit);
   Judge(fit);
-  RelaxBoundaryAroundBad(fit, surface, maximumDistance, progress.Part(0.8, 1.0), wanted);
+  RelaxBoundaryAroundBad(fit, surface, maximumDistance, progress.Part(0.8, 1.0), needed);
+  for (const RegionNetwork::Curve& chain : match.Chains.Curves)
+  {
+    result.CurvePoints.insert(result.CurvePoints.end(), chain.Points.begin(), chain.Points.end());
+  }
+  result.CurveDistance = ComputeCurveDistance(fit.Solid.Points, surfaces, match);
+  fit.InnerDistance = MeasureInterfaces(fit, surfaces, labels);
   progress(1.0);
   return result;
 }

@@ -4,6 +4,8 @@
 #include "Hex/Fit/HexFit.h"
 #include "Hex/Voxels/TouchingRegionVoxels.h"
 
+#include <vector>
+
 namespace shape
 {
 
@@ -12,15 +14,18 @@ struct RegionFit
 {
   HexFit Fit;                     ///< its patches are the pairs of labels along the boundary
   int Curves = 0, CurvesKept = 0; ///< see RegionMatch
-  int Corners = 0, CornersKept = 0;
+  int Junctions = 0, JunctionsKept = 0;
+  std::vector<int> CurvePoints; ///< the points of the chains of edges
+  double CurveDistance = 0.0;   ///< see ComputeCurveDistance
 };
 
 /**
- * Fits the cells of regions that touch to their surfaces. Layers of hexahedra are added inside the
- * boundary of each region, so that each hexahedron has at most one face on an interface or on the
- * boundary. Points where four or more regions meet become corners of the surfaces, chains of edges
- * where three meet follow their curves, and other points of interfaces lie on the surface between
- * their two regions (MatchRegions). Then all points are moved to maximise the minimum scaled
+ * Fits the cells of regions that touch to their surfaces. Sheets of hexahedra are added where
+ * interfaces meet at curves (InsertRegionSheets), and layers inside the boundary of each region, so
+ * that each hexahedron has at most one face on an interface or on the boundary. Points where four
+ * or more regions meet become corners of the surfaces, chains of edges where three meet follow
+ * their curves, and other points of interfaces lie on the surface between their two regions
+ * (MatchRegions). Then all points are moved to maximise the minimum scaled
  * Jacobian (OptimizeHexahedra). Creases of a surface between two regions are rounded.
  *
  * Where hexahedra stay inverted or bad, points leave the surfaces (RelaxBoundaryAroundBad, with

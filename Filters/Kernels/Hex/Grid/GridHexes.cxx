@@ -23,8 +23,6 @@ namespace shape
 namespace
 {
 
-/// The factor by which cells shrink if they do not have the solid's topology.
-constexpr double Shrinkage = 0.85;
 /// The factor by which the number of hexahedra grows in the next grids of an automatic size; the
 /// second applies if most of the solid needs smaller cells.
 constexpr double Growth = 1.4, LargeGrowth = 3.0;

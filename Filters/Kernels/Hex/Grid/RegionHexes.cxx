@@ -1,6 +1,7 @@
 #include "Hex/Grid/RegionHexes.h"
 
 #include "Base/Errors.h"
+#include "Hex/Features/RegionMatch.h"
 #include "Hex/Grid/Private/GridGoals.h"
 #include "Quality/ScaledJacobian.h"
 
@@ -8,27 +9,102 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace shape
 {
 namespace
 {
 
-/// The factor by which cells shrink if they do not have the regions' topology.
-constexpr double TopologyShrinkage = 0.85;
 /// The factor by which they shrink if hexahedra are bad.
 constexpr double QualityShrinkage = 0.8;
 /// From this minimum scaled Jacobian on, cells are not made smaller.
 constexpr double GoodScaledJacobian = 0.3;
-constexpr int MaximumGrids = 3; ///< number of grids with the topology
+constexpr int MaximumGrids = 3;    ///< number of grids that are fitted
+constexpr int MaximumCompared = 4; ///< number of grids whose curves are compared before a fit
 /// Cells are at most this much smaller than a given size.
 constexpr double SmallestShare = 0.25;
 
-bool IsBetterFit(const HexFit& one, const HexFit& other)
+/// The minimum scaled Jacobian of the hexahedra that are not near curves where interfaces meet.
+double FindMinimumAwayFromCurves(const RegionFit& result)
 {
-  return one.Inverted != other.Inverted ? one.Inverted < other.Inverted
-                                        : one.MinimumScaledJacobian > other.MinimumScaledJacobian;
+  std::vector<char> marked(result.Fit.Solid.Points.rows(), 0);
+  for (const int point : result.CurvePoints)
+  {
+    marked[point] = 1;
+  }
+  constexpr int rings = 2; // the layers along the interfaces
+  GrowRings(result.Fit.Solid.Hexahedra, rings, marked);
+  std::vector<int> near;
+  for (int point = 0; point < static_cast<int>(marked.size()); ++point)
+  {
+    if (marked[point])
+    {
+      near.push_back(point);
+    }
+  }
+  return FindMinimumScaledJacobianAwayFrom(near, result.Fit.Solid);
+}
+
+/// Whether smaller cells are not worth their number. Where interfaces meet at small angles, so do
+/// hexahedra of any size: these may be worse if all curves are followed.
+bool IsAccepted(const RegionFit& result)
+{
+  const bool isComplete =
+    result.CurvesKept == result.Curves && result.JunctionsKept == result.Junctions;
+  return result.Fit.Inverted == 0 &&
+    (result.Fit.MinimumScaledJacobian >= GoodScaledJacobian ||
+      (isComplete && FindMinimumAwayFromCurves(result) >= GoodScaledJacobian));
+}
+
+/// Cells of a grid, and the number of curves and junctions of the surfaces that they have.
+struct RegionGrid
+{
+  LabelledCells Cells;
+  double Size = 0.0;
+  int Kept = 0;
+};
+
+/// Returns cells of at most this size with the topology of the regions: the largest that have all
+/// curves and junctions of the surfaces, or else, of a few, those that have most.
+std::optional<RegionGrid> FindGrid(TouchingRegionVoxels& voxels, const Mesh& surfaces,
+  const Eigen::MatrixXi& labels, double size, double minimum, const Progress& progress)
+{
+  std::optional<RegionGrid> best;
+  for (int grids = 0; grids < MaximumCompared && size >= minimum * (1.0 - 1e-9); size *= Shrinkage)
+  {
+    std::optional<LabelledCells> cells = voxels.Fill(size, progress);
+    if (!cells)
+    {
+      continue;
+    }
+    ++grids;
+    const RegionMatch match =
+      MatchRegions(cells->Solid, FindRegionFaces(cells->Solid, cells->RegionOf), surfaces, labels);
+    const int kept = match.CurvesKept + match.JunctionsKept;
+    if (!best || kept > best->Kept)
+    {
+      best = RegionGrid{ std::move(*cells), size, kept };
+    }
+    if (kept == match.Curves + match.Junctions)
+    {
+      break;
+    }
+  }
+  return best;
+}
+
+bool IsBetter(const RegionFit& one, const RegionFit& other)
+{
+  // An inverted hexahedron outweighs all, and a missing curve the quality of the others.
+  const auto rank = [](const RegionFit& result)
+  {
+    return std::tuple(-result.Fit.Inverted, result.CurvesKept + result.JunctionsKept,
+      result.Fit.MinimumScaledJacobian);
+  };
+  return rank(one) > rank(other);
 }
 
 } // namespace
@@ -53,32 +129,30 @@ RegionHexesResult BuildRegionHexahedra(
     : voxels.CellSizeFor(std::min<double>(options.FirstHexahedra, options.MaximumHexahedra));
   std::optional<RegionHexesResult> best;
   double begin = 0.05;
-  for (int grids = 0; grids < MaximumGrids && size >= minimum * (1.0 - 1e-9);)
+  for (int grids = 0; grids < MaximumGrids; ++grids)
   {
-    // Most searches end after the first grid with the topology.
+    // Most searches end after the first grid.
     const double end = 0.5 * (begin + 1.0);
-    const std::optional<LabelledCells> cells =
-      voxels.Fill(size, progress.Part(begin, begin, "filling the regions with a grid"));
-    if (!cells)
-    {
-      size *= TopologyShrinkage;
-      continue;
-    }
-    RegionHexesResult result;
-    static_cast<RegionFit&>(result) = FitRegions(*cells, surfaces, regions.Labels, fitting,
-      goals.AcceptedDistance, progress.Part(begin, end, "fitting the grid to the surfaces"));
-    result.CellSize = size;
-    if (!best || IsBetterFit(result.Fit, best->Fit))
-    {
-      best = std::move(result);
-    }
-    if (best->Fit.Inverted == 0 && best->Fit.MinimumScaledJacobian >= GoodScaledJacobian)
+    const std::optional<RegionGrid> grid = FindGrid(voxels, surfaces, regions.Labels, size, minimum,
+      progress.Part(begin, begin, "filling the regions with a grid"));
+    if (!grid)
     {
       break;
     }
-    size *= QualityShrinkage;
+    RegionHexesResult result;
+    static_cast<RegionFit&>(result) = FitRegions(grid->Cells, surfaces, regions.Labels, fitting,
+      goals.AcceptedDistance, progress.Part(begin, end, "fitting the grid to the surfaces"));
+    result.CellSize = grid->Size;
+    if (!best || IsBetter(result, *best))
+    {
+      best = std::move(result);
+    }
+    if (IsAccepted(*best))
+    {
+      break;
+    }
+    size = QualityShrinkage * grid->Size;
     begin = end;
-    ++grids;
   }
   if (!best)
   {

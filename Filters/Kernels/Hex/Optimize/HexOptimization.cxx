@@ -103,7 +103,7 @@ void LowerWorst(const HexMesh& mesh, const PointConstraint& constraint,
       constexpr int between = 5; // one sweep hardly changes the set of bad hexahedra
       if (sweep % between == 0)
       {
-        marked = MarkPointsOfBadHexahedra({ sweeps.Positions(), mesh.Hexahedra }, options.Bad);
+        marked = sweeps.MarkBad(options.Bad);
         LeaveMarked(options.Marked, marked);
       }
       if (marked.empty())

@@ -138,7 +138,9 @@ TouchingRegionVoxels::TouchingRegionVoxels(
     this->Parts.push_back(CountComponents(surface, 1.0));
     this->Wanted[label] = surface.Topology();
   }
-  this->Numbers = labels.unaryExpr([&](int label) { return numberOf.at(label); });
+  this->Meetings = FindMeetings(surfaces.Triangles,
+    labels.unaryExpr([&](int label) { return numberOf.at(label); }),
+    static_cast<int>(this->Labels.size()));
 }
 
 double TouchingRegionVoxels::CellSizeFor(double hexahedra) const
@@ -149,11 +151,13 @@ double TouchingRegionVoxels::CellSizeFor(double hexahedra) const
     volume += this->Bounded.Volumes().at(label);
     area += ComputeArea(surface);
   }
-  // As in TopologyPreservingVoxels: a layer has more hexahedra than the cells that it replaces.
+  // The faces of cells along a surface have 1.5 times its area on average over all directions. Each
+  // has a hexahedron of a layer and, where regions meet at curves, one of a sheet.
+  const double faces = (this->Meetings.Around.empty() ? 1.5 : 3.0) * area;
   double size = std::cbrt(volume / hexahedra);
   for (int step = 0; step < 50; ++step)
   {
-    size = std::cbrt((volume + 0.5 * area * size) / hexahedra);
+    size = std::cbrt((volume + faces * size) / hexahedra);
   }
   return size;
 }
@@ -177,13 +181,12 @@ std::optional<LabelledCells> TouchingRegionVoxels::Fill(double size, const Progr
     }
   }
   MeasureDistances(this->Whole, regionOf, grid, progress.Part(0.4, 0.6));
-  const RegionMeetings meetings = FindMeetings(this->Whole.Triangles, this->Numbers, count);
   constexpr int rounds = 5;
   int faulty = 0;
   for (int round = 0; round < rounds; ++round)
   {
     progress(0.6 + 0.3 * round / rounds);
-    faulty = RepairRegions(grid, meetings, regionOf);
+    faulty = RepairRegions(grid, this->Meetings, regionOf);
     if (DissolveParts(grid, this->Parts, regionOf) == 0)
     {
       break;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
+#include "Hex/Voxels/RegionMeetings.h"
 #include "Mesh/HexMesh.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/Topology.h"
@@ -48,7 +49,8 @@ public:
   const ConformingRegions& Regions() const { return this->Bounded; }
 
   /// Returns a size of cells such that these cells and one layer of hexahedra along both sides of
-  /// all surfaces are about `hexahedra` in number.
+  /// all surfaces are about `hexahedra` in number; if regions meet at curves, also one sheet
+  /// (InsertRegionSheets).
   double CellSizeFor(double hexahedra) const;
 
   /// Returns the cells of this size; nothing if a region has another Euler number or another number
@@ -67,7 +69,7 @@ private:
   std::vector<int> Labels;        ///< of the regions, in the order of their numbers; 0 first
   std::vector<int> Parts;         ///< for each number: the number of connected parts
   std::map<int, Topology> Wanted; ///< of each region's surface, by label
-  Eigen::MatrixXi Numbers;        ///< the numbers of the regions on both sides of each triangle
+  RegionMeetings Meetings;        ///< of the surfaces
   std::string Wrong;
 };
 

@@ -3,7 +3,10 @@
 #include "Mesh/QuadSurface.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace shape
@@ -66,6 +69,74 @@ std::vector<int> PadQuads(HexMesh& mesh, const Eigen::MatrixXi& quads)
   return copyOf;
 }
 
+namespace
+{
+
+/// Finds, for each quad, the hexahedron among some that has it as a face.
+std::vector<int> FindHexahedraAt(
+  const Eigen::MatrixXi& hexahedra, const std::vector<int>& rows, const Eigen::MatrixXi& quads)
+{
+  // A face's corners in ascending order: both hexahedra of the face give the same key.
+  using Key = std::array<int, 4>;
+  std::vector<std::pair<Key, int>> keys;
+  std::vector<char> isCorner(hexahedra.maxCoeff() + 1, 0);
+  for (int q = 0; q < static_cast<int>(quads.rows()); ++q)
+  {
+    Key key{};
+    for (int k = 0; k < 4; ++k)
+    {
+      key[k] = quads(q, k);
+      isCorner[key[k]] = 1;
+    }
+    std::sort(key.begin(), key.end());
+    keys.emplace_back(key, q);
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<int> found(quads.rows(), -1);
+  for (const int row : rows)
+  {
+    for (const auto& face : HexFaces)
+    {
+      if (!std::all_of(std::begin(face), std::end(face),
+            [&](int corner) { return isCorner[hexahedra(row, corner)]; }))
+      {
+        continue;
+      }
+      Key key{};
+      for (int k = 0; k < 4; ++k)
+      {
+        key[k] = hexahedra(row, face[k]);
+      }
+      std::sort(key.begin(), key.end());
+      const auto quad = std::lower_bound(keys.begin(), keys.end(), std::pair(key, -1));
+      if (quad != keys.end() && quad->first == key)
+      {
+        found[quad->second] = row;
+      }
+    }
+  }
+  return found;
+}
+
+} // namespace
+
+std::vector<int> PadSide(HexMesh& mesh, const std::vector<int>& rows, const Eigen::MatrixXi& quads,
+  std::vector<int>& regionOf)
+{
+  for (const int hex : FindHexahedraAt(mesh.Hexahedra, rows, quads))
+  {
+    regionOf.push_back(int(regionOf[hex]));
+  }
+  HexMesh side{ std::move(mesh.Points), mesh.Hexahedra(rows, Eigen::all) };
+  std::vector<int> copyOf = PadQuads(side, quads);
+  const Eigen::Index before = mesh.Hexahedra.rows(), added = quads.rows();
+  mesh.Points = std::move(side.Points);
+  mesh.Hexahedra.conservativeResize(before + added, 8);
+  mesh.Hexahedra(rows, Eigen::all) = side.Hexahedra.topRows(static_cast<Eigen::Index>(rows.size()));
+  mesh.Hexahedra.bottomRows(added) = side.Hexahedra.bottomRows(added);
+  return copyOf;
+}
+
 /// Inserts a sheet (Ledoux and Shepherd 2010): the layer is added under the patches, the other
 /// quads take the copies, and the sides of the layer become quads of the adjacent patches.
 void PillowPatches(HexMesh& mesh, const std::vector<int>& patches, PatchedBoundary& boundary)
@@ -121,6 +192,19 @@ void PillowBoundary(HexMesh& mesh, PatchedBoundary& boundary)
   RememberCopies(PadQuads(mesh, boundary.Quads), boundary);
   boundary.CurveOf.resize(mesh.Points.rows(), -1);
   boundary.CornerOf.resize(mesh.Points.rows(), -1);
+}
+
+void PillowSide(HexMesh& mesh, std::vector<int> rows, int layers, PatchedBoundary& boundary,
+  std::vector<int>& regionOf)
+{
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    const auto first = static_cast<int>(mesh.Hexahedra.rows());
+    RememberCopies(PadSide(mesh, rows, boundary.Quads, regionOf), boundary);
+    // The next layer lies between the quads and this one.
+    rows.resize(rows.size() + static_cast<std::size_t>(boundary.Quads.rows()));
+    std::iota(rows.end() - boundary.Quads.rows(), rows.end(), first);
+  }
 }
 
 void SmoothPillows(const PatchedBoundary& boundary, Eigen::MatrixXd& points)

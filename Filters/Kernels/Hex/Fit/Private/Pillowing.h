@@ -23,6 +23,17 @@ namespace shape
 std::vector<int> PadQuads(HexMesh& mesh, const Eigen::MatrixXi& quads);
 
 /**
+ * Inserts a layer of hexahedra between some quads and the hexahedra of one side (PadQuads). The
+ * other hexahedra keep the quads' points.
+ *
+ * rows: the hexahedra of this side. quads: faces of its boundary, counter-clockwise seen from
+ * outside the side. regionOf: the region of each hexahedron of the mesh; a new one gets that of the
+ * hexahedron at its quad. Returns the copy of each original point, or -1 if it has none.
+ */
+std::vector<int> PadSide(HexMesh& mesh, const std::vector<int>& rows, const Eigen::MatrixXi& quads,
+  std::vector<int>& regionOf);
+
+/**
  * Inserts a layer of hexahedra under some patches. At the border of the patches, the layer ends in
  * a row of quads, which belong to the adjacent patches. As a result, no quad there has two
  * consecutive edges on a curve. Each surface and each curve thus has sheets of its own, as Ledoux
@@ -37,6 +48,11 @@ void PillowPatches(HexMesh& mesh, const std::vector<int>& patches, PatchedBounda
 /// Inserts a layer of hexahedra under the whole boundary. The quads and points of the boundary stay
 /// unchanged.
 void PillowBoundary(HexMesh& mesh, PatchedBoundary& boundary);
+
+/// Inserts layers of hexahedra inside the boundary of one side (PadSide). Only Quads and Copies of
+/// `boundary` are used.
+void PillowSide(HexMesh& mesh, std::vector<int> rows, int layers, PatchedBoundary& boundary,
+  std::vector<int>& regionOf);
 
 /// Distributes the copies of each boundary point evenly between the point and its deepest copy.
 void SmoothPillows(const PatchedBoundary& boundary, Eigen::MatrixXd& points);

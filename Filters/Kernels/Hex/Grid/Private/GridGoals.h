@@ -8,6 +8,9 @@ namespace shape
 /// If the result has at least this scaled Jacobian, cells are not made smaller everywhere.
 inline constexpr double AcceptedScaledJacobian = 0.55;
 
+/// The factor by which cells shrink if they do not have the topology of the surface.
+inline constexpr double Shrinkage = 0.85;
+
 /// The quality that hexahedra should reach; distances in the surface's units.
 struct GridGoals
 {

@@ -1,6 +1,7 @@
 #include "Hex/Optimize/Private/HexSweeps.h"
 
 #include "Base/Parallel.h"
+#include "Quality/ScaledJacobian.h"
 
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
@@ -224,6 +225,7 @@ HexSweeps::HexSweeps(const HexMesh& mesh, const PointConstraint& constraint)
   , Around(mesh.Points.rows())
   , MovedAt(mesh.Points.rows(), 0)
   , LookedAt(mesh.Points.rows(), 0)
+  , ChangedAt(mesh.Points.rows(), 0)
 {
   for (int hex = 0; hex < this->Hexahedra.rows(); ++hex)
   {
@@ -268,8 +270,46 @@ void HexSweeps::Project()
       {
         this->Points.col(point) =
           this->Constraint.Nearest(point, this->Points.col(point).transpose()).transpose();
+        this->ChangedAt[point] = this->Now;
       }
     });
+}
+
+std::vector<char> HexSweeps::MarkBad(double bad)
+{
+  const bool isFirst = this->ScaledJacobians.size() == 0;
+  this->ScaledJacobians.conservativeResize(this->Hexahedra.rows());
+  ParallelFor(static_cast<int>(this->Hexahedra.rows()), 4096,
+    [&](int begin, int end)
+    {
+      for (int hex = begin; hex < end; ++hex)
+      {
+        const auto points = this->Hexahedra.row(hex);
+        if (isFirst ||
+          std::any_of(points.begin(), points.end(),
+            [&](int point) { return this->ChangedAt[point] > this->EvaluatedAt; }))
+        {
+          Eigen::Matrix<double, 8, 3> corners;
+          for (int k = 0; k < 8; ++k)
+          {
+            corners.row(k) = this->Points.col(points(k)).transpose();
+          }
+          this->ScaledJacobians(hex) = ComputeScaledJacobian(corners);
+        }
+      }
+    });
+  this->EvaluatedAt = this->Now;
+  std::vector<char> marked;
+  for (Eigen::Index hex = 0; hex < this->Hexahedra.rows(); ++hex)
+  {
+    if (this->ScaledJacobians(hex) < bad)
+    {
+      marked.resize(this->Around.size(), 0);
+      const auto points = this->Hexahedra.row(hex);
+      std::for_each(points.begin(), points.end(), [&](int point) { marked[point] = 1; });
+    }
+  }
+  return marked;
 }
 
 /// Finds sets of points that share no hexahedron, greedily.
@@ -316,7 +356,7 @@ void HexSweeps::ForAll(const std::vector<char>& marked, const Progress& progress
     std::copy_if(set.begin(), set.end(), std::back_inserter(points),
       [&](int point) { return marked.empty() || marked[point]; });
     ParallelFor(
-      static_cast<int>(points.size()), 64,
+      static_cast<int>(points.size()), 256,
       [&](int begin, int end)
       { std::for_each(&points[begin], &points[begin] + end - begin, body); },
       progress.Part(done / count, (done + 1.0) / count));
@@ -360,6 +400,7 @@ void HexSweeps::MoveTowardsMean(int point)
     const Eigen::Vector3d mean = 0.5 * (this->Points.col(point) + sum / count);
     this->Points.col(point) =
       freedom == 3 ? mean : this->Constraint.Nearest(point, mean.transpose()).transpose();
+    this->ChangedAt[point] = this->Now;
   }
 }
 
@@ -377,6 +418,10 @@ void HexSweeps::Move(int point, double sharpness)
     !free)
   {
     Step(this->Points.col(point), star, sharpness, here, all, this->Constraint, point);
+  }
+  if (this->Points.col(point) != x)
+  {
+    this->ChangedAt[point] = this->Now;
   }
   if ((this->Points.col(point) - x).norm() > Negligible * star.Reach(x))
   {

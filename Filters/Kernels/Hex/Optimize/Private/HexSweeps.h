@@ -94,6 +94,10 @@ public:
   /// Projects every point to the nearest position that the constraint allows.
   void Project();
 
+  /// Marks the points of hexahedra with a scaled Jacobian below `bad` (MarkPointsOfBadHexahedra).
+  /// Only hexahedra that have changed since the last call are evaluated.
+  std::vector<char> MarkBad(double bad);
+
   Eigen::MatrixXd Positions() const { return this->Points.transpose(); }
 
 private:
@@ -117,6 +121,10 @@ private:
   int Now = 0;            ///< number of independent sets processed so far
   /// For each point: the value of Now when it last moved, and when it was last updated.
   std::vector<int> MovedAt, LookedAt;
+  /// When each point last changed its position, by however little.
+  std::vector<int> ChangedAt;
+  Eigen::VectorXd ScaledJacobians; ///< of the hexahedra, at the last call of MarkBad
+  int EvaluatedAt = 0;             ///< the value of Now then
 };
 
 } // namespace shape

@@ -1,22 +1,12 @@
 #pragma once
 
+#include "Hex/Voxels/RegionMeetings.h"
 #include "Solids/IsoSurface.h"
 
-#include <set>
 #include <vector>
 
 namespace shape
 {
-
-/// Which regions meet. Regions are numbered from 0, which is the outside.
-struct RegionMeetings
-{
-  int Count = 0;                     ///< number of regions, with the outside
-  std::vector<char> Pairs;           ///< Count x Count: whether two regions share a face
-  std::set<std::vector<int>> Around; ///< sets of three or more regions around an edge, ascending
-
-  bool Touch(int one, int other) const { return this->Pairs[one * this->Count + other] != 0; }
-};
 
 /**
  * Changes the regions of single cells of a grid until, at each corner of a cell, the cells of each

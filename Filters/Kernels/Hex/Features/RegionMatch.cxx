@@ -1,0 +1,427 @@
+#include "Hex/Features/RegionMatch.h"
+
+#include "Base/DisjointSets.h"
+#include "Hex/Features/Private/CurveResampling.h"
+#include "Mesh/UsedPoints.h"
+#include "Search/ClosestPoint.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace shape
+{
+namespace
+{
+
+/// The junctions of a network: corners that curves with more than three labels connect count as
+/// one. Such curves are short: four regions seldom meet along a curve.
+struct Junctions
+{
+  explicit Junctions(const RegionNetwork& network)
+    : Of(network.Corners.size())
+  {
+    std::map<int, int> indexOf;
+    for (const int corner : network.Corners)
+    {
+      indexOf.emplace(corner, static_cast<int>(indexOf.size()));
+    }
+    DisjointSets sets(static_cast<int>(network.Corners.size()));
+    for (const RegionNetwork::Curve& curve : network.Curves)
+    {
+      if (curve.Labels.size() > 3 && !curve.Closed)
+      {
+        sets.Merge(indexOf.at(curve.Points.front()), indexOf.at(curve.Points.back()));
+      }
+    }
+    std::map<int, int> numberOf;
+    for (int i = 0; i < static_cast<int>(this->Of.size()); ++i)
+    {
+      this->Of[i] = numberOf.emplace(sets.Find(i), static_cast<int>(numberOf.size())).first->second;
+      this->Number[network.Corners[i]] = this->Of[i];
+    }
+    this->Corners.resize(numberOf.size());
+    this->Labels.resize(numberOf.size());
+    for (std::size_t i = 0; i < this->Of.size(); ++i)
+    {
+      this->Corners[this->Of[i]].push_back(network.Corners[i]);
+      std::vector<int>& labels = this->Labels[this->Of[i]];
+      labels.insert(labels.end(), network.CornerLabels[i].begin(), network.CornerLabels[i].end());
+    }
+    for (std::vector<int>& around : this->Labels)
+    {
+      std::sort(around.begin(), around.end());
+      around.erase(std::unique(around.begin(), around.end()), around.end());
+    }
+  }
+
+  std::vector<int> Of;                   ///< the junction of each corner, by index
+  std::map<int, int> Number;             ///< the junction of each corner, by point
+  std::vector<std::vector<int>> Corners; ///< the points of each junction
+  std::vector<std::vector<int>> Labels;  ///< the labels around each junction, ascending
+};
+
+/// Assigns the curves and corners of hexahedra to those of surfaces.
+class NetworkMatch
+{
+public:
+  NetworkMatch(const HexMesh& mesh, const Mesh& surfaces, RegionMatch& match)
+    : Grid(mesh)
+    , Surfaces(surfaces)
+    , Own(match.Chains)
+    , Wanted(match.Wanted)
+    , OwnJunctions(match.Chains)
+    , WantedJunctions(match.Wanted)
+    , Match(match)
+  {
+    match.Curves = static_cast<int>(this->Wanted.Curves.size());
+    match.Junctions = static_cast<int>(this->WantedJunctions.Corners.size());
+  }
+
+  void MatchCorners()
+  {
+    // The closest pairs first.
+    std::vector<std::tuple<double, int, int>> pairs;
+    for (int i = 0; i < static_cast<int>(this->OwnJunctions.Corners.size()); ++i)
+    {
+      for (int j = 0; j < static_cast<int>(this->WantedJunctions.Corners.size()); ++j)
+      {
+        if (this->OwnJunctions.Labels[i] == this->WantedJunctions.Labels[j])
+        {
+          pairs.emplace_back((Middle(this->Grid.Points, this->OwnJunctions.Corners[i]) -
+                               Middle(this->Surfaces.Points, this->WantedJunctions.Corners[j]))
+                               .norm(),
+            i, j);
+        }
+      }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    std::set<int> taken;
+    for (const auto& [distance, i, j] : pairs)
+    {
+      if (!this->JunctionOf.count(i) && taken.insert(j).second)
+      {
+        this->JunctionOf[i] = j;
+        this->PutCorners(this->OwnJunctions.Corners[i], this->WantedJunctions.Corners[j]);
+        ++this->Match.JunctionsKept;
+      }
+    }
+  }
+
+  void MatchCurves()
+  {
+    std::vector<char> taken(this->Wanted.Curves.size(), 0);
+    std::vector<const RegionNetwork::Curve*> others;
+    for (const RegionNetwork::Curve& chain : this->Own.Curves)
+    {
+      const int curve = this->FindCurve(chain, taken);
+      if (curve < 0)
+      {
+        others.push_back(&chain);
+        continue;
+      }
+      taken[curve] = 1;
+      this->Distribute(chain, this->Wanted.Curves[curve]);
+    }
+    for (const RegionNetwork::Curve* chain : others)
+    {
+      this->PutOnClosest(*chain);
+    }
+    for (std::size_t i = 0; i < this->Wanted.Curves.size(); ++i)
+    {
+      // A curve inside a junction is part of its point.
+      const RegionNetwork::Curve& curve = this->Wanted.Curves[i];
+      const bool isInside = curve.Labels.size() > 3 && !curve.Closed;
+      this->Match.Curves -= isInside ? 1 : 0;
+      this->Match.CurvesKept += !isInside && taken[i] ? 1 : 0;
+    }
+  }
+
+private:
+  static Eigen::RowVector3d Middle(const Eigen::MatrixXd& points, const std::vector<int>& some)
+  {
+    return points(some, Eigen::all).colwise().mean();
+  }
+
+  void Put(int point, const Eigen::RowVector3d& position, const Eigen::MatrixXd& span)
+  {
+    this->Match.Boundary.Starts.emplace_back(point, position);
+    this->Match.Boundary.Spans[point] = span;
+  }
+
+  /// Puts the corners of a junction at those of another, the closest first, while there are some.
+  void PutCorners(const std::vector<int>& corners, const std::vector<int>& wanted)
+  {
+    std::vector<std::tuple<double, int, int>> pairs;
+    for (const int point : corners)
+    {
+      for (const int corner : wanted)
+      {
+        pairs.emplace_back(
+          (this->Grid.Points.row(point) - this->Surfaces.Points.row(corner)).norm(), point, corner);
+      }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    std::set<int> taken;
+    for (const auto& [distance, point, corner] : pairs)
+    {
+      if (!this->Match.Boundary.Spans.count(point) && taken.insert(corner).second)
+      {
+        this->Put(point, this->Surfaces.Points.row(corner), this->Surfaces.Points.row(corner));
+      }
+    }
+  }
+
+  /// The junction of the surfaces at a corner of the hexahedra, or -1.
+  int JunctionAt(int point) const
+  {
+    const auto found = this->JunctionOf.find(this->OwnJunctions.Number.at(point));
+    return found == this->JunctionOf.end() ? -1 : found->second;
+  }
+
+  /// Returns the closest free curve with the labels and ends of a chain, or -1.
+  int FindCurve(const RegionNetwork::Curve& chain, const std::vector<char>& taken) const
+  {
+    int best = -1;
+    double minimum = std::numeric_limits<double>::infinity();
+    const Eigen::RowVector3d middle = Middle(this->Grid.Points, chain.Points);
+    for (std::size_t i = 0; i < this->Wanted.Curves.size(); ++i)
+    {
+      const RegionNetwork::Curve& curve = this->Wanted.Curves[i];
+      if (taken[i] || curve.Labels != chain.Labels || curve.Closed != chain.Closed)
+      {
+        continue;
+      }
+      if (!chain.Closed)
+      {
+        const int begin = this->JunctionAt(chain.Points.front()),
+                  end = this->JunctionAt(chain.Points.back());
+        const int front = this->WantedJunctions.Number.at(curve.Points.front()),
+                  back = this->WantedJunctions.Number.at(curve.Points.back());
+        if (!(begin == front && end == back) && !(begin == back && end == front))
+        {
+          continue;
+        }
+      }
+      const double distance = (Middle(this->Surfaces.Points, curve.Points) - middle).norm();
+      if (distance < minimum)
+      {
+        minimum = distance;
+        best = static_cast<int>(i);
+      }
+    }
+    return best;
+  }
+
+  void Distribute(const RegionNetwork::Curve& chain, const RegionNetwork::Curve& curve)
+  {
+    FeatureCurve along;
+    along.Points = curve.Points;
+    along.Closed = curve.Closed;
+    const CurvePositions positions =
+      DistributeAlongCurve(this->Grid.Points(chain.Points, Eigen::all), this->Surfaces, along);
+    for (std::size_t i = 0; i < chain.Points.size(); ++i)
+    {
+      if (!this->Match.Boundary.Spans.count(chain.Points[i]))
+      {
+        this->Put(chain.Points[i], positions.Positions.row(static_cast<Eigen::Index>(i)),
+          positions.Spans[i]);
+      }
+    }
+  }
+
+  /// Puts the points of a chain on the closest part of a curve that has only labels of the chain.
+  void PutOnClosest(const RegionNetwork::Curve& chain)
+  {
+    for (const int point : chain.Points)
+    {
+      if (this->Match.Boundary.Spans.count(point))
+      {
+        continue;
+      }
+      const Eigen::RowVector3d position = this->Grid.Points.row(point);
+      const RegionNetwork::Curve* best = nullptr;
+      Eigen::Index at = 0;
+      double minimum = std::numeric_limits<double>::infinity();
+      for (const RegionNetwork::Curve& curve : this->Wanted.Curves)
+      {
+        Eigen::Index nearest = 0;
+        const double distance = !std::includes(chain.Labels.begin(), chain.Labels.end(),
+                                  curve.Labels.begin(), curve.Labels.end())
+          ? minimum
+          : (this->Surfaces.Points(curve.Points, Eigen::all).rowwise() - position)
+              .rowwise()
+              .squaredNorm()
+              .minCoeff(&nearest);
+        if (distance < minimum)
+        {
+          minimum = distance;
+          best = &curve;
+          at = nearest;
+        }
+      }
+      if (best)
+      {
+        constexpr Eigen::Index reach = 3; // edges of the curve to either side
+        const Eigen::Index last = static_cast<Eigen::Index>(best->Points.size()) - 1;
+        std::vector<int> span;
+        for (Eigen::Index i = std::max<Eigen::Index>(at - reach, 0);
+             i <= std::min(at + reach, last); ++i)
+        {
+          span.push_back(best->Points[i]);
+        }
+        this->Put(point, this->Surfaces.Points.row(best->Points[at]),
+          this->Surfaces.Points(span, Eigen::all));
+      }
+    }
+  }
+
+  const HexMesh& Grid;
+  const Mesh& Surfaces;
+  const RegionNetwork& Own;
+  const RegionNetwork& Wanted;
+  const Junctions OwnJunctions, WantedJunctions;
+  RegionMatch& Match;
+  std::map<int, int> JunctionOf; ///< the junction of the surfaces at each matched junction
+};
+
+/// Adds a patch for each pair of labels, and the quads that lie on it.
+void AddPatches(const RegionFaces& faces, const Mesh& surfaces, const Eigen::MatrixXi& labels,
+  PatchedBoundary& boundary)
+{
+  std::map<std::pair<int, int>, std::vector<int>> trianglesOf;
+  for (int t = 0; t < static_cast<int>(labels.rows()); ++t)
+  {
+    trianglesOf[{ labels.row(t).minCoeff(), labels.row(t).maxCoeff() }].push_back(t);
+  }
+  std::map<std::pair<int, int>, int> patchOf;
+  for (const auto& [pair, triangles] : trianglesOf)
+  {
+    patchOf[pair] = static_cast<int>(boundary.Patches.size());
+    Mesh patch{ surfaces.Points, surfaces.Triangles(triangles, Eigen::all) };
+    const std::vector<int> used = FindUsedPoints(patch.Triangles, patch.Points.rows());
+    patch.Triangles = RenumberPoints(patch.Triangles, used, surfaces.Points.rows());
+    patch.Points = surfaces.Points(used, Eigen::all);
+    boundary.Patches.emplace_back(std::move(patch));
+  }
+  std::vector<int> own, patches;
+  for (int q = 0; q < static_cast<int>(faces.Quads.rows()); ++q)
+  {
+    const auto found =
+      patchOf.find({ faces.Labels.row(q).minCoeff(), faces.Labels.row(q).maxCoeff() });
+    if (found != patchOf.end())
+    {
+      own.push_back(q);
+      patches.push_back(found->second);
+    }
+  }
+  boundary.Quads = faces.Quads(own, Eigen::all);
+  boundary.PatchOf =
+    Eigen::Map<Eigen::VectorXi>(patches.data(), static_cast<Eigen::Index>(patches.size()));
+}
+
+} // namespace
+
+RegionMatch MatchRegions(const HexMesh& mesh, const RegionFaces& faces, const Mesh& surfaces,
+  const Eigen::MatrixXi& labels)
+{
+  RegionMatch match;
+  AddPatches(faces, surfaces, labels, match.Boundary);
+  match.Chains = FindRegionNetwork(faces.Quads, faces.Labels);
+  match.Wanted = FindRegionNetwork(surfaces.Triangles, labels);
+  NetworkMatch networks(mesh, surfaces, match);
+  networks.MatchCorners();
+  networks.MatchCurves();
+  return match;
+}
+
+namespace
+{
+
+/// The points of a curve, in order; a closed curve repeats its first point.
+std::vector<int> PointsAlong(const RegionNetwork::Curve& curve)
+{
+  std::vector<int> points = curve.Points;
+  if (curve.Closed)
+  {
+    points.push_back(curve.Points.front());
+  }
+  return points;
+}
+
+/// Curves with at least some labels, or all if there are none, as triangles without area.
+Mesh CurvesWith(
+  const std::vector<int>& labels, const RegionNetwork& network, const Eigen::MatrixXd& points)
+{
+  std::vector<Eigen::RowVector3i> with, all;
+  for (const RegionNetwork::Curve& curve : network.Curves)
+  {
+    const bool hasLabels =
+      std::includes(curve.Labels.begin(), curve.Labels.end(), labels.begin(), labels.end());
+    const std::vector<int> along = PointsAlong(curve);
+    for (std::size_t i = 0; i + 1 < along.size(); ++i)
+    {
+      all.emplace_back(along[i], along[i + 1], along[i + 1]);
+      if (hasLabels)
+      {
+        with.push_back(all.back());
+      }
+    }
+  }
+  const std::vector<Eigen::RowVector3i>& edges = with.empty() ? all : with;
+  Mesh mesh{ points, Eigen::MatrixXi(static_cast<Eigen::Index>(edges.size()), 3) };
+  for (Eigen::Index i = 0; i < mesh.Triangles.rows(); ++i)
+  {
+    mesh.Triangles.row(i) = edges[i];
+  }
+  return mesh;
+}
+
+/// The largest distance of the points of a network, and of the middles of its edges, from the
+/// curves of another.
+double FindLargestDistance(const RegionNetwork& from, const Eigen::MatrixXd& points,
+  const RegionNetwork& to, const Eigen::MatrixXd& others)
+{
+  double largest = 0.0;
+  std::map<std::vector<int>, std::vector<Eigen::RowVector3d>> positionsOf; // by labels
+  for (const RegionNetwork::Curve& curve : from.Curves)
+  {
+    std::vector<Eigen::RowVector3d>& positions = positionsOf[curve.Labels];
+    const std::vector<int> along = PointsAlong(curve);
+    for (std::size_t i = 0; i + 1 < along.size(); ++i)
+    {
+      const Eigen::RowVector3d a = points.row(along[i]), b = points.row(along[i + 1]);
+      positions.insert(positions.end(), { a, 0.5 * (a + b), b });
+    }
+  }
+  for (const auto& [labels, positions] : positionsOf)
+  {
+    Eigen::MatrixXd rows(static_cast<Eigen::Index>(positions.size()), 3);
+    for (Eigen::Index i = 0; i < rows.rows(); ++i)
+    {
+      rows.row(i) = positions[i];
+    }
+    const SurfaceLocator curves(CurvesWith(labels, to, others));
+    largest = std::max(largest, curves.Find(rows).Distances.maxCoeff());
+  }
+  return largest;
+}
+
+} // namespace
+
+double ComputeCurveDistance(
+  const Eigen::MatrixXd& points, const Mesh& surfaces, const RegionMatch& match)
+{
+  if (match.Chains.Curves.empty() || match.Wanted.Curves.empty())
+  {
+    return 0.0;
+  }
+  return std::max(FindLargestDistance(match.Chains, points, match.Wanted, surfaces.Points),
+    FindLargestDistance(match.Wanted, surfaces.Points, match.Chains, points));
+}
+
+} // namespace shape
