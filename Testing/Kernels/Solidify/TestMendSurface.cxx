@@ -289,7 +289,7 @@ TEST(MendSurface, RefusesWhatEnclosesNoSolid)
   shape::Mesh strip = shapetest::FlatSquare(1, 0.0);
   EXPECT_REFUSED(shape::MendSurface(strip, { 10.0, 0.0 }), "no triangle of the surface is left");
   const shape::Mesh sheet = shapetest::FlatSquare(4, 0.0);
-  EXPECT_REFUSED(shape::MendSurface(sheet), "1 of its pieces are sheets", "Wrap");
+  EXPECT_REFUSED(shape::MendSurface(sheet), "1 sheet(s)", "Wrap");
   // A Moebius strip of 12 quads.
   constexpr int quads = 12;
   shape::Mesh moebius{ Eigen::MatrixXd(2 * quads, 3), Eigen::MatrixXi(2 * quads, 3) };

@@ -200,7 +200,7 @@ TEST(SolidSurface, ASphereWithSlitsIsNoSheet)
 TEST(SolidSurface, RefusesWhatEnclosesNothing)
 {
   const shape::Mesh sheet = shapetest::FlatSquare(4, 0.0);
-  EXPECT_REFUSED(shape::MakeSolid(sheet), "is empty", "sheets", "enclose nothing", "Wrap");
+  EXPECT_REFUSED(shape::MakeSolid(sheet), "is empty", "1 sheet(s)", "enclose nothing", "Wrap");
   EXPECT_REFUSED(shape::MakeSolid(UnitBox(), { {}, -1.0 }), "DetailSize is -1");
   // It has one side, so a grid is needed.
   EXPECT_REFUSED(shape::MakeSolid(MoebiusStrip(), { {}, 1e-6 }), "points", "raise DetailSize");

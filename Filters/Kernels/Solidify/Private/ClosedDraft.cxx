@@ -216,9 +216,9 @@ void RequireNoSheets(const Mesh& surface)
   }
   if (count > 0 && sheets >= share * own.sum())
   {
-    throw NoSolid("the solid of the surface is empty: " + std::to_string(count) +
-      " of its pieces are sheets, whose holes are as large as the pieces, so that they enclose "
-      "nothing; choose the method Wrap, or remove them");
+    throw NoSolid("the solid of the surface is empty: it has " + std::to_string(count) +
+      " sheet(s), which enclose nothing, since their holes are as large as they are; choose the "
+      "method Wrap, or remove them");
   }
 }
 
