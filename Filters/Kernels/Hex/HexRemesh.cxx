@@ -1,6 +1,7 @@
 #include "Hex/HexRemesh.h"
 
 #include "Base/Errors.h"
+#include "Base/FormatNumber.h"
 #include "Hex/Grid/GridHexes.h"
 #include "Hex/Grid/SizedHexes.h"
 #include "Hex/Polycube/PolycubeHexes.h"
@@ -200,8 +201,8 @@ HexRemeshResult ByTheBetter(
   else
   {
     grid.Reason = "better than the polycube, whose minimum scaled Jacobian is " +
-      std::to_string(polycube->Fit.MinimumScaledJacobian) + ", at a distance from the surface of " +
-      std::to_string(polycube->Fit.Distance / diagonal) + " of the diagonal" +
+      FormatNumber(polycube->Fit.MinimumScaledJacobian) + ", at a distance from the surface of " +
+      FormatNumber(polycube->Fit.Distance / diagonal) + " of the diagonal" +
       (polycube->Fit.CreasesKept ? "" : ", without the creases");
   }
   return grid;
@@ -287,7 +288,7 @@ void RequireOneSize(const HexRemeshOptions& options)
     "positive, or 0 for none");
   if (options.CellSize > 0.0 && options.CellsOnLongestSide > 0)
   {
-    throw InvalidInput("CellSize is " + std::to_string(options.CellSize) +
+    throw InvalidInput("CellSize is " + FormatNumber(options.CellSize) +
       " and CellsOnLongestSide is " + std::to_string(options.CellsOnLongestSide) +
       ", but only one of them can give the size of the cells; set the other to 0");
   }

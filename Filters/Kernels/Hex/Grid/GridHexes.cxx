@@ -1,6 +1,7 @@
 #include "Hex/Grid/GridHexes.h"
 
 #include "Base/Errors.h"
+#include "Base/FormatNumber.h"
 #include "Distance/HausdorffDistance.h"
 #include "Hex/Grid/Private/GridGoals.h"
 #include "Hex/Grid/Private/SeparateSolids.h"
@@ -362,9 +363,9 @@ GridHexesResult OfOneGrid(const Surface& surface, const GridHexesOptions& option
     const double minimum = search.CellSizeFor(options.MaximumHexahedra, GridDensity(options.Seeds));
     if (options.CellSize < minimum)
     {
-      throw InvalidInput("CellSize is " + std::to_string(options.CellSize) +
+      throw InvalidInput("CellSize is " + FormatNumber(options.CellSize) +
         ", which gives more than " + std::to_string(options.MaximumHexahedra) +
-        " hexahedra; use a CellSize of at least " + std::to_string(minimum));
+        " hexahedra; use a CellSize of at least " + FormatNumber(minimum));
     }
     search.Refine(options.CellSize, 0.0, options.Rounds, progress.Part(0.05, 0.95));
     return search.Result(progress.Part(0.95, 1.0));

@@ -1,6 +1,7 @@
 #include "Hex/Grid/RegionHexes.h"
 
 #include "Base/Errors.h"
+#include "Base/FormatNumber.h"
 #include "Hex/Features/RegionMatch.h"
 #include "Hex/Grid/Private/GridGoals.h"
 #include "Quality/ScaledJacobian.h"
@@ -156,7 +157,7 @@ RegionHexesResult BuildRegionHexahedra(
   }
   if (!best)
   {
-    throw SolveFailure("no grid of cells of at least " + std::to_string(minimum) +
+    throw SolveFailure("no grid of cells of at least " + FormatNumber(minimum) +
       " has the topology of all regions (" + voxels.Difference() +
       "); set a smaller CellSize, or dissolve islands of the labels");
   }

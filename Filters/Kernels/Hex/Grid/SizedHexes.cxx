@@ -1,6 +1,7 @@
 #include "Hex/Grid/SizedHexes.h"
 
 #include "Base/Errors.h"
+#include "Base/FormatNumber.h"
 #include "Base/Parallel.h"
 #include "Mesh/HexMesh.h"
 #include "Search/ClosestPoint.h"
@@ -193,7 +194,7 @@ void RequireSizes(const Surface& surface, const Eigen::VectorXd& sizes)
     const auto first = std::find_if_not(sizes.begin(), sizes.end(), good) - sizes.begin();
     throw InvalidInput("the SizeArray has " + std::to_string(bad) +
       " values that are not positive and finite (first at point " + std::to_string(first) + ": " +
-      std::to_string(sizes(first)) +
+      FormatNumber(sizes(first)) +
       "); give a positive length in the surface's units at each point");
   }
 }

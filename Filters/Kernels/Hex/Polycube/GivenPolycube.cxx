@@ -1,6 +1,7 @@
 #include "Hex/Polycube/GivenPolycube.h"
 
 #include "Base/Errors.h"
+#include "Base/FormatNumber.h"
 #include "Harmonic/HarmonicVolumeMap.h"
 #include "Hex/Polycube/Private/PolycubeMap.h"
 #include "Hex/Voxels/WellComposedVoxels.h"
@@ -159,7 +160,7 @@ void RequireSourcesOn(const Eigen::MatrixXd& sources, const Surface& surface)
   const double distance = SurfaceLocator(surface).Find(sources).Distances.maxCoeff(&farthest);
   if (distance > MaximumSourceDistance * diagonal)
   {
-    throw InvalidInput("the Polycube's SourcePosition lies up to " + std::to_string(distance) +
+    throw InvalidInput("the Polycube's SourcePosition lies up to " + FormatNumber(distance) +
       " away from the Surface (at point " + std::to_string(farthest) +
       "); give a polycube of this Surface");
   }
@@ -195,7 +196,7 @@ GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Surfa
   const double cell = unit / std::max(1.0, std::round(unit / wanted));
   if (volume / (cell * cell * cell) > maximum)
   {
-    throw InvalidInput("the Polycube, whose unit is " + std::to_string(unit) +
+    throw InvalidInput("the Polycube, whose unit is " + FormatNumber(unit) +
       ", would be divided into more than " + std::to_string(maximum) + " cells; " +
       (cell < unit ? "set a larger CellSize"
                    : "give a Polycube with a larger unit (TargetEdgeLength)"));

@@ -1,6 +1,7 @@
 #include "Hex/Voxels/TopologyPreservingVoxels.h"
 
 #include "Base/Errors.h"
+#include "Base/FormatNumber.h"
 #include "Hex/Voxels/WellComposedVoxels.h"
 #include "Mesh/QuadSurface.h"
 #include "Remesh/LongestEdgeBisection.h"
@@ -54,7 +55,7 @@ SampledGrid BuildGridAround(const Eigen::MatrixXd& points, double size)
   constexpr double maximum = 2e8;
   if (!(counts.prod() <= maximum))
   {
-    throw InvalidInput("cells of size " + std::to_string(size) + " give a grid of " +
+    throw InvalidInput("cells of size " + FormatNumber(size) + " give a grid of " +
       std::to_string(counts.prod()) + " cells around the surface; at most " +
       std::to_string(maximum) +
       " are possible; set a larger CellSize, or align the surface with the axes");

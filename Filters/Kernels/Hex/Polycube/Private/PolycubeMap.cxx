@@ -1,6 +1,7 @@
 #include "Hex/Polycube/Private/PolycubeMap.h"
 
 #include "Base/Errors.h"
+#include "Base/FormatNumber.h"
 #include "Hex/Polycube/Private/AxisAlignment.h"
 #include "Hex/Polycube/Private/AxisLabels.h"
 #include "Hex/Polycube/Private/IntegerCharts.h"
@@ -388,7 +389,7 @@ PolycubeMap FindPolycubeMap(const Surface& surface, double compactness,
     }
   }
   throw SolveFailure("the charts of the polycube cannot be rounded to cells of size " +
-    std::to_string(size / QuantisationShrinkage) +
+    FormatNumber(size / QuantisationShrinkage) +
     "; use a smaller TargetEdgeLength in Shape Polycube, or CellSize in Shape Hex Remesh");
 }
 

@@ -1,6 +1,7 @@
 #include "Hex/Polycube/Private/VoxelPolycube.h"
 
 #include "Base/Errors.h"
+#include "Base/FormatNumber.h"
 #include "Distance/SignedDistance.h"
 #include "Hex/Polycube/Private/AxisAlignment.h"
 #include "Hex/Polycube/Private/AxisLabels.h"
@@ -172,7 +173,7 @@ Eigen::MatrixXd Bent(
   if (folded > MaximumFolded)
   {
     throw SolveFailure("the solid cannot be deformed towards the axes: " +
-      std::to_string(100.0 * folded) + " % of its volume would be inverted; choose Method Grid");
+      FormatNumber(100.0 * folded) + " % of its volume would be inverted; choose Method Grid");
   }
   labels = FindAxisLabels(solid, aligned, compactness);
   return aligned;
