@@ -15,6 +15,16 @@ FACES = numpy.array([[0, 1, 2, 3], [4, 7, 6, 5], [0, 4, 5, 1], [1, 5, 6, 2], [2,
                      [3, 7, 4, 0]])
 
 
+def bent_bar():
+    """Points (n x 3) of a bar with curved sides, its hexahedra (m x 8), and the materials 0 and 1 of its halves (m)."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    bar = block((6, 3, 2), (3.0, 1.5, 1.0))
+    corners = vtk_to_numpy(bar.GetCells().GetConnectivityArray()).reshape(-1, 8)
+    straight = shapetesting.points(bar)
+    materials = (straight[corners].mean(axis=1)[:, 0] > 1.5).astype(int)
+    return straight + 0.05 * numpy.sin(7.0 * straight[:, [1, 2, 0]]), corners, materials
+
+
 def hexahedra(places, cells, regions=None):
     """A grid of hexahedra: points (n x 3) and corners (m x 8)."""
     from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray

@@ -13,6 +13,7 @@ import shapemap
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.util.vtkConstants import VTK_STRING
+from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 from vtkmodules.vtkIOGeometry import vtkOpenFOAMReader
 
@@ -25,10 +26,7 @@ FILES = 'boundary', 'cellZones', 'faceZones', 'faces', 'neighbour', 'owner', 'po
 folder = tempfile.mkdtemp()
 
 # The example.
-bar = calculix.block((6, 3, 2), (3.0, 1.5, 1.0))
-corners = vtk_to_numpy(bar.GetCells().GetConnectivityArray()).reshape(-1, 8)
-places = points(bar) + 0.05 * numpy.sin(7.0 * points(bar)[:, [1, 2, 0]])
-materials = (points(bar)[corners].mean(axis=1)[:, 0] > 1.5).astype(int)
+places, corners, materials = calculix.bent_bar()
 source = simple.TrivialProducer()
 source.GetClientSideObject().SetOutput(calculix.hexahedra(places, corners, materials))
 path = os.path.join(folder, 'bar.foam')
@@ -111,7 +109,7 @@ assert (numpy.array([line.strip('()').split() for line in lines], float) == plac
 
 # Each kind of cell is recognized by its faces.
 kinds = vtkUnstructuredGrid()
-kinds.SetPoints(bar.GetPoints().NewInstance())
+kinds.SetPoints(vtkPoints())
 shapetesting.set_points(kinds, numpy.array([
     (0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1), (0, 0, 2), (2, 0, 0),
     (2, 1, 0), (1, 0, 2), (9, 9, 9)], float))

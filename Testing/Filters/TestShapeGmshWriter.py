@@ -11,16 +11,11 @@ from paraview.modules.vtkRemotingServerManager import vtkSMProxyManager
 
 import calculix
 import gmsh_reader
-from shapetesting import points
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
 folder = tempfile.mkdtemp()
 
 # The example.
-bar = calculix.block((6, 3, 2), (3.0, 1.5, 1.0))
-corners = vtk_to_numpy(bar.GetCells().GetConnectivityArray()).reshape(-1, 8)
-places = points(bar) + 0.05 * numpy.sin(7.0 * points(bar)[:, [1, 2, 0]])
-materials = (points(bar)[corners].mean(axis=1)[:, 0] > 1.5).astype(int)
+places, corners, materials = calculix.bent_bar()
 source = simple.TrivialProducer()
 source.GetClientSideObject().SetOutput(calculix.hexahedra(places, corners, materials))
 path = os.path.join(folder, 'bar.msh')

@@ -102,32 +102,41 @@ void WriteBoundary(std::ostream& file, const PolyMesh& mesh, const Progress&)
   WriteList(file, static_cast<Eigen::Index>(mesh.Patches.size()), write);
 }
 
-void WriteCellZones(std::ostream& file, const PolyMesh& mesh, const Progress& progress)
+/// Writes a dictionary for each zone: its type, and what `write` adds.
+template <typename Zone, typename WriteContent>
+void WriteZones(std::ostream& file, const char* type, const std::vector<Zone>& zones,
+  const WriteContent& write, const Progress& progress)
 {
-  WriteHeader(file, "regIOobject", "cellZones");
-  const auto write = [&](Eigen::Index i)
+  WriteHeader(file, "regIOobject", (std::string(type) + "s").c_str());
+  const auto writeZone = [&](Eigen::Index i)
   {
-    const CellZone& zone = mesh.CellZones[i];
-    file << zone.Name << "\n{\n    type            cellZone;\n    cellLabels      List<label>\n";
-    WriteIntegers(file, zone.Cells);
+    file << zones[i].Name << "\n{\n    type            " << type << ";\n";
+    write(zones[i]);
     file << ";\n}";
   };
-  WriteList(file, static_cast<Eigen::Index>(mesh.CellZones.size()), write, progress);
+  WriteList(file, static_cast<Eigen::Index>(zones.size()), writeZone, progress);
+}
+
+void WriteCellZones(std::ostream& file, const PolyMesh& mesh, const Progress& progress)
+{
+  const auto write = [&](const CellZone& zone)
+  {
+    file << "    cellLabels      List<label>\n";
+    WriteIntegers(file, zone.Cells);
+  };
+  WriteZones(file, "cellZone", mesh.CellZones, write, progress);
 }
 
 void WriteFaceZones(std::ostream& file, const PolyMesh& mesh, const Progress& progress)
 {
-  WriteHeader(file, "regIOobject", "faceZones");
-  const auto write = [&](Eigen::Index i)
+  const auto write = [&](const FaceZone& zone)
   {
-    const FaceZone& zone = mesh.FaceZones[i];
-    file << zone.Name << "\n{\n    type            faceZone;\n    faceLabels      List<label>\n";
+    file << "    faceLabels      List<label>\n";
     WriteIntegers(file, zone.Faces);
     file << ";\n    flipMap         List<bool>\n";
     WriteIntegers(file, zone.Flips);
-    file << ";\n}";
   };
-  WriteList(file, static_cast<Eigen::Index>(mesh.FaceZones.size()), write, progress);
+  WriteZones(file, "faceZone", mesh.FaceZones, write, progress);
 }
 
 } // namespace

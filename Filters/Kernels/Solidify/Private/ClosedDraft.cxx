@@ -80,7 +80,7 @@ FilledSurface FillAllHoles(const Surface& surface, const Progress& progress)
       " boundary edges of the surface form no closed loop; find them with the method Report, and "
       "remove the triangles beside them");
   }
-  // A smooth fill of a large hole may bulge as far as the surface is long.
+  // A smooth fill of a large hole can bulge by the length of the surface.
   constexpr double large = 0.2; // of the area
   const double area = ComputeArea(surface);
   std::vector<std::vector<int>> small, wide;
