@@ -61,6 +61,32 @@ a, b, c, d = points(shapetesting.output(solid))[
 volume = numpy.einsum('ij,ij->i', numpy.cross(b - a, c - a), d - a).sum() / 6.0
 assert abs(volume - (24.0 - math.pi * 0.75 ** 2 * 2.0)) <= 2.0 * math.pi * 0.75 * 2.0 * 0.01, volume
 
+# Hexahedra know the CAD faces.
+remesh = simple.ShapeHexRemesh(Surface=plate, Method='Grid', CellSize=0.4)
+assert remesh.PatchArray == 'None'
+remesh.PatchArray = 'Patch'
+remesh.UpdatePipeline()
+hexahedra, boundary = shapetesting.output(remesh), shapetesting.output(remesh, 1)
+assert fact(hexahedra, 'HexRemesh.CreasesKept') == 1 and fact(hexahedra, 'HexRemesh.PatchesLost') == 0
+assert fact(hexahedra, 'HexRemesh.MinimumScaledJacobian') > 0.2
+assert set(numbers(boundary, 'Patch')) == set(numbers(surface, 'Patch'))
+assert set(numbers(hexahedra, 'FacePatch').ravel()) == set(numbers(surface, 'Patch')) | {-1}
+# The area of each face is that of the CAD face.
+
+
+def areas(data):
+    corners = points(data)[vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(data.GetNumberOfCells(), -1)]
+    sizes = sum(numpy.linalg.norm(numpy.cross(corners[:, k] - corners[:, 0], corners[:, k + 1] - corners[:, 0]),
+                                  axis=1) for k in range(1, corners.shape[1] - 1)) / 2.0
+    return numpy.bincount(numbers(data, 'Patch'), sizes)[1:]
+
+
+assert abs(areas(boundary) / areas(surface) - 1.0).max() < 0.01, areas(boundary) / areas(surface)
+algorithm = shapemap.vtkShapeHexRemesh()
+algorithm.SetInputDataObject(0, surface)
+algorithm.SetPatchArray('RegionIds')
+shapetesting.check_refused(algorithm, "no cell array 'RegionIds'", 'choose another Patch Array, or None')
+
 # A BREP file of the same shape has no unit. Other points of its circles are chosen.
 brep = simple.OpenDataFile(os.path.join(folder, 'plate.brep'))
 brep.Deflection = 0.01

@@ -1,5 +1,7 @@
 #include "Hex/FacePatches.h"
 
+#include "Search/ClosestPoint.h"
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -39,6 +41,30 @@ Eigen::MatrixXi FindFacePatches(
     }
   }
   return result;
+}
+
+Eigen::VectorXi FindNearestPatches(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
+  const Surface& surface, const Eigen::VectorXi& given)
+{
+  return given(SurfaceLocator(surface).Find(ComputeQuadCentres(points, quads)).Triangles);
+}
+
+Eigen::VectorXi TakeMostFrequent(const Eigen::VectorXi& values, const Eigen::VectorXi& patches)
+{
+  std::map<int, std::map<int, int>> counts; // of each value in each patch
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+  {
+    ++counts[patches(i)][values(i)];
+  }
+  std::map<int, int> valueOf;
+  for (const auto& [patch, own] : counts)
+  {
+    valueOf[patch] = std::max_element(own.begin(), own.end(),
+      [](const auto& a, const auto& b) {
+        return a.second < b.second;
+      })->first;
+  }
+  return patches.unaryExpr([&](int patch) { return valueOf.at(patch); });
 }
 
 } // namespace shape

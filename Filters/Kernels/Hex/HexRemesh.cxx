@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Base/FormatNumber.h"
+#include "Hex/FacePatches.h"
 #include "Hex/Grid/GridHexes.h"
 #include "Hex/Grid/SizedHexes.h"
 #include "Hex/Polycube/PolycubeHexes.h"
@@ -239,6 +240,40 @@ void RequireAgreement(
   }
 }
 
+/// Throws if given patches do not fit the surface.
+void RequirePatches(const Surface& surface, const Eigen::VectorXi& patches)
+{
+  if (patches.size() == 0)
+  {
+    return;
+  }
+  if (patches.size() != surface.Triangles().rows())
+  {
+    throw InvalidInput(std::to_string(patches.size()) + " patches are given for " +
+      std::to_string(surface.Triangles().rows()) + " triangles; give one for each");
+  }
+  Eigen::Index at = 0;
+  if (patches.minCoeff(&at) < 0)
+  {
+    throw InvalidInput("the given patch of triangle " + std::to_string(at) + " is " +
+      std::to_string(patches(at)) + "; patches are numbers from 0");
+  }
+  if (const int crossings = ExtractSolidBoundary(surface).Crossings; crossings > 0)
+  {
+    throw InvalidInput("patches are given, but the surface intersects itself at " +
+      std::to_string(crossings) +
+      " pairs of triangles; mend it with Shape Solidify, or set PatchArray to None");
+  }
+}
+
+/// Gives each quad of the boundary the number of its given patch.
+void NumberAsGiven(HexFit& fit, const Surface& surface, const Eigen::VectorXi& patches)
+{
+  const Eigen::VectorXi nearest = FindNearestPatches(fit.Solid.Points, fit.Quads, surface, patches);
+  // Without creases, a patch of the boundary lies on several given ones.
+  fit.PatchOf = fit.CreasesKept ? TakeMostFrequent(nearest, fit.PatchOf) : nearest;
+}
+
 /// Chooses the method by the guides, the option, and whether the surface crosses itself.
 HexRemeshResult Made(const Surface& surface, const HexRemeshOptions& options,
   const HexRemeshGuides& guides, const Progress& progress)
@@ -302,6 +337,7 @@ HexRemeshResult RemeshHexahedra(const Surface& surface, const HexRemeshOptions& 
   RequireClosedSurface(surface, "the surface");
   RequireVolume(surface, "the surface");
   RequireAgreement(surface, given, guides);
+  RequirePatches(surface, given.Patches);
   HexRemeshOptions options = given;
   if (given.CellsOnLongestSide > 0)
   {
@@ -318,6 +354,10 @@ HexRemeshResult RemeshHexahedra(const Surface& surface, const HexRemeshOptions& 
     throw SolveFailure(std::to_string(result.Fit.Inverted) +
       " hexahedra stay inverted; try another CellSize" +
       (options.Method == MethodType::Polycube ? ", or Method Grid" : ""));
+  }
+  if (given.Patches.size() > 0)
+  {
+    NumberAsGiven(result.Fit, surface, given.Patches);
   }
   return result;
 }

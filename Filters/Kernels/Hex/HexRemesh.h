@@ -95,12 +95,15 @@ void RequireOneSize(const HexRemeshOptions& options);
  * `Sizes` and inner surfaces require a grid, so Automatic then selects Grid. If a polycube is
  * given, its own map carries its cells into the solid (BuildPolycubeCells).
  *
+ * If the options give Patches, the patches of the boundary have their numbers. Where creases are
+ * not kept, each quad has the number of the nearest triangle.
+ *
  * surface: closed and consistently oriented. If the surface crosses itself, the solid is the region
  * with a winding number of at least 1, and Automatic selects Grid.
  *
  * Throws InvalidInput under the conditions of RequireClosedSurface, or if an option is out of range
- * or contradicts the guides. Throws SolveFailure if a method finds no hexahedra or leaves some
- * inverted; Aborted.
+ * or contradicts the guides, or if Patches are negative or given for a surface that crosses itself.
+ * Throws SolveFailure if a method finds no hexahedra or leaves some inverted; Aborted.
  */
 HexRemeshResult RemeshHexahedra(const Surface& surface, const HexRemeshOptions& options = {},
   const Progress& progress = {}, const HexRemeshGuides& guides = {});

@@ -60,6 +60,16 @@ Eigen::MatrixXi SplitQuads(const Eigen::MatrixXi& quads)
   return triangles;
 }
 
+Eigen::MatrixXd ComputeQuadCentres(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads)
+{
+  Eigen::MatrixXd centres(quads.rows(), 3);
+  for (Eigen::Index q = 0; q < quads.rows(); ++q)
+  {
+    centres.row(q) = points(quads.row(q), Eigen::all).colwise().mean();
+  }
+  return centres;
+}
+
 double ComputeMeanEdgeLength(const HexMesh& mesh, Eigen::Index hex)
 {
   double sum = 0.0;

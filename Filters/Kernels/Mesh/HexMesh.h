@@ -30,6 +30,9 @@ Eigen::MatrixXi FindBoundaryQuads(const HexMesh& mesh);
 /// Splits each quad (q x 4) into two triangles (2q x 3).
 Eigen::MatrixXi SplitQuads(const Eigen::MatrixXi& quads);
 
+/// Returns the mean of the corners of each quad (q x 3).
+Eigen::MatrixXd ComputeQuadCentres(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads);
+
 /// Returns the mean length of the edges of a hexahedron.
 double ComputeMeanEdgeLength(const HexMesh& mesh, Eigen::Index hex);
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <map>
 #include <set>
@@ -39,12 +40,13 @@ constexpr double NoiseArea = 1e-3, MinimumCurves = 2.0 / 3.0;
 /// A path that meets a crease at a smaller angle, in degrees, would bound too sharp a tip.
 constexpr double MinimumTip = 50.0;
 
-/// Edges at the boundary of the surface are no hinges.
-std::vector<Hinge> FindHinges(const Surface& surface, double angle)
+/// Edges at the boundary of the surface are no hinges. isSharp: whether an edge between two
+/// triangles is sharp, by these and by the cosine of the angle between their normals.
+std::vector<Hinge> FindHinges(
+  const Surface& surface, const std::function<bool(int, int, double)>& isSharp)
 {
   const Mesh& mesh = surface;
   const Eigen::MatrixXd normals = surface.AreaVectors().rowwise().normalized();
-  const double minimum = std::cos(angle * M_PI / 180.0);
   const std::vector<HalfEdge>& halves = surface.HalfEdges();
   std::vector<Hinge> hinges;
   for (std::size_t i = 0; i + 1 < halves.size(); ++i)
@@ -61,8 +63,8 @@ std::vector<Hinge> FindHinges(const Surface& surface, double angle)
     const double turn = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / M_PI;
     // The third corner of b lies above the plane of a at a concave edge.
     const double inside = across.dot(normals.row(a.Triangle)) > 0.0 ? 180.0 + turn : 180.0 - turn;
-    hinges.push_back(
-      { a.Low(), a.High(), { a.Triangle, b.Triangle }, length, cosine < minimum, inside });
+    hinges.push_back({ a.Low(), a.High(), { a.Triangle, b.Triangle }, length,
+      isSharp(a.Triangle, b.Triangle, cosine), inside });
   }
   return hinges;
 }
@@ -391,19 +393,10 @@ private:
   std::map<int, std::vector<int>> At; ///< the edges at each point
 };
 
-} // namespace
-
-// 1. FindHinges: edges between two triangles, and which are sharp.
-// 2. FadingCreases: creases that end inside a patch are extended to another one.
-// 3. Triangles connected without a crease form a patch.
-// 4. IsNoise, UniteSmall: patches that are too small are merged; all of them if creases are noise.
-// 5. CurveWalk: the borders between patches, from corner to corner.
-SurfaceFeatures FindFeatures(const Surface& surface, double angle, double minimumArea)
+/// Connects the triangles between which there is no crease.
+DisjointSets ConnectPatches(const Surface& surface, const std::vector<Hinge>& hinges)
 {
-  const auto triangles = static_cast<int>(surface.Triangles().rows());
-  std::vector<Hinge> hinges = FindHinges(surface, angle);
-  FadingCreases(surface, hinges, angle).Extend();
-  DisjointSets sets(triangles);
+  DisjointSets sets(static_cast<int>(surface.Triangles().rows()));
   for (const Hinge& hinge : hinges)
   {
     if (!hinge.IsCrease)
@@ -411,12 +404,15 @@ SurfaceFeatures FindFeatures(const Surface& surface, double angle, double minimu
       sets.Merge(hinge.Triangles[0], hinge.Triangles[1]);
     }
   }
-  const Eigen::VectorXd areas = 0.5 * surface.AreaVectors().rowwise().norm();
-  if (IsNoise(sets, hinges, areas))
-  {
-    minimumArea = std::numeric_limits<double>::infinity();
-  }
+  return sets;
+}
+
+/// Merges patches below the minimum area and walks the borders between the others.
+SurfaceFeatures FeaturesBetween(DisjointSets sets, const std::vector<Hinge>& hinges,
+  const Eigen::VectorXd& areas, double minimumArea)
+{
   UniteSmall(sets, hinges, areas, minimumArea);
+  const auto triangles = static_cast<int>(areas.size());
   SurfaceFeatures features;
   features.PatchOf.resize(triangles);
   std::map<int, int> numbers;
@@ -435,6 +431,38 @@ SurfaceFeatures FindFeatures(const Surface& surface, double angle, double minimu
   }
   CurveWalk(hinges, features.PatchOf).Run(features);
   return features;
+}
+
+Eigen::VectorXd AreasOf(const Surface& surface)
+{
+  return 0.5 * surface.AreaVectors().rowwise().norm();
+}
+
+} // namespace
+
+// 1. FindHinges: edges between two triangles, and which are sharp.
+// 2. FadingCreases: creases that end inside a patch are extended to another one.
+// 3. ConnectPatches: triangles connected without a crease form a patch.
+// 4. IsNoise, UniteSmall: patches that are too small are merged; all of them if creases are noise.
+// 5. CurveWalk: the borders between patches, from corner to corner.
+SurfaceFeatures FindFeatures(const Surface& surface, double angle, double minimumArea)
+{
+  const double minimum = std::cos(angle * M_PI / 180.0);
+  std::vector<Hinge> hinges =
+    FindHinges(surface, [&](int, int, double cosine) { return cosine < minimum; });
+  FadingCreases(surface, hinges, angle).Extend();
+  const DisjointSets sets = ConnectPatches(surface, hinges);
+  const Eigen::VectorXd areas = AreasOf(surface);
+  return FeaturesBetween(sets, hinges, areas,
+    IsNoise(sets, hinges, areas) ? std::numeric_limits<double>::infinity() : minimumArea);
+}
+
+SurfaceFeatures FindFeatures(
+  const Surface& surface, const Eigen::VectorXi& patchOf, double minimumArea)
+{
+  const std::vector<Hinge> hinges =
+    FindHinges(surface, [&](int a, int b, double) { return patchOf(a) != patchOf(b); });
+  return FeaturesBetween(ConnectPatches(surface, hinges), hinges, AreasOf(surface), minimumArea);
 }
 
 SurfaceFeatures RemoveCurves(const SurfaceFeatures& features)

@@ -54,6 +54,17 @@ struct SurfaceFeatures
  */
 SurfaceFeatures FindFeatures(const Surface& surface, double angle, double minimumArea);
 
+/**
+ * Finds the creases between given patches, such as the faces of a CAD model, however sharp they
+ * are. A patch becomes several if it is not connected. Patches smaller than `minimumArea` are
+ * merged as above.
+ *
+ * patchOf: the given patch of each triangle. CreaseLength is the length of all borders. surface and
+ * errors: as above.
+ */
+SurfaceFeatures FindFeatures(
+  const Surface& surface, const Eigen::VectorXi& patchOf, double minimumArea);
+
 /// Returns features of the same surface that have a single patch and no curves or corners.
 SurfaceFeatures RemoveCurves(const SurfaceFeatures& features);
 

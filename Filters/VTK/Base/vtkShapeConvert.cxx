@@ -19,8 +19,10 @@
 #include "vtkUnstructuredGrid.h"
 
 #include "Base/Errors.h"
+#include "Base/FormatNumber.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -288,6 +290,32 @@ Eigen::MatrixXd vtkShapeConvert::ToPointArray(vtkDataSet* data, const std::strin
     }
   }
   return matrix;
+}
+
+Eigen::VectorXi vtkShapeConvert::ToCellIntegers(
+  vtkDataSet* data, const std::string& array, const std::string& name, const std::string& remedy)
+{
+  vtkDataArray* values = data->GetCellData()->GetArray(array.c_str());
+  if (!values || values->GetNumberOfComponents() != 1 ||
+    values->GetNumberOfTuples() != data->GetNumberOfCells())
+  {
+    throw shape::InvalidInput(
+      name + " has no cell array '" + array + "' with one number for each cell; " + remedy);
+  }
+  Eigen::VectorXi integers(values->GetNumberOfTuples());
+  for (Eigen::Index cell = 0; cell < integers.size(); ++cell)
+  {
+    const double value = values->GetComponent(cell, 0);
+    // Not a number is unlike itself.
+    if (value != std::floor(value) || std::abs(value) >= std::numeric_limits<int>::max())
+    {
+      throw shape::InvalidInput("the cell array '" + array + "' of " + name + " has the value " +
+        shape::FormatNumber(value) + " at cell " + std::to_string(cell) +
+        "; use integers from 0, or " + remedy);
+    }
+    integers(cell) = static_cast<int>(value);
+  }
+  return integers;
 }
 
 vtkSmartPointer<vtkDoubleArray> vtkShapeConvert::ToArray(

@@ -59,6 +59,12 @@ shape::CellSimplices ToSimplices(
 Eigen::MatrixXd ToPointArray(vtkDataSet* data, const std::string& array, int components,
   const std::string& name, const std::string& remedy = "");
 
+/// Returns the values of an array of cells, which must be whole numbers. Throws shape::InvalidInput
+/// if they are not, or if the array does not have one component and one tuple for each cell.
+/// remedy: said in the message, such as which other array to use.
+Eigen::VectorXi ToCellIntegers(
+  vtkDataSet* data, const std::string& array, const std::string& name, const std::string& remedy);
+
 /// Returns an array whose tuples are the rows of `values`.
 vtkSmartPointer<vtkDoubleArray> ToArray(
   const Eigen::Ref<const Eigen::MatrixXd>& values, const std::string& array);

@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 vtkStandardNewMacro(vtkShapeHexRemesh);
@@ -62,6 +63,22 @@ void vtkShapeHexRemesh::RemoveAllInnerSurfaces()
 
 namespace
 {
+
+/// Returns how many values are in `all` only.
+int CountMissing(const Eigen::VectorXi& all, const Eigen::VectorXi& some)
+{
+  std::set<int> missing(all.begin(), all.end());
+  for (const int value : some)
+  {
+    missing.erase(value);
+  }
+  return static_cast<int>(missing.size());
+}
+
+bool IsChosen(const std::string& array)
+{
+  return !array.empty() && array != "None";
+}
 
 ///@{
 /// Points that no triangle uses must not change the size of the solid.
@@ -128,7 +145,7 @@ double* vtkShapeHexRemesh::GetSurfaceSize()
 shape::HexRemeshGuides vtkShapeHexRemesh::ReadGuides(const std::vector<int>& used)
 {
   shape::HexRemeshGuides guides;
-  if (!this->SizeArray.empty() && this->SizeArray != "None")
+  if (IsChosen(this->SizeArray))
   {
     guides.Sizes = vtkShapeConvert::ToPointArray(
       this->GetGatheredInput(0).Data, this->SizeArray, 1, "the Surface")(used, 0);
@@ -146,16 +163,32 @@ shape::HexRemeshGuides vtkShapeHexRemesh::ReadGuides(const std::vector<int>& use
   return guides;
 }
 
+/// Returns the patch of each triangle; nothing if no array is chosen.
+Eigen::VectorXi vtkShapeHexRemesh::ReadPatches(
+  vtkPolyData* surface, const std::vector<int>& cellOf) const
+{
+  if (!IsChosen(this->PatchArray))
+  {
+    return {};
+  }
+  const Eigen::VectorXi patches = vtkShapeConvert::ToCellIntegers(
+    surface, this->PatchArray, "the Surface", "choose another Patch Array, or None");
+  // The order of vtkPolyData's cell ids: vertices, lines, polygons, strips.
+  const auto before = static_cast<int>(surface->GetNumberOfVerts() + surface->GetNumberOfLines());
+  const Eigen::Map<const Eigen::ArrayXi> polygons(
+    cellOf.data(), static_cast<Eigen::Index>(cellOf.size()));
+  return patches(polygons + before);
+}
+
 /// Throws if other inputs or a Size Array divide or shape what regions that touch give already.
 void vtkShapeHexRemesh::RequireRegionsAlone(const std::string& regions)
 {
-  const bool hasSizes = !this->SizeArray.empty() && this->SizeArray != "None";
   if (this->GetNumberOfInputConnections(1) > 0 || this->GetNumberOfInputConnections(2) > 0 ||
-    hasSizes)
+    IsChosen(this->SizeArray) || IsChosen(this->PatchArray))
   {
     throw shape::InvalidInput(regions +
       " divides the solid already, and its hexahedra are cells of a regular grid; disconnect "
-      "Polycube and Inner Surfaces, and set Size Array to None");
+      "Polycube and Inner Surfaces, and set Size Array and Patch Array to None");
   }
 }
 
@@ -226,7 +259,8 @@ void vtkShapeHexRemesh::Execute(const shape::Progress& progress)
     return;
   }
   vtkPolyData* input = this->GetGatheredInput(0).Data;
-  const shape::Mesh given = vtkShapeConvert::ToMesh(input, "the Surface");
+  std::vector<int> cellOf;
+  const shape::Mesh given = vtkShapeConvert::ToMesh(input, "the Surface", &cellOf);
   const Eigen::MatrixXi labels =
     vtkShapeRegions::Read(input, given.Triangles.rows(), "the Surface");
   const std::vector<int> used = FindUsed(given);
@@ -239,8 +273,18 @@ void vtkShapeHexRemesh::Execute(const shape::Progress& progress)
     return;
   }
   const shape::HexRemeshGuides guides = this->ReadGuides(used);
+  shape::HexRemeshOptions options = this->Options;
+  options.Patches = this->ReadPatches(input, cellOf);
   const shape::HexRemeshResult result =
-    shape::RemeshHexahedra(surface, this->Options, progress.Part(0.0, 0.98), guides);
+    shape::RemeshHexahedra(surface, options, progress.Part(0.0, 0.98), guides);
   this->WriteResult(result, surface, guides.InnerSurfaces, input);
+  if (options.Patches.size() > 0)
+  {
+    for (const int port : { 0, 1 })
+    {
+      vtkShapeConvert::AddFact(this->GetOutputDataObject(port), "HexRemesh.PatchesLost",
+        CountMissing(options.Patches, result.Fit.PatchOf));
+    }
+  }
   progress(1.0);
 }

@@ -7,7 +7,9 @@
  *
  * Inputs (polygons are triangulated internally)
  * - Surface: the closed surface that bounds one or several solids, which may have voids. A
- *   self-intersecting surface bounds the region with a winding number of at least 1. With the cell
+ *   self-intersecting surface bounds the region with a winding number of at least 1. A cell array
+ *   (PatchArray; whole numbers from 0), such as `Patch` of vtkShapeCADReader, divides it into
+ *   patches, whose borders are the creases. With the cell
  *   array `Regions` (int, 2), its triangles are the interfaces between regions that touch, as
  *   vtkShapeLabelSurfaces makes them. `Regions` has the labels on both sides of each triangle: 0 is
  *   the outside, and the normal leaves the first. All cells are then triangles.
@@ -35,7 +37,9 @@
  *
  * Output 1 (vtkPolyData): the quads of the boundary, then the quads between regions, which face out
  * of the inner surface. `OriginalPointId` of a point is its index in output 0. The cell arrays are
- * - `Patch` (int): index of the patch to which the quad belongs. Creases separate patches.
+ * - `Patch` (int): index of the patch to which the quad belongs. Creases separate patches. With a
+ *   PatchArray, it is the value of the patch in that array or, if creases are not kept, of the
+ *   nearest cell of Surface. Quads between regions have the next numbers.
  * - `Interface` (int): 0 on the boundary, i + 1 on inner surface i. If regions touch, i + 1 on the
  *   interface between the i-th pair of regions.
  * - `Regions` (int, 2), only if regions touch: the labels on both sides of the quad, of which 0 is
@@ -50,8 +54,10 @@
  *   for [0, 0.05), ..., [0.95, 1]).
  * - .Distance: the larger one-sided Hausdorff distance between the boundary and the surface.
  *   .InnerDistance: the same distance between the inner surfaces and the quads between regions.
- * - .Patches: number of patches of the boundary. .Corners: number of corners of the surface.
- *   .CornersKept: number of these corners that are points of the boundary.
+ * - .Patches: number of patches of the boundary. .PatchesLost, only with a PatchArray: number of
+ *   values of the PatchArray that no quad has, because these patches are too small. .Corners:
+ * number of corners of the surface. .CornersKept: number of these corners that are points of the
+ * boundary.
  * - .CreasesKept: 1 if the boundary has all creases, otherwise 0. If the cells are too large for
  *   one crease, no crease is kept. .InnerCreasesKept: 0 if an inner surface has creases, otherwise
  *   1.
@@ -120,6 +126,8 @@ public:
   vtkShapeOption(CellsOnLongestSide, int);
   vtkSetStdStringFromCharMacro(SizeArray);
   vtkGetCharFromStdStringMacro(SizeArray);
+  vtkSetStdStringFromCharMacro(PatchArray);
+  vtkGetCharFromStdStringMacro(PatchArray);
   vtkShapeOption(PaddingLayers, int);
   vtkSetStdStringFromCharMacro(LabelArray);
   vtkGetCharFromStdStringMacro(LabelArray);
@@ -136,6 +144,7 @@ private:
   void operator=(const vtkShapeHexRemesh&) = delete;
 
   shape::HexRemeshGuides ReadGuides(const std::vector<int>& used);
+  Eigen::VectorXi ReadPatches(vtkPolyData* surface, const std::vector<int>& cellOf) const;
   void RequireRegionsAlone(const std::string& regions);
   void CheckCellSize(vtkPolyData* surface);
   void FillLabels(const shape::Progress& progress);
@@ -146,6 +155,7 @@ private:
 
   shape::HexRemeshOptions Options;
   std::string SizeArray = "None";
+  std::string PatchArray = "None";
   std::string LabelArray;
   double SurfaceSize[3] = { 0.0, 0.0, 0.0 };
 };

@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -55,12 +56,7 @@ vtkSmartPointer<vtkPoints> ToVtkPoints(const Eigen::MatrixXd& points)
 Eigen::VectorXd Distances(
   const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads, const shape::Surface& surface)
 {
-  Eigen::MatrixXd midpoints(quads.rows(), 3);
-  for (Eigen::Index q = 0; q < quads.rows(); ++q)
-  {
-    midpoints.row(q) = points(quads.row(q), Eigen::all).colwise().mean();
-  }
-  return shape::SurfaceLocator(surface).Find(midpoints).Distances;
+  return shape::SurfaceLocator(surface).Find(shape::ComputeQuadCentres(points, quads)).Distances;
 }
 
 /// Verdict's measures except for the scaled Jacobian, which the kernel computes.
@@ -242,7 +238,8 @@ void vtkShapeHexResult::AddFacts(
       result.Regions.empty() ? fit.RegionOf.maxCoeff() + 1.0
                              : static_cast<double>(result.Regions.size()) },
     { "CellSize", result.CellSize },
-    { "Patches", fit.PatchOf.maxCoeff() + 1.0 },
+    { "Patches",
+      static_cast<double>(std::set<int>(fit.PatchOf.begin(), fit.PatchOf.end()).size()) },
     { "Corners", static_cast<double>(result.Features.Corners.size()) },
     { "CreasesKept", fit.CreasesKept ? 1.0 : 0.0 },
     { "CornersKept", static_cast<double>(fit.Creases.CornerPoints.size()) },

@@ -42,23 +42,6 @@ void RequireKnownCells(const shape::Cells& cells)
   }
 }
 
-Eigen::VectorXi ReadIntegers(vtkDataArray* array, const std::string& remedy)
-{
-  Eigen::VectorXi integers(array->GetNumberOfTuples());
-  for (Eigen::Index cell = 0; cell < integers.size(); ++cell)
-  {
-    const double value = array->GetComponent(cell, 0);
-    if (value != std::floor(value) || std::abs(value) >= std::numeric_limits<int>::max())
-    {
-      throw shape::InvalidInput(std::string("the cell array '") + array->GetName() +
-        "' has the value " + std::to_string(value) + " at cell " + std::to_string(cell) +
-        "; use integers from 0, or " + remedy);
-    }
-    integers(cell) = static_cast<int>(value);
-  }
-  return integers;
-}
-
 Eigen::VectorXi ReadRegions(vtkUnstructuredGrid* grid, const std::string& name)
 {
   vtkDataArray* array = grid->GetCellData()->GetArray(name.c_str());
@@ -66,12 +49,8 @@ Eigen::VectorXi ReadRegions(vtkUnstructuredGrid* grid, const std::string& name)
   {
     return {};
   }
-  if (!array || array->GetNumberOfComponents() != 1)
-  {
-    throw shape::InvalidInput("the Input has no cell array '" + name +
-      "' with one number for each cell; choose another Region Array, or none");
-  }
-  return ReadIntegers(array, "choose another Region Array");
+  return vtkShapeConvert::ToCellIntegers(
+    grid, name, "the Input", "choose another Region Array, or none");
 }
 
 Eigen::VectorXd ReadNumbers(vtkDataArray* array)
@@ -97,7 +76,8 @@ shape::MeshMaterials ReadMaterials(
       return {};
     }
   }
-  return shape::FindMeshMaterials(ReadIntegers(arrays[0], "remove the array with Pass Arrays"),
+  return shape::FindMeshMaterials(vtkShapeConvert::ToCellIntegers(grid, names[0], "the Input",
+                                    "remove the array with Pass Arrays"),
     ReadNumbers(arrays[1]), ReadNumbers(arrays[2]), options);
 }
 

@@ -1,4 +1,6 @@
 #include "Hex/FacePatches.h"
+#include "Mesh/Surface.h"
+#include "Support/SimpleSurfaces.h"
 #include "Support/SolverMeshes.h"
 
 #include <gtest/gtest.h>
@@ -34,4 +36,31 @@ TEST(FacePatches, AreThoseOfTheQuadsWhereverTheyBegin)
   // The corner at which a quad begins, and its direction, do not matter.
   quads = quads(Eigen::all, { 2, 1, 0, 3 }).eval();
   EXPECT_EQ(shape::FindFacePatches(solid, quads, patches), first);
+}
+
+TEST(FacePatches, AreTheNearestGivenOnesOrThoseOfMostQuads)
+{
+  const shape::Surface box = shapetest::Box({ 0, 0, 0 }, { 2, 1, 1 });
+  // The given patches are the axes across the sides: 0 to 2.
+  Eigen::VectorXi given(12);
+  for (Eigen::Index t = 0; t < 12; ++t)
+  {
+    Eigen::Index axis = 0;
+    box.AreaVectors().row(t).cwiseAbs().maxCoeff(&axis);
+    given(t) = static_cast<int>(axis);
+  }
+  const shape::Cells cells = shapetest::Cubes({ 2, 1, 1 }, shapetest::Everywhere);
+  const Eigen::MatrixXi quads =
+    shape::FindBoundaryQuads({ cells.Points, cells.Corners.reshaped(8, 2).transpose() });
+  const Eigen::MatrixXd centres = shape::ComputeQuadCentres(cells.Points, quads);
+  const Eigen::VectorXi nearest = shape::FindNearestPatches(cells.Points, quads, box, given);
+  ASSERT_EQ(nearest.size(), 10);
+  for (Eigen::Index q = 0; q < 10; ++q)
+  {
+    const double across = centres(q, nearest(q)), low = 0.0, high = nearest(q) == 0 ? 2.0 : 1.0;
+    EXPECT_TRUE(across == low || across == high) << centres.row(q);
+  }
+  const Eigen::VectorXi values = Eigen::Vector<int, 5>(4, 9, 9, 4, 4);
+  const Eigen::VectorXi patches = Eigen::Vector<int, 5>(0, 0, 0, 1, 1);
+  EXPECT_EQ(shape::TakeMostFrequent(values, patches), (Eigen::Vector<int, 5>(9, 9, 9, 4, 4)));
 }

@@ -9,8 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <map>
+#include <set>
+#include <vector>
 
 namespace
 {
@@ -82,6 +85,82 @@ TEST(HexRemesh, CellsOnTheLongestSideAreACellSize)
   const shape::HexRemeshResult counted = shape::RemeshHexahedra(surface, options);
   EXPECT_EQ(counted.CellSize, sized.CellSize);
   EXPECT_EQ(counted.Fit.Solid.Points, sized.Fit.Solid.Points);
+}
+
+namespace
+{
+
+/// A cylinder of radius 1 along z from `bottom`, one unit high.
+shape::Mesh Cylinder(double bottom)
+{
+  std::vector<Eigen::RowVector2d> circle;
+  for (int i = 0; i < 48; ++i)
+  {
+    circle.emplace_back(std::cos(i * M_PI / 24.0), std::sin(i * M_PI / 24.0));
+  }
+  return shapetest::Shifted(shapetest::Prism(circle), { 0.0, 0.0, bottom });
+}
+
+/// The ends of cylinders along z are patches 4 and 5, and the halves of their sides 7 and 8.
+Eigen::VectorXi PatchesOf(const shape::Surface& cylinders)
+{
+  const Eigen::VectorXd across = shape::ComputeCentroids(cylinders).col(1);
+  const Eigen::VectorXd up = cylinders.AreaVectors().rowwise().normalized().col(2);
+  Eigen::VectorXi patches(up.size());
+  for (Eigen::Index t = 0; t < up.size(); ++t)
+  {
+    patches(t) = std::abs(up(t)) > 0.5 ? (up(t) < 0.0 ? 4 : 5) : (across(t) < 0.0 ? 7 : 8);
+  }
+  return patches;
+}
+
+} // namespace
+
+TEST(HexRemesh, GivenPatchesArePatchesOfTheBoundaryWithTheirNumbers)
+{
+  const shape::Surface one = Cylinder(0.0),
+                       two = shapetest::Joined({ Cylinder(0.0), Cylinder(1.5) });
+  for (const shape::Surface& surface : { one, two })
+  {
+    for (const MethodType method : { MethodType::Grid, MethodType::Polycube })
+    {
+      if (method == MethodType::Polycube && surface.Topology().Components > 1)
+      {
+        continue; // a polycube has one component
+      }
+      shape::HexRemeshOptions options;
+      options.Method = method;
+      options.CellSize = 0.2;
+      options.Patches = PatchesOf(surface);
+      const shape::HexFit fit = shape::RemeshHexahedra(surface, options).Fit;
+      ASSERT_TRUE(fit.CreasesKept);
+      EXPECT_GT(fit.MinimumScaledJacobian, 0.2);
+      EXPECT_LT(fit.Creases.Distance, 0.02);
+      EXPECT_EQ(
+        std::set<int>(fit.PatchOf.begin(), fit.PatchOf.end()), (std::set<int>{ 4, 5, 7, 8 }));
+      const Eigen::MatrixXd centres = shape::ComputeQuadCentres(fit.Solid.Points, fit.Quads);
+      for (Eigen::Index q = 0; q < centres.rows(); ++q)
+      {
+        const double side = fit.PatchOf(q) == 7 ? -1.0 : fit.PatchOf(q) == 8 ? 1.0 : 0.0;
+        const bool isEnd = std::abs(centres(q, 2) - std::round(2.0 * centres(q, 2)) / 2.0) < 1e-9;
+        EXPECT_TRUE(side == 0.0 ? isEnd : side * centres(q, 1) > 0.0) << centres.row(q);
+      }
+    }
+  }
+}
+
+TEST(HexRemesh, RefusesPatchesThatDoNotFit)
+{
+  const shape::Surface cylinder = Cylinder(0.0);
+  shape::HexRemeshOptions options;
+  options.Patches = Eigen::VectorXi::Zero(5);
+  EXPECT_REFUSED(shape::RemeshHexahedra(cylinder, options), "5 patches", "one for each");
+  options.Patches = PatchesOf(cylinder);
+  options.Patches(3) = -2;
+  EXPECT_REFUSED(shape::RemeshHexahedra(cylinder, options), "triangle 3 is -2", "from 0");
+  const shape::Surface crossing = shapetest::Joined({ Cylinder(0.0), Cylinder(0.5) });
+  options.Patches = PatchesOf(crossing);
+  EXPECT_REFUSED(shape::RemeshHexahedra(crossing, options), "intersects itself", "Shape Solidify");
 }
 
 TEST(HexRemesh, GuidesNeedAGrid)

@@ -136,3 +136,32 @@ TEST(SurfaceFeatures, ACreaseThatFadesOutGoesOnToTheNextOne)
   EXPECT_LT(lost.CurveShare(), 0.95);
   EXPECT_GT(lost.CurveShare(), 0.8);
 }
+
+TEST(SurfaceFeatures, GivenPatchesAreBoundedByTheirBordersHoweverSmooth)
+{
+  const shape::Surface sphere = shapetest::Icosphere(3);
+  const Eigen::VectorXd heights = shape::ComputeCentroids(sphere).col(2);
+  // Both caps have the same number, but they are not connected.
+  Eigen::VectorXi given = (heights.array().abs() > 0.5).cast<int>();
+  const shape::SurfaceFeatures features = shape::FindFeatures(sphere, given, 0.0);
+  EXPECT_EQ(features.Patches, 3);
+  ASSERT_EQ(features.Curves.size(), 2U);
+  double length = 0.0;
+  for (const shape::FeatureCurve& curve : features.Curves)
+  {
+    EXPECT_TRUE(curve.Closed);
+    EXPECT_NEAR(curve.Angle, 180.0, 15.0);
+    for (std::size_t i = 0; i < curve.Points.size(); ++i)
+    {
+      length += (sphere.Points().row(curve.Points[i]) -
+        sphere.Points().row(curve.Points[(i + 1) % curve.Points.size()]))
+                  .norm();
+    }
+  }
+  EXPECT_NEAR(features.CurveLength, length, 1e-12);
+  EXPECT_EQ(features.CurveLength, features.CreaseLength);
+  // A patch of a single triangle is too small for cells.
+  given(0) = 7;
+  EXPECT_EQ(shape::FindFeatures(sphere, given, 0.0).Patches, 4);
+  EXPECT_EQ(shape::FindFeatures(sphere, given, 0.1).Patches, 3);
+}

@@ -288,7 +288,9 @@ void RequireInRange(const HexMeshOptions& options)
 SurfaceFeatures FindFeatures(const Surface& surface, const HexMeshOptions& options, double cellSize)
 {
   constexpr double minimumPatch = 4.0;
-  return FindFeatures(surface, options.FeatureAngle, minimumPatch * cellSize * cellSize);
+  const double minimumArea = minimumPatch * cellSize * cellSize;
+  return options.Patches.size() > 0 ? FindFeatures(surface, options.Patches, minimumArea)
+                                    : FindFeatures(surface, options.FeatureAngle, minimumArea);
 }
 
 // Fits with the creases first. If that fails or gives bad hexahedra, fits with a single patch and

@@ -50,13 +50,16 @@ struct HexMeshOptions
   /// An edge is a crease if the normals of its triangles differ by more than this angle; in
   /// degrees, in (0, 180].
   double FeatureAngle = DefaultFeatureAngle;
+  /// If not empty: the patch given for each triangle of the surface. The creases are then the
+  /// borders between these patches, whatever their angle.
+  Eigen::VectorXi Patches = {};
 };
 
 /// Throws InvalidInput if one of the options is out of its range.
 void RequireInRange(const HexMeshOptions& options);
 
 /// Finds the creases that hexahedra of this cell size can follow: the creases around patches at
-/// least as large as 4 cell faces.
+/// least as large as 4 cell faces. With a cell size of 0 it finds all.
 SurfaceFeatures FindFeatures(
   const Surface& surface, const HexMeshOptions& options, double cellSize);
 

@@ -148,8 +148,10 @@ std::optional<GridHexesResult> FillGrid(MultiMaterialVoxels& regions, const Grid
       result.CellSize = size;
       result.Crossings = regions.Outer().Boundary().Crossings;
       result.Features = FindFeatures(boundary.Outer, options, size);
+      HexMeshOptions ofInner = options;
+      ofInner.Patches.resize(0); // those of the outer surface
       result.InnerCreasesKept = std::all_of(boundary.Inner.begin(), boundary.Inner.end(),
-        [&](const Surface& inner) { return FindFeatures(inner, options, size).Curves.empty(); });
+        [&](const Surface& inner) { return FindFeatures(inner, ofInner, size).Curves.empty(); });
       result.Fit = FitHexahedra(cells->Solid, boundary.Outer, result.Features, fitting,
         progress.Part(0.1, 1.0, "fitting the grid to the surface"), { &*cells, &boundary.Inner });
       return result;
@@ -173,7 +175,7 @@ public:
     , Goals(options,
         options.Diagonal > 0.0 ? options.Diagonal
                                : ComputeBoxDiagonal(this->Regions.Outer().GetSurface().Points()))
-    , AllFeatures(FindFeatures(this->Boundary.Outer, options.FeatureAngle, 0.0))
+    , AllFeatures(FindFeatures(this->Boundary.Outer, options, 0.0))
   {
   }
 
@@ -392,9 +394,14 @@ GridHexesResult OfOneGrid(const Surface& surface, const GridHexesOptions& option
   return search.Result(progress.Part(0.95, 1.0));
 }
 
-GridHexesResult OfSeveralGrids(const Surface& surface, const std::vector<Surface>& solids,
+GridHexesResult OfSeveralGrids(const Surface& surface, const std::vector<SeparateSolid>& parts,
   const GridHexesOptions& options, const Progress& progress)
 {
+  std::vector<Surface> solids;
+  for (const SeparateSolid& part : parts)
+  {
+    solids.push_back(part.Boundary);
+  }
   const std::vector<double> shares = ComputeVolumeShares(solids);
   std::vector<HexFit> fits;
   std::vector<SurfaceFeatures> features;
@@ -406,6 +413,10 @@ GridHexesResult OfSeveralGrids(const Surface& surface, const std::vector<Surface
     own.Diagonal = options.Diagonal > 0.0 ? options.Diagonal : ComputeBoxDiagonal(surface.Points());
     own.FirstHexahedra = shares[i] * options.FirstHexahedra;
     own.MaximumHexahedra = std::max(1, static_cast<int>(shares[i] * options.MaximumHexahedra));
+    if (options.Patches.size() > 0)
+    {
+      own.Patches = options.Patches(parts[i].Triangles);
+    }
     GridHexesResult one = OfOneGrid(solids[i], own, progress.Part(begin, begin + shares[i]), {});
     begin += shares[i];
     fits.push_back(std::move(one.Fit));
@@ -426,7 +437,7 @@ GridHexesResult BuildGridHexahedra(const Surface& surface, const GridHexesOption
   RequireGridInRange(options);
   if (innerSurfaces.empty())
   {
-    const std::vector<Surface> solids =
+    const std::vector<SeparateSolid> solids =
       SplitSolids(surface, progress.Part(0.0, 0.02, "separating the solids"));
     if (!solids.empty())
     {

@@ -226,13 +226,9 @@ SizedGrid BuildSizedGrid(
 Eigen::VectorXd ComputeSizeRatios(const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads,
   const Surface& surface, const Eigen::VectorXd& sizes)
 {
-  Eigen::MatrixXd midpoints(quads.rows(), 3);
-  for (Eigen::Index q = 0; q < quads.rows(); ++q)
-  {
-    midpoints.row(q) = points(quads.row(q), Eigen::all).colwise().mean();
-  }
-  const Eigen::VectorXd wanted =
-    PullBack(SurfaceLocator(surface).Find(midpoints), surface.Triangles(), sizes).col(0);
+  const Eigen::VectorXd wanted = PullBack(
+    SurfaceLocator(surface).Find(ComputeQuadCentres(points, quads)), surface.Triangles(), sizes)
+                                   .col(0);
   const Eigen::VectorXd areas =
     0.5 * ComputeAreaVectors({ points, SplitQuads(quads) }).rowwise().norm();
   Eigen::VectorXd ratios(quads.rows());
@@ -252,11 +248,7 @@ Eigen::VectorXd Corrected(const Surface& surface, const Eigen::VectorXd& sizes,
   const Eigen::VectorXd& asked, const HexFit& fit, const Eigen::VectorXd& ratios)
 {
   constexpr double reach = 3.0; // sizes
-  Eigen::MatrixXd midpoints(fit.Quads.rows(), 3);
-  for (Eigen::Index q = 0; q < fit.Quads.rows(); ++q)
-  {
-    midpoints.row(q) = fit.Solid.Points(fit.Quads.row(q), Eigen::all).colwise().mean();
-  }
+  const Eigen::MatrixXd centres = ComputeQuadCentres(fit.Solid.Points, fit.Quads);
   const Eigen::ArrayXd logarithms = ratios.array().log();
   Eigen::VectorXd corrected = asked;
   ParallelFor(static_cast<int>(sizes.size()), 64,
@@ -266,7 +258,7 @@ Eigen::VectorXd Corrected(const Surface& surface, const Eigen::VectorXd& sizes,
       {
         const double width = reach * sizes(i);
         const Eigen::ArrayXd squared =
-          (midpoints.rowwise() - surface.Points().row(i)).rowwise().squaredNorm() / (width * width);
+          (centres.rowwise() - surface.Points().row(i)).rowwise().squaredNorm() / (width * width);
         // Relative to the nearest quad, so that the weights do not vanish if all are far away.
         const Eigen::ArrayXd weights = (0.5 * (squared.minCoeff() - squared)).exp();
         corrected(i) *= std::exp(-(weights * logarithms).sum() / weights.sum());

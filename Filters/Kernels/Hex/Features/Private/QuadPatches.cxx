@@ -89,20 +89,16 @@ Eigen::VectorXi AssignQuadsToPatches(const Eigen::MatrixXd& points, const QuadSu
   {
     return Eigen::VectorXi::Zero(quads.rows());
   }
-  Eigen::MatrixXd midpoints(quads.rows(), 3);
-  for (Eigen::Index q = 0; q < quads.rows(); ++q)
-  {
-    midpoints.row(q) = points(quads.row(q), Eigen::all).colwise().mean();
-  }
+  const Eigen::MatrixXd centres = ComputeQuadCentres(points, quads);
   const Eigen::MatrixXi neighbours = NeighboursOf(boundary);
-  Eigen::VectorXi patchOf = features.PatchOf(SurfaceLocator(surface).Find(midpoints).Triangles);
+  Eigen::VectorXi patchOf = features.PatchOf(SurfaceLocator(surface).Find(centres).Triangles);
   KeepLargestPieces(neighbours, features.Patches, patchOf);
   // Distances to single patches, for the quads that are reached from the pieces.
   const std::vector<SurfaceLocator> locators(patches.begin(), patches.end());
   using Candidate = std::tuple<double, int, int>; // distance, quad, patch
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> open;
   const auto offer = [&](int quad, int patch)
-  { open.emplace(locators[patch].Find(midpoints.row(quad)).Distances(0), quad, patch); };
+  { open.emplace(locators[patch].Find(centres.row(quad)).Distances(0), quad, patch); };
   for (int q = 0; q < static_cast<int>(quads.rows()); ++q)
   {
     for (const int next : neighbours.row(q))
@@ -159,7 +155,7 @@ Eigen::VectorXi AssignQuadsToPatches(const Eigen::MatrixXd& points, const QuadSu
   MatchCornerValences(points, boundary, surface, features, patchOf);
   SplitPinches(
     boundary, FindCornerRings(surface, features),
-    [&](int quad, int patch) { return locators[patch].Find(midpoints.row(quad)).Distances(0); },
+    [&](int quad, int patch) { return locators[patch].Find(centres.row(quad)).Distances(0); },
     patchOf);
   std::vector<char> present(features.Patches, 0);
   for (const int patch : patchOf)

@@ -38,9 +38,33 @@ void Append(Eigen::VectorXi& numbers, const Eigen::VectorXi& others, Eigen::Inde
   numbers.tail(others.size()) = others.array() + static_cast<int>(offset);
 }
 
+/// A component of a surface.
+struct Component
+{
+  Mesh Boundary;
+  std::vector<int> Triangles; ///< of the whole surface
+  double Volume;              ///< negative for a void
+};
+
+std::vector<Component> FindComponents(const Surface& surface)
+{
+  std::vector<Component> components;
+  for (Mesh& mesh : SplitComponents(surface))
+  {
+    const double volume = ComputeEnclosedVolume(mesh);
+    components.push_back({ std::move(mesh), {}, volume });
+  }
+  const Eigen::VectorXi& componentOf = surface.Topology().ComponentId;
+  for (int t = 0; t < static_cast<int>(surface.Triangles().rows()); ++t)
+  {
+    components[componentOf(surface.Triangles()(t, 0))].Triangles.push_back(t);
+  }
+  return components;
+}
+
 } // namespace
 
-std::vector<Surface> SplitSolids(const Surface& surface, const Progress& progress)
+std::vector<SeparateSolid> SplitSolids(const Surface& surface, const Progress& progress)
 {
   const Surface outward = OrientOutwards(surface);
   if (RequireClosedSurface(outward, "the surface").Components == 1 ||
@@ -50,10 +74,10 @@ std::vector<Surface> SplitSolids(const Surface& surface, const Progress& progres
   {
     return {};
   }
-  std::vector<Mesh> outer, voids;
-  for (Mesh& component : SplitComponents(outward))
+  std::vector<Component> outer, voids;
+  for (Component& component : FindComponents(outward))
   {
-    (ComputeEnclosedVolume(component) > 0.0 ? outer : voids).push_back(std::move(component));
+    (component.Volume > 0.0 ? outer : voids).push_back(std::move(component));
   }
   if (outer.size() < 2)
   {
@@ -61,21 +85,28 @@ std::vector<Surface> SplitSolids(const Surface& surface, const Progress& progres
   }
   // In ascending order, so that the first solid found around a void is the innermost.
   std::sort(outer.begin(), outer.end(),
-    [](const Mesh& a, const Mesh& b)
-    { return ComputeEnclosedVolume(a) < ComputeEnclosedVolume(b); });
-  std::vector<Mesh> solids = outer;
-  for (const Mesh& hole : voids)
+    [](const Component& a, const Component& b) { return a.Volume < b.Volume; });
+  std::vector<Component> whole = outer;
+  for (const Component& hole : voids)
   {
     const auto around = std::find_if(outer.begin(), outer.end(),
-      [&](const Mesh& solid)
+      [&](const Component& solid)
       {
         // The winding number is 1 inside and 0 outside, up to rounding.
         constexpr double half = 0.5;
-        return ComputeWindingNumber(solid.Points, solid.Triangles, hole.Points.row(0)) > half;
+        return ComputeWindingNumber(solid.Boundary.Points, solid.Boundary.Triangles,
+                 hole.Boundary.Points.row(0)) > half;
       });
-    Append(solids[around - outer.begin()], hole);
+    Component& into = whole[around - outer.begin()];
+    Append(into.Boundary, hole.Boundary);
+    into.Triangles.insert(into.Triangles.end(), hole.Triangles.begin(), hole.Triangles.end());
   }
-  return { std::make_move_iterator(solids.begin()), std::make_move_iterator(solids.end()) };
+  std::vector<SeparateSolid> solids;
+  for (Component& component : whole)
+  {
+    solids.push_back({ Surface(std::move(component.Boundary)), std::move(component.Triangles) });
+  }
+  return solids;
 }
 
 HexFit JoinFits(const std::vector<HexFit>& fits)

@@ -10,15 +10,21 @@
 namespace shape
 {
 
+/// One of several disjoint solids.
+struct SeparateSolid
+{
+  Surface Boundary;           ///< including the surfaces of its voids
+  std::vector<int> Triangles; ///< of the whole surface, in the order of Boundary
+};
+
 /**
- * Splits the interior of a closed surface into disjoint solids. Returns the surface of each solid,
- * including the surfaces of its voids. Returns no solid if there is only one, if the surface
- * crosses itself, or if OrientByNesting would reverse a component.
+ * Splits the interior of a closed surface into disjoint solids. Returns no solid if there is only
+ * one, if the surface crosses itself, or if OrientByNesting would reverse a component.
  *
  * surface: closed and consistently oriented. Throws InvalidInput under the conditions of
  * RequireClosedSurface; Aborted.
  */
-std::vector<Surface> SplitSolids(const Surface& surface, const Progress& progress = {});
+std::vector<SeparateSolid> SplitSolids(const Surface& surface, const Progress& progress = {});
 
 /// Concatenates the hexahedra of several solids, none of which may have interfaces. The patches of
 /// each solid are numbered after those of the previous solids.
