@@ -108,13 +108,16 @@ class Sheet(Picture):
         super().__init__(size, direction, up)
         self.Shift, self.Widest, self.Line = shift, numpy.array(widest), line
 
+    def where(self, column, like):
+        """The shift, the scale and the centre with which `like` fills a panel, for show() and dots()."""
+        frame = numpy.stack([self.Right, self.Up])
+        places = scenes.points(like) @ frame.T
+        low, high = places.min(axis=0), places.max(axis=0)
+        return (self.Shift * column, 0.0), 1.0 / max((high - low) / self.Widest), 0.5 * (low + high) @ frame
+
     def fit(self, column, data, like=None, **options):
         """Shows a data set, as large and where `like` would be; options as of show()."""
-        frame = numpy.stack([self.Right, self.Up])
-        places = scenes.points(like or data) @ frame.T
-        low, high = places.min(axis=0), places.max(axis=0)
-        return self.show(data, (self.Shift * column, 0.0), 1.0 / max((high - low) / self.Widest),
-                         0.5 * (low + high) @ frame, **options)
+        return self.show(data, *self.where(column, like or data), **options)
 
     def label(self, column, text):
         self.caption(text, self.Shift * column, self.Line)
