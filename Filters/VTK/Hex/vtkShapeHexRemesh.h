@@ -9,7 +9,7 @@
  * - Surface: the closed surface that bounds one or several solids, which may have voids. A
  *   self-intersecting surface bounds the region with a winding number of at least 1. A cell array
  *   (PatchArray; whole numbers from 0), such as `Patch` of vtkShapeCADReader, divides it into
- *   patches, whose borders are the creases. With the cell
+ *   patches, whose boundaries are the creases. With the cell
  *   array `Regions` (int, 2), its triangles are the interfaces between regions that touch, as
  *   vtkShapeLabelSurfaces makes them. `Regions` has the labels on both sides of each triangle: 0 is
  *   the outside, and the normal leaves the first. All cells are then triangles.
