@@ -2,7 +2,6 @@
 
 #include "Base/DisjointSets.h"
 #include "Hex/Features/Private/CurveResampling.h"
-#include "Mesh/UsedPoints.h"
 #include "Search/ClosestPoint.h"
 
 #include <algorithm>
@@ -69,13 +68,14 @@ struct Junctions
 class NetworkMatch
 {
 public:
-  NetworkMatch(const HexMesh& mesh, const Mesh& surfaces, RegionMatch& match)
+  NetworkMatch(const HexMesh& mesh, const RegionTargets& targets, RegionMatch& match)
     : Grid(mesh)
-    , Surfaces(surfaces)
+    , Surfaces(targets.Surfaces.AsMesh())
+    , CurvePoints(targets.CurvePoints)
     , Own(match.Chains)
-    , Wanted(match.Wanted)
+    , Wanted(targets.Network)
     , OwnJunctions(match.Chains)
-    , WantedJunctions(match.Wanted)
+    , WantedJunctions(targets.Network)
     , Match(match)
   {
     match.Curves = static_cast<int>(this->Wanted.Curves.size());
@@ -207,7 +207,7 @@ private:
           continue;
         }
       }
-      const double distance = (Middle(this->Surfaces.Points, curve.Points) - middle).norm();
+      const double distance = (this->CurvePoints[i].colwise().mean() - middle).norm();
       if (distance < minimum)
       {
         minimum = distance;
@@ -244,44 +244,39 @@ private:
         continue;
       }
       const Eigen::RowVector3d position = this->Grid.Points.row(point);
-      const RegionNetwork::Curve* best = nullptr;
+      const Eigen::MatrixXd* best = nullptr;
       Eigen::Index at = 0;
       double minimum = std::numeric_limits<double>::infinity();
-      for (const RegionNetwork::Curve& curve : this->Wanted.Curves)
+      for (std::size_t i = 0; i < this->Wanted.Curves.size(); ++i)
       {
+        const std::vector<int>& labels = this->Wanted.Curves[i].Labels;
+        if (!std::includes(chain.Labels.begin(), chain.Labels.end(), labels.begin(), labels.end()))
+        {
+          continue;
+        }
         Eigen::Index nearest = 0;
-        const double distance = !std::includes(chain.Labels.begin(), chain.Labels.end(),
-                                  curve.Labels.begin(), curve.Labels.end())
-          ? minimum
-          : (this->Surfaces.Points(curve.Points, Eigen::all).rowwise() - position)
-              .rowwise()
-              .squaredNorm()
-              .minCoeff(&nearest);
+        const double distance =
+          (this->CurvePoints[i].rowwise() - position).rowwise().squaredNorm().minCoeff(&nearest);
         if (distance < minimum)
         {
           minimum = distance;
-          best = &curve;
+          best = &this->CurvePoints[i];
           at = nearest;
         }
       }
       if (best)
       {
         constexpr Eigen::Index reach = 3; // edges of the curve to either side
-        const Eigen::Index last = static_cast<Eigen::Index>(best->Points.size()) - 1;
-        std::vector<int> span;
-        for (Eigen::Index i = std::max<Eigen::Index>(at - reach, 0);
-             i <= std::min(at + reach, last); ++i)
-        {
-          span.push_back(best->Points[i]);
-        }
-        this->Put(point, this->Surfaces.Points.row(best->Points[at]),
-          this->Surfaces.Points(span, Eigen::all));
+        const Eigen::Index first = std::max<Eigen::Index>(at - reach, 0),
+                           last = std::min(at + reach, best->rows() - 1);
+        this->Put(point, best->row(at), best->middleRows(first, last - first + 1));
       }
     }
   }
 
   const HexMesh& Grid;
   const Mesh& Surfaces;
+  const std::vector<Eigen::MatrixXd>& CurvePoints; ///< of the surfaces' curves
   const RegionNetwork& Own;
   const RegionNetwork& Wanted;
   const Junctions OwnJunctions, WantedJunctions;
@@ -289,31 +284,16 @@ private:
   std::map<int, int> JunctionOf; ///< the junction of the surfaces at each matched junction
 };
 
-/// Adds a patch for each pair of labels, and the quads that lie on it.
-void AddPatches(const RegionFaces& faces, const Mesh& surfaces, const Eigen::MatrixXi& labels,
-  PatchedBoundary& boundary)
+/// Finds the patch of each quad whose pair of labels the surfaces have.
+void AssignQuads(const RegionFaces& faces, const RegionTargets& targets, PatchedBoundary& boundary)
 {
-  std::map<std::pair<int, int>, std::vector<int>> trianglesOf;
-  for (int t = 0; t < static_cast<int>(labels.rows()); ++t)
-  {
-    trianglesOf[{ labels.row(t).minCoeff(), labels.row(t).maxCoeff() }].push_back(t);
-  }
-  std::map<std::pair<int, int>, int> patchOf;
-  for (const auto& [pair, triangles] : trianglesOf)
-  {
-    patchOf[pair] = static_cast<int>(boundary.Patches.size());
-    Mesh patch{ surfaces.Points, surfaces.Triangles(triangles, Eigen::all) };
-    const std::vector<int> used = FindUsedPoints(patch.Triangles, patch.Points.rows());
-    patch.Triangles = RenumberPoints(patch.Triangles, used, surfaces.Points.rows());
-    patch.Points = surfaces.Points(used, Eigen::all);
-    boundary.Patches.emplace_back(std::move(patch));
-  }
+  boundary.Patches = targets.Patches;
   std::vector<int> own, patches;
   for (int q = 0; q < static_cast<int>(faces.Quads.rows()); ++q)
   {
     const auto found =
-      patchOf.find({ faces.Labels.row(q).minCoeff(), faces.Labels.row(q).maxCoeff() });
-    if (found != patchOf.end())
+      targets.PatchOf.find({ faces.Labels.row(q).minCoeff(), faces.Labels.row(q).maxCoeff() });
+    if (found != targets.PatchOf.end())
     {
       own.push_back(q);
       patches.push_back(found->second);
@@ -326,14 +306,13 @@ void AddPatches(const RegionFaces& faces, const Mesh& surfaces, const Eigen::Mat
 
 } // namespace
 
-RegionMatch MatchRegions(const HexMesh& mesh, const RegionFaces& faces, const Mesh& surfaces,
-  const Eigen::MatrixXi& labels)
+RegionMatch MatchRegions(
+  const HexMesh& mesh, const RegionFaces& faces, const RegionTargets& targets)
 {
   RegionMatch match;
-  AddPatches(faces, surfaces, labels, match.Boundary);
+  AssignQuads(faces, targets, match.Boundary);
   match.Chains = FindRegionNetwork(faces.Quads, faces.Labels);
-  match.Wanted = FindRegionNetwork(surfaces.Triangles, labels);
-  NetworkMatch networks(mesh, surfaces, match);
+  NetworkMatch networks(mesh, targets, match);
   networks.MatchCorners();
   networks.MatchCurves();
   return match;
@@ -414,14 +393,15 @@ double FindLargestDistance(const RegionNetwork& from, const Eigen::MatrixXd& poi
 } // namespace
 
 double ComputeCurveDistance(
-  const Eigen::MatrixXd& points, const Mesh& surfaces, const RegionMatch& match)
+  const Eigen::MatrixXd& points, const RegionTargets& targets, const RegionMatch& match)
 {
-  if (match.Chains.Curves.empty() || match.Wanted.Curves.empty())
+  const RegionNetwork &own = match.Chains, &wanted = targets.Network;
+  if (own.Curves.empty() || wanted.Curves.empty())
   {
     return 0.0;
   }
-  return std::max(FindLargestDistance(match.Chains, points, match.Wanted, surfaces.Points),
-    FindLargestDistance(match.Wanted, surfaces.Points, match.Chains, points));
+  return std::max(FindLargestDistance(own, points, wanted, targets.Surfaces.Points()),
+    FindLargestDistance(wanted, targets.Surfaces.Points(), own, points));
 }
 
 } // namespace shape
