@@ -1,15 +1,13 @@
 #include "Hex/Features/RegionMatch.h"
 
-#include "Base/DisjointSets.h"
 #include "Hex/Features/Private/CurveResampling.h"
+#include "Hex/Features/Private/RegionJunctions.h"
 #include "Search/ClosestPoint.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <set>
-#include <tuple>
 #include <utility>
 
 namespace shape
@@ -17,98 +15,35 @@ namespace shape
 namespace
 {
 
-/// The junctions of a network: corners that curves with more than three labels connect count as
-/// one. Such curves are short: four regions seldom meet along a curve.
-struct Junctions
-{
-  explicit Junctions(const RegionNetwork& network)
-    : Of(network.Corners.size())
-  {
-    std::map<int, int> indexOf;
-    for (const int corner : network.Corners)
-    {
-      indexOf.emplace(corner, static_cast<int>(indexOf.size()));
-    }
-    DisjointSets sets(static_cast<int>(network.Corners.size()));
-    for (const RegionNetwork::Curve& curve : network.Curves)
-    {
-      if (curve.Labels.size() > 3 && !curve.Closed)
-      {
-        sets.Merge(indexOf.at(curve.Points.front()), indexOf.at(curve.Points.back()));
-      }
-    }
-    std::map<int, int> numberOf;
-    for (int i = 0; i < static_cast<int>(this->Of.size()); ++i)
-    {
-      this->Of[i] = numberOf.emplace(sets.Find(i), static_cast<int>(numberOf.size())).first->second;
-      this->Number[network.Corners[i]] = this->Of[i];
-    }
-    this->Corners.resize(numberOf.size());
-    this->Labels.resize(numberOf.size());
-    for (std::size_t i = 0; i < this->Of.size(); ++i)
-    {
-      this->Corners[this->Of[i]].push_back(network.Corners[i]);
-      std::vector<int>& labels = this->Labels[this->Of[i]];
-      labels.insert(labels.end(), network.CornerLabels[i].begin(), network.CornerLabels[i].end());
-    }
-    for (std::vector<int>& around : this->Labels)
-    {
-      std::sort(around.begin(), around.end());
-      around.erase(std::unique(around.begin(), around.end()), around.end());
-    }
-  }
-
-  std::vector<int> Of;                   ///< the junction of each corner, by index
-  std::map<int, int> Number;             ///< the junction of each corner, by point
-  std::vector<std::vector<int>> Corners; ///< the points of each junction
-  std::vector<std::vector<int>> Labels;  ///< the labels around each junction, ascending
-};
+/// No two points are put at corners that are nearer than this; in cells.
+constexpr double LeastShare = 0.5;
 
 /// Assigns the curves and corners of hexahedra to those of surfaces.
 class NetworkMatch
 {
 public:
-  NetworkMatch(const HexMesh& mesh, const RegionTargets& targets, RegionMatch& match)
+  NetworkMatch(
+    const HexMesh& mesh, const RegionTargets& targets, double cellSize, RegionMatch& match)
     : Grid(mesh)
     , Surfaces(targets.Surfaces.AsMesh())
     , CurvePoints(targets.CurvePoints)
     , Own(match.Chains)
     , Wanted(targets.Network)
-    , OwnJunctions(match.Chains)
-    , WantedJunctions(targets.Network)
+    , Junctions(
+        MatchJunctions(match.Chains, mesh.Points, targets.Network, this->Surfaces.Points, cellSize))
+    , NearestCorners(LeastShare * cellSize)
     , Match(match)
   {
     match.Curves = static_cast<int>(this->Wanted.Curves.size());
-    match.Junctions = static_cast<int>(this->WantedJunctions.Corners.size());
+    match.Junctions = static_cast<int>(this->Junctions.Wanted.Corners.size());
   }
 
   void MatchCorners()
   {
-    // The closest pairs first.
-    std::vector<std::tuple<double, int, int>> pairs;
-    for (int i = 0; i < static_cast<int>(this->OwnJunctions.Corners.size()); ++i)
+    for (const auto& [own, wanted] : this->Junctions.WantedOf)
     {
-      for (int j = 0; j < static_cast<int>(this->WantedJunctions.Corners.size()); ++j)
-      {
-        if (this->OwnJunctions.Labels[i] == this->WantedJunctions.Labels[j])
-        {
-          pairs.emplace_back((Middle(this->Grid.Points, this->OwnJunctions.Corners[i]) -
-                               Middle(this->Surfaces.Points, this->WantedJunctions.Corners[j]))
-                               .norm(),
-            i, j);
-        }
-      }
-    }
-    std::sort(pairs.begin(), pairs.end());
-    std::set<int> taken;
-    for (const auto& [distance, i, j] : pairs)
-    {
-      if (!this->JunctionOf.count(i) && taken.insert(j).second)
-      {
-        this->JunctionOf[i] = j;
-        this->PutCorners(this->OwnJunctions.Corners[i], this->WantedJunctions.Corners[j]);
-        ++this->Match.JunctionsKept;
-      }
+      this->PutCorners(this->Junctions.Own.Corners[own], this->Junctions.Wanted.Corners[wanted]);
+      ++this->Match.JunctionsKept;
     }
   }
 
@@ -116,9 +51,10 @@ public:
   {
     std::vector<char> taken(this->Wanted.Curves.size(), 0);
     std::vector<const RegionNetwork::Curve*> others;
-    for (const RegionNetwork::Curve& chain : this->Own.Curves)
+    for (std::size_t i = 0; i < this->Own.Curves.size(); ++i)
     {
-      const int curve = this->FindCurve(chain, taken);
+      const RegionNetwork::Curve& chain = this->Own.Curves[i];
+      const int curve = this->FindCurve(chain, this->Junctions.Own.IsInside[i], taken);
       if (curve < 0)
       {
         others.push_back(&chain);
@@ -129,13 +65,15 @@ public:
     }
     for (const RegionNetwork::Curve* chain : others)
     {
-      this->PutOnClosest(*chain);
+      for (const int point : chain->Points)
+      {
+        this->PutOnClosest(point, chain->Labels);
+      }
     }
     for (std::size_t i = 0; i < this->Wanted.Curves.size(); ++i)
     {
       // A curve inside a junction is part of its point.
-      const RegionNetwork::Curve& curve = this->Wanted.Curves[i];
-      const bool isInside = curve.Labels.size() > 3 && !curve.Closed;
+      const bool isInside = this->Junctions.Wanted.IsInside[i] != 0;
       this->Match.Curves -= isInside ? 1 : 0;
       this->Match.CurvesKept += !isInside && taken[i] ? 1 : 0;
     }
@@ -153,7 +91,8 @@ private:
     this->Match.Boundary.Spans[point] = span;
   }
 
-  /// Puts the corners of a junction at those of another, the closest first, while there are some.
+  /// Puts the corners of a junction at those of another, the closest first, while there are some
+  /// that are not too near to each other. Others are put on the closest curve.
   void PutCorners(const std::vector<int>& corners, const std::vector<int>& wanted)
   {
     std::vector<std::tuple<double, int, int>> pairs;
@@ -166,25 +105,42 @@ private:
       }
     }
     std::sort(pairs.begin(), pairs.end());
-    std::set<int> taken;
+    std::vector<int> taken;
     for (const auto& [distance, point, corner] : pairs)
     {
-      if (!this->Match.Boundary.Spans.count(point) && taken.insert(corner).second)
+      const Eigen::RowVector3d position = this->Surfaces.Points.row(corner);
+      const bool isNear = std::any_of(taken.begin(), taken.end(),
+        [&](int other)
+        { return (this->Surfaces.Points.row(other) - position).norm() < this->NearestCorners; });
+      if (!isNear && !this->Match.Boundary.Spans.count(point))
       {
-        this->Put(point, this->Surfaces.Points.row(corner), this->Surfaces.Points.row(corner));
+        taken.push_back(corner);
+        this->Put(point, position, position);
       }
     }
+    for (const int point : corners)
+    {
+      this->PutOnClosest(point, this->LabelsAt(point));
+    }
+  }
+
+  const std::vector<int>& LabelsAt(int corner) const
+  {
+    const auto at = std::lower_bound(this->Own.Corners.begin(), this->Own.Corners.end(), corner);
+    return this->Own.CornerLabels[at - this->Own.Corners.begin()];
   }
 
   /// The junction of the surfaces at a corner of the hexahedra, or -1.
   int JunctionAt(int point) const
   {
-    const auto found = this->JunctionOf.find(this->OwnJunctions.Number.at(point));
-    return found == this->JunctionOf.end() ? -1 : found->second;
+    const auto found = this->Junctions.WantedOf.find(this->Junctions.Own.Number.at(point));
+    return found == this->Junctions.WantedOf.end() ? -1 : found->second;
   }
 
-  /// Returns the closest free curve with the labels and ends of a chain, or -1.
-  int FindCurve(const RegionNetwork::Curve& chain, const std::vector<char>& taken) const
+  /// Returns the closest free curve with the labels and ends of a chain, or -1. isInside: whether
+  /// the chain is part of a junction.
+  int FindCurve(
+    const RegionNetwork::Curve& chain, char isInside, const std::vector<char>& taken) const
   {
     int best = -1;
     double minimum = std::numeric_limits<double>::infinity();
@@ -192,7 +148,8 @@ private:
     for (std::size_t i = 0; i < this->Wanted.Curves.size(); ++i)
     {
       const RegionNetwork::Curve& curve = this->Wanted.Curves[i];
-      if (taken[i] || curve.Labels != chain.Labels || curve.Closed != chain.Closed)
+      if (taken[i] || curve.Labels != chain.Labels || curve.Closed != chain.Closed ||
+        this->Junctions.Wanted.IsInside[i] != isInside)
       {
         continue;
       }
@@ -200,8 +157,8 @@ private:
       {
         const int begin = this->JunctionAt(chain.Points.front()),
                   end = this->JunctionAt(chain.Points.back());
-        const int front = this->WantedJunctions.Number.at(curve.Points.front()),
-                  back = this->WantedJunctions.Number.at(curve.Points.back());
+        const int front = this->Junctions.Wanted.Number.at(curve.Points.front()),
+                  back = this->Junctions.Wanted.Number.at(curve.Points.back());
         if (!(begin == front && end == back) && !(begin == back && end == front))
         {
           continue;
@@ -234,15 +191,11 @@ private:
     }
   }
 
-  /// Puts the points of a chain on the closest part of a curve that has only labels of the chain.
-  void PutOnClosest(const RegionNetwork::Curve& chain)
+  /// Puts a point on the closest part of a curve that has only these labels, unless it has a place.
+  void PutOnClosest(int point, const std::vector<int>& around)
   {
-    for (const int point : chain.Points)
+    if (!this->Match.Boundary.Spans.count(point))
     {
-      if (this->Match.Boundary.Spans.count(point))
-      {
-        continue;
-      }
       const Eigen::RowVector3d position = this->Grid.Points.row(point);
       const Eigen::MatrixXd* best = nullptr;
       Eigen::Index at = 0;
@@ -250,7 +203,7 @@ private:
       for (std::size_t i = 0; i < this->Wanted.Curves.size(); ++i)
       {
         const std::vector<int>& labels = this->Wanted.Curves[i].Labels;
-        if (!std::includes(chain.Labels.begin(), chain.Labels.end(), labels.begin(), labels.end()))
+        if (!std::includes(around.begin(), around.end(), labels.begin(), labels.end()))
         {
           continue;
         }
@@ -279,9 +232,9 @@ private:
   const std::vector<Eigen::MatrixXd>& CurvePoints; ///< of the surfaces' curves
   const RegionNetwork& Own;
   const RegionNetwork& Wanted;
-  const Junctions OwnJunctions, WantedJunctions;
+  const JunctionMatch Junctions;
+  const double NearestCorners; ///< see LeastShare
   RegionMatch& Match;
-  std::map<int, int> JunctionOf; ///< the junction of the surfaces at each matched junction
 };
 
 /// Finds the patch of each quad whose pair of labels the surfaces have.
@@ -307,12 +260,12 @@ void AssignQuads(const RegionFaces& faces, const RegionTargets& targets, Patched
 } // namespace
 
 RegionMatch MatchRegions(
-  const HexMesh& mesh, const RegionFaces& faces, const RegionTargets& targets)
+  const HexMesh& mesh, const RegionFaces& faces, const RegionTargets& targets, double cellSize)
 {
   RegionMatch match;
   AssignQuads(faces, targets, match.Boundary);
   match.Chains = FindRegionNetwork(faces.Quads, faces.Labels);
-  NetworkMatch networks(mesh, targets, match);
+  NetworkMatch networks(mesh, targets, cellSize, match);
   networks.MatchCorners();
   networks.MatchCurves();
   return match;

@@ -82,12 +82,12 @@ RegionFit FitRegions(const LabelledCells& cells, const RegionTargets& targets,
   HexFit& fit = result.Fit;
   fit.Solid = cells.Solid;
   std::vector<int> regions(cells.RegionOf.begin(), cells.RegionOf.end());
-  InsertRegionSheets(fit.Solid, regions, targets);
+  InsertRegionSheets(fit.Solid, regions, targets, cells.CellSize);
   progress(0.0);
   fit.RegionOf =
     Eigen::Map<const Eigen::VectorXi>(regions.data(), static_cast<Eigen::Index>(regions.size()));
   const RegionFaces faces = FindRegionFaces(fit.Solid, fit.RegionOf);
-  RegionMatch match = MatchRegions(fit.Solid, faces, targets);
+  RegionMatch match = MatchRegions(fit.Solid, faces, targets, cells.CellSize);
   progress(0.0);
   result.Curves = match.Curves;
   result.CurvesKept = match.CurvesKept;

@@ -84,7 +84,7 @@ std::optional<RegionGrid> FindGrid(TouchingRegionVoxels& voxels, const RegionTar
     }
     ++grids;
     const RegionMatch match =
-      MatchRegions(cells->Solid, FindRegionFaces(cells->Solid, cells->RegionOf), targets);
+      MatchRegions(cells->Solid, FindRegionFaces(cells->Solid, cells->RegionOf), targets, size);
     const int kept = match.CurvesKept + match.JunctionsKept;
     if (!best || kept > best->Kept)
     {

@@ -122,14 +122,15 @@ void InsertSheet(const LabelSet& labels, HexMesh& mesh, std::vector<int>& region
 
 } // namespace
 
-void InsertRegionSheets(HexMesh& mesh, std::vector<int>& regionOf, const RegionTargets& targets)
+void InsertRegionSheets(
+  HexMesh& mesh, std::vector<int>& regionOf, const RegionTargets& targets, double cellSize)
 {
   LabelSet all(regionOf.begin(), regionOf.end());
   all.insert(RegionSurfaces::Outside);
   const auto corners = [&]
   {
     const RegionFaces faces = FindFaces(mesh, regionOf);
-    return FindCurveCorners(mesh, faces, MatchRegions(mesh, faces, targets));
+    return FindCurveCorners(mesh, faces, MatchRegions(mesh, faces, targets, cellSize));
   };
   LabelSet within;
   for (const CurveCorner& corner : corners())
