@@ -1,16 +1,13 @@
 #include "Hex/Features/RegionMatch.h"
 
-#include "Base/DisjointSets.h"
 #include "Hex/Features/Private/CurveResampling.h"
-#include "Mesh/UsedPoints.h"
+#include "Hex/Features/Private/RegionJunctions.h"
 #include "Search/ClosestPoint.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <set>
-#include <tuple>
 #include <utility>
 
 namespace shape
@@ -18,97 +15,35 @@ namespace shape
 namespace
 {
 
-/// The junctions of a network: corners that curves with more than three labels connect count as
-/// one. Such curves are short: four regions seldom meet along a curve.
-struct Junctions
-{
-  explicit Junctions(const RegionNetwork& network)
-    : Of(network.Corners.size())
-  {
-    std::map<int, int> indexOf;
-    for (const int corner : network.Corners)
-    {
-      indexOf.emplace(corner, static_cast<int>(indexOf.size()));
-    }
-    DisjointSets sets(static_cast<int>(network.Corners.size()));
-    for (const RegionNetwork::Curve& curve : network.Curves)
-    {
-      if (curve.Labels.size() > 3 && !curve.Closed)
-      {
-        sets.Merge(indexOf.at(curve.Points.front()), indexOf.at(curve.Points.back()));
-      }
-    }
-    std::map<int, int> numberOf;
-    for (int i = 0; i < static_cast<int>(this->Of.size()); ++i)
-    {
-      this->Of[i] = numberOf.emplace(sets.Find(i), static_cast<int>(numberOf.size())).first->second;
-      this->Number[network.Corners[i]] = this->Of[i];
-    }
-    this->Corners.resize(numberOf.size());
-    this->Labels.resize(numberOf.size());
-    for (std::size_t i = 0; i < this->Of.size(); ++i)
-    {
-      this->Corners[this->Of[i]].push_back(network.Corners[i]);
-      std::vector<int>& labels = this->Labels[this->Of[i]];
-      labels.insert(labels.end(), network.CornerLabels[i].begin(), network.CornerLabels[i].end());
-    }
-    for (std::vector<int>& around : this->Labels)
-    {
-      std::sort(around.begin(), around.end());
-      around.erase(std::unique(around.begin(), around.end()), around.end());
-    }
-  }
-
-  std::vector<int> Of;                   ///< the junction of each corner, by index
-  std::map<int, int> Number;             ///< the junction of each corner, by point
-  std::vector<std::vector<int>> Corners; ///< the points of each junction
-  std::vector<std::vector<int>> Labels;  ///< the labels around each junction, ascending
-};
+/// No two points are put at corners that are nearer than this; in cells.
+constexpr double LeastShare = 0.5;
 
 /// Assigns the curves and corners of hexahedra to those of surfaces.
 class NetworkMatch
 {
 public:
-  NetworkMatch(const HexMesh& mesh, const Mesh& surfaces, RegionMatch& match)
+  NetworkMatch(
+    const HexMesh& mesh, const RegionTargets& targets, double cellSize, RegionMatch& match)
     : Grid(mesh)
-    , Surfaces(surfaces)
+    , Surfaces(targets.Surfaces.AsMesh())
+    , CurvePoints(targets.CurvePoints)
     , Own(match.Chains)
-    , Wanted(match.Wanted)
-    , OwnJunctions(match.Chains)
-    , WantedJunctions(match.Wanted)
+    , Wanted(targets.Network)
+    , Junctions(
+        MatchJunctions(match.Chains, mesh.Points, targets.Network, this->Surfaces.Points, cellSize))
+    , NearestCorners(LeastShare * cellSize)
     , Match(match)
   {
     match.Curves = static_cast<int>(this->Wanted.Curves.size());
-    match.Junctions = static_cast<int>(this->WantedJunctions.Corners.size());
+    match.Junctions = static_cast<int>(this->Junctions.Wanted.Corners.size());
   }
 
   void MatchCorners()
   {
-    // The closest pairs first.
-    std::vector<std::tuple<double, int, int>> pairs;
-    for (int i = 0; i < static_cast<int>(this->OwnJunctions.Corners.size()); ++i)
+    for (const auto& [own, wanted] : this->Junctions.WantedOf)
     {
-      for (int j = 0; j < static_cast<int>(this->WantedJunctions.Corners.size()); ++j)
-      {
-        if (this->OwnJunctions.Labels[i] == this->WantedJunctions.Labels[j])
-        {
-          pairs.emplace_back((Middle(this->Grid.Points, this->OwnJunctions.Corners[i]) -
-                               Middle(this->Surfaces.Points, this->WantedJunctions.Corners[j]))
-                               .norm(),
-            i, j);
-        }
-      }
-    }
-    std::sort(pairs.begin(), pairs.end());
-    std::set<int> taken;
-    for (const auto& [distance, i, j] : pairs)
-    {
-      if (!this->JunctionOf.count(i) && taken.insert(j).second)
-      {
-        this->JunctionOf[i] = j;
-        this->PutCorners(this->OwnJunctions.Corners[i], this->WantedJunctions.Corners[j]);
-        ++this->Match.JunctionsKept;
-      }
+      this->PutCorners(this->Junctions.Own.Corners[own], this->Junctions.Wanted.Corners[wanted]);
+      ++this->Match.JunctionsKept;
     }
   }
 
@@ -116,9 +51,10 @@ public:
   {
     std::vector<char> taken(this->Wanted.Curves.size(), 0);
     std::vector<const RegionNetwork::Curve*> others;
-    for (const RegionNetwork::Curve& chain : this->Own.Curves)
+    for (std::size_t i = 0; i < this->Own.Curves.size(); ++i)
     {
-      const int curve = this->FindCurve(chain, taken);
+      const RegionNetwork::Curve& chain = this->Own.Curves[i];
+      const int curve = this->FindCurve(chain, this->Junctions.Own.IsInside[i], taken);
       if (curve < 0)
       {
         others.push_back(&chain);
@@ -129,13 +65,15 @@ public:
     }
     for (const RegionNetwork::Curve* chain : others)
     {
-      this->PutOnClosest(*chain);
+      for (const int point : chain->Points)
+      {
+        this->PutOnClosest(point, chain->Labels);
+      }
     }
     for (std::size_t i = 0; i < this->Wanted.Curves.size(); ++i)
     {
       // A curve inside a junction is part of its point.
-      const RegionNetwork::Curve& curve = this->Wanted.Curves[i];
-      const bool isInside = curve.Labels.size() > 3 && !curve.Closed;
+      const bool isInside = this->Junctions.Wanted.IsInside[i] != 0;
       this->Match.Curves -= isInside ? 1 : 0;
       this->Match.CurvesKept += !isInside && taken[i] ? 1 : 0;
     }
@@ -153,7 +91,8 @@ private:
     this->Match.Boundary.Spans[point] = span;
   }
 
-  /// Puts the corners of a junction at those of another, the closest first, while there are some.
+  /// Puts the corners of a junction at those of another, the closest first, while there are some
+  /// that are not too near to each other. Others are put on the closest curve.
   void PutCorners(const std::vector<int>& corners, const std::vector<int>& wanted)
   {
     std::vector<std::tuple<double, int, int>> pairs;
@@ -166,25 +105,42 @@ private:
       }
     }
     std::sort(pairs.begin(), pairs.end());
-    std::set<int> taken;
+    std::vector<int> taken;
     for (const auto& [distance, point, corner] : pairs)
     {
-      if (!this->Match.Boundary.Spans.count(point) && taken.insert(corner).second)
+      const Eigen::RowVector3d position = this->Surfaces.Points.row(corner);
+      const bool isNear = std::any_of(taken.begin(), taken.end(),
+        [&](int other)
+        { return (this->Surfaces.Points.row(other) - position).norm() < this->NearestCorners; });
+      if (!isNear && !this->Match.Boundary.Spans.count(point))
       {
-        this->Put(point, this->Surfaces.Points.row(corner), this->Surfaces.Points.row(corner));
+        taken.push_back(corner);
+        this->Put(point, position, position);
       }
     }
+    for (const int point : corners)
+    {
+      this->PutOnClosest(point, this->LabelsAt(point));
+    }
+  }
+
+  const std::vector<int>& LabelsAt(int corner) const
+  {
+    const auto at = std::lower_bound(this->Own.Corners.begin(), this->Own.Corners.end(), corner);
+    return this->Own.CornerLabels[at - this->Own.Corners.begin()];
   }
 
   /// The junction of the surfaces at a corner of the hexahedra, or -1.
   int JunctionAt(int point) const
   {
-    const auto found = this->JunctionOf.find(this->OwnJunctions.Number.at(point));
-    return found == this->JunctionOf.end() ? -1 : found->second;
+    const auto found = this->Junctions.WantedOf.find(this->Junctions.Own.Number.at(point));
+    return found == this->Junctions.WantedOf.end() ? -1 : found->second;
   }
 
-  /// Returns the closest free curve with the labels and ends of a chain, or -1.
-  int FindCurve(const RegionNetwork::Curve& chain, const std::vector<char>& taken) const
+  /// Returns the closest free curve with the labels and ends of a chain, or -1. isInside: whether
+  /// the chain is part of a junction.
+  int FindCurve(
+    const RegionNetwork::Curve& chain, char isInside, const std::vector<char>& taken) const
   {
     int best = -1;
     double minimum = std::numeric_limits<double>::infinity();
@@ -192,7 +148,8 @@ private:
     for (std::size_t i = 0; i < this->Wanted.Curves.size(); ++i)
     {
       const RegionNetwork::Curve& curve = this->Wanted.Curves[i];
-      if (taken[i] || curve.Labels != chain.Labels || curve.Closed != chain.Closed)
+      if (taken[i] || curve.Labels != chain.Labels || curve.Closed != chain.Closed ||
+        this->Junctions.Wanted.IsInside[i] != isInside)
       {
         continue;
       }
@@ -200,14 +157,14 @@ private:
       {
         const int begin = this->JunctionAt(chain.Points.front()),
                   end = this->JunctionAt(chain.Points.back());
-        const int front = this->WantedJunctions.Number.at(curve.Points.front()),
-                  back = this->WantedJunctions.Number.at(curve.Points.back());
+        const int front = this->Junctions.Wanted.Number.at(curve.Points.front()),
+                  back = this->Junctions.Wanted.Number.at(curve.Points.back());
         if (!(begin == front && end == back) && !(begin == back && end == front))
         {
           continue;
         }
       }
-      const double distance = (Middle(this->Surfaces.Points, curve.Points) - middle).norm();
+      const double distance = (this->CurvePoints[i].colwise().mean() - middle).norm();
       if (distance < minimum)
       {
         minimum = distance;
@@ -234,86 +191,62 @@ private:
     }
   }
 
-  /// Puts the points of a chain on the closest part of a curve that has only labels of the chain.
-  void PutOnClosest(const RegionNetwork::Curve& chain)
+  /// Puts a point on the closest part of a curve that has only these labels, unless it has a place.
+  void PutOnClosest(int point, const std::vector<int>& around)
   {
-    for (const int point : chain.Points)
+    if (!this->Match.Boundary.Spans.count(point))
     {
-      if (this->Match.Boundary.Spans.count(point))
-      {
-        continue;
-      }
       const Eigen::RowVector3d position = this->Grid.Points.row(point);
-      const RegionNetwork::Curve* best = nullptr;
+      const Eigen::MatrixXd* best = nullptr;
       Eigen::Index at = 0;
       double minimum = std::numeric_limits<double>::infinity();
-      for (const RegionNetwork::Curve& curve : this->Wanted.Curves)
+      for (std::size_t i = 0; i < this->Wanted.Curves.size(); ++i)
       {
+        const std::vector<int>& labels = this->Wanted.Curves[i].Labels;
+        if (!std::includes(around.begin(), around.end(), labels.begin(), labels.end()))
+        {
+          continue;
+        }
         Eigen::Index nearest = 0;
-        const double distance = !std::includes(chain.Labels.begin(), chain.Labels.end(),
-                                  curve.Labels.begin(), curve.Labels.end())
-          ? minimum
-          : (this->Surfaces.Points(curve.Points, Eigen::all).rowwise() - position)
-              .rowwise()
-              .squaredNorm()
-              .minCoeff(&nearest);
+        const double distance =
+          (this->CurvePoints[i].rowwise() - position).rowwise().squaredNorm().minCoeff(&nearest);
         if (distance < minimum)
         {
           minimum = distance;
-          best = &curve;
+          best = &this->CurvePoints[i];
           at = nearest;
         }
       }
       if (best)
       {
         constexpr Eigen::Index reach = 3; // edges of the curve to either side
-        const Eigen::Index last = static_cast<Eigen::Index>(best->Points.size()) - 1;
-        std::vector<int> span;
-        for (Eigen::Index i = std::max<Eigen::Index>(at - reach, 0);
-             i <= std::min(at + reach, last); ++i)
-        {
-          span.push_back(best->Points[i]);
-        }
-        this->Put(point, this->Surfaces.Points.row(best->Points[at]),
-          this->Surfaces.Points(span, Eigen::all));
+        const Eigen::Index first = std::max<Eigen::Index>(at - reach, 0),
+                           last = std::min(at + reach, best->rows() - 1);
+        this->Put(point, best->row(at), best->middleRows(first, last - first + 1));
       }
     }
   }
 
   const HexMesh& Grid;
   const Mesh& Surfaces;
+  const std::vector<Eigen::MatrixXd>& CurvePoints; ///< of the surfaces' curves
   const RegionNetwork& Own;
   const RegionNetwork& Wanted;
-  const Junctions OwnJunctions, WantedJunctions;
+  const JunctionMatch Junctions;
+  const double NearestCorners; ///< see LeastShare
   RegionMatch& Match;
-  std::map<int, int> JunctionOf; ///< the junction of the surfaces at each matched junction
 };
 
-/// Adds a patch for each pair of labels, and the quads that lie on it.
-void AddPatches(const RegionFaces& faces, const Mesh& surfaces, const Eigen::MatrixXi& labels,
-  PatchedBoundary& boundary)
+/// Finds the patch of each quad whose pair of labels the surfaces have.
+void AssignQuads(const RegionFaces& faces, const RegionTargets& targets, PatchedBoundary& boundary)
 {
-  std::map<std::pair<int, int>, std::vector<int>> trianglesOf;
-  for (int t = 0; t < static_cast<int>(labels.rows()); ++t)
-  {
-    trianglesOf[{ labels.row(t).minCoeff(), labels.row(t).maxCoeff() }].push_back(t);
-  }
-  std::map<std::pair<int, int>, int> patchOf;
-  for (const auto& [pair, triangles] : trianglesOf)
-  {
-    patchOf[pair] = static_cast<int>(boundary.Patches.size());
-    Mesh patch{ surfaces.Points, surfaces.Triangles(triangles, Eigen::all) };
-    const std::vector<int> used = FindUsedPoints(patch.Triangles, patch.Points.rows());
-    patch.Triangles = RenumberPoints(patch.Triangles, used, surfaces.Points.rows());
-    patch.Points = surfaces.Points(used, Eigen::all);
-    boundary.Patches.emplace_back(std::move(patch));
-  }
+  boundary.Patches = targets.Patches;
   std::vector<int> own, patches;
   for (int q = 0; q < static_cast<int>(faces.Quads.rows()); ++q)
   {
     const auto found =
-      patchOf.find({ faces.Labels.row(q).minCoeff(), faces.Labels.row(q).maxCoeff() });
-    if (found != patchOf.end())
+      targets.PatchOf.find({ faces.Labels.row(q).minCoeff(), faces.Labels.row(q).maxCoeff() });
+    if (found != targets.PatchOf.end())
     {
       own.push_back(q);
       patches.push_back(found->second);
@@ -326,14 +259,13 @@ void AddPatches(const RegionFaces& faces, const Mesh& surfaces, const Eigen::Mat
 
 } // namespace
 
-RegionMatch MatchRegions(const HexMesh& mesh, const RegionFaces& faces, const Mesh& surfaces,
-  const Eigen::MatrixXi& labels)
+RegionMatch MatchRegions(
+  const HexMesh& mesh, const RegionFaces& faces, const RegionTargets& targets, double cellSize)
 {
   RegionMatch match;
-  AddPatches(faces, surfaces, labels, match.Boundary);
+  AssignQuads(faces, targets, match.Boundary);
   match.Chains = FindRegionNetwork(faces.Quads, faces.Labels);
-  match.Wanted = FindRegionNetwork(surfaces.Triangles, labels);
-  NetworkMatch networks(mesh, surfaces, match);
+  NetworkMatch networks(mesh, targets, cellSize, match);
   networks.MatchCorners();
   networks.MatchCurves();
   return match;
@@ -414,14 +346,15 @@ double FindLargestDistance(const RegionNetwork& from, const Eigen::MatrixXd& poi
 } // namespace
 
 double ComputeCurveDistance(
-  const Eigen::MatrixXd& points, const Mesh& surfaces, const RegionMatch& match)
+  const Eigen::MatrixXd& points, const RegionTargets& targets, const RegionMatch& match)
 {
-  if (match.Chains.Curves.empty() || match.Wanted.Curves.empty())
+  const RegionNetwork &own = match.Chains, &wanted = targets.Network;
+  if (own.Curves.empty() || wanted.Curves.empty())
   {
     return 0.0;
   }
-  return std::max(FindLargestDistance(match.Chains, points, match.Wanted, surfaces.Points),
-    FindLargestDistance(match.Wanted, surfaces.Points, match.Chains, points));
+  return std::max(FindLargestDistance(own, points, wanted, targets.Surfaces.Points()),
+    FindLargestDistance(wanted, targets.Surfaces.Points(), own, points));
 }
 
 } // namespace shape

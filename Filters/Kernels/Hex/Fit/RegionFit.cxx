@@ -44,8 +44,9 @@ void WriteFaces(const RegionFaces& faces, HexFit& fit)
 }
 
 /// Returns the larger one-sided Hausdorff distance between the interfaces and their surfaces.
-double MeasureInterfaces(const HexFit& fit, const Mesh& surfaces, const Eigen::MatrixXi& labels)
+double MeasureInterfaces(const HexFit& fit, const RegionTargets& targets)
 {
+  const Eigen::MatrixXi& labels = targets.Labels;
   std::vector<int> inner;
   for (int t = 0; t < static_cast<int>(labels.rows()); ++t)
   {
@@ -66,27 +67,27 @@ double MeasureInterfaces(const HexFit& fit, const Mesh& surfaces, const Eigen::M
     quads.middleRows(row, interface.rows()) = interface;
     row += interface.rows();
   }
-  return ComputeHausdorffDistance({ surfaces.Points, surfaces.Triangles(inner, Eigen::all) },
+  return ComputeHausdorffDistance(
+    { targets.Surfaces.Points(), targets.Surfaces.Triangles()(inner, Eigen::all) },
     { fit.Solid.Points, SplitQuads(quads) })
     .Larger();
 }
 
 } // namespace
 
-RegionFit FitRegions(const LabelledCells& cells, const Mesh& surfaces,
-  const Eigen::MatrixXi& labels, const HexFitOptions& options, double maximumDistance,
-  const Progress& progress)
+RegionFit FitRegions(const LabelledCells& cells, const RegionTargets& targets,
+  const HexFitOptions& options, double maximumDistance, const Progress& progress)
 {
   RegionFit result;
   HexFit& fit = result.Fit;
   fit.Solid = cells.Solid;
   std::vector<int> regions(cells.RegionOf.begin(), cells.RegionOf.end());
-  InsertRegionSheets(fit.Solid, regions, surfaces, labels);
+  InsertRegionSheets(fit.Solid, regions, targets, cells.CellSize);
   progress(0.0);
   fit.RegionOf =
     Eigen::Map<const Eigen::VectorXi>(regions.data(), static_cast<Eigen::Index>(regions.size()));
   const RegionFaces faces = FindRegionFaces(fit.Solid, fit.RegionOf);
-  RegionMatch match = MatchRegions(fit.Solid, faces, surfaces, labels);
+  RegionMatch match = MatchRegions(fit.Solid, faces, targets, cells.CellSize);
   progress(0.0);
   result.Curves = match.Curves;
   result.CurvesKept = match.CurvesKept;
@@ -94,9 +95,8 @@ RegionFit FitRegions(const LabelledCells& cells, const Mesh& surfaces,
   result.JunctionsKept = match.JunctionsKept;
   const InterfaceLayers layers(fit.Solid, fit.RegionOf, options.PaddingLayers);
   fit.RegionOf = layers.Regions(fit.Solid.Hexahedra.rows());
-  const Surface surface(surfaces);
   fit.Constraint = std::make_shared<FeatureConstraint>(
-    surface, SurfaceFeatures(), match.Boundary, fit.Solid.Points.rows());
+    targets.Surfaces, SurfaceFeatures(), match.Boundary, fit.Solid.Points.rows());
   for (const auto& [point, position] : match.Boundary.Starts)
   {
     fit.Solid.Points.row(point) = position;
@@ -110,13 +110,13 @@ RegionFit FitRegions(const LabelledCells& cells, const Mesh& surfaces,
     { smoothings, options.RaisedFrom, wanted }, progress.Part(0.0, 0.8));
   WriteFaces(faces, fit);
   Judge(fit);
-  RelaxBoundaryAroundBad(fit, surface, maximumDistance, progress.Part(0.8, 1.0), needed);
+  RelaxBoundaryAroundBad(fit, targets.Surfaces, maximumDistance, progress.Part(0.8, 1.0), needed);
   for (const RegionNetwork::Curve& chain : match.Chains.Curves)
   {
     result.CurvePoints.insert(result.CurvePoints.end(), chain.Points.begin(), chain.Points.end());
   }
-  result.CurveDistance = ComputeCurveDistance(fit.Solid.Points, surfaces, match);
-  fit.InnerDistance = MeasureInterfaces(fit, surfaces, labels);
+  result.CurveDistance = ComputeCurveDistance(fit.Solid.Points, targets, match);
+  fit.InnerDistance = MeasureInterfaces(fit, targets);
   progress(1.0);
   return result;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
+#include "Hex/Features/RegionTargets.h"
 #include "Hex/Fit/HexFit.h"
 #include "Hex/Voxels/TouchingRegionVoxels.h"
 
@@ -33,8 +34,7 @@ struct RegionFit
  *
  * Throws Aborted.
  */
-RegionFit FitRegions(const LabelledCells& cells, const Mesh& surfaces,
-  const Eigen::MatrixXi& labels, const HexFitOptions& options, double maximumDistance,
-  const Progress& progress = {});
+RegionFit FitRegions(const LabelledCells& cells, const RegionTargets& targets,
+  const HexFitOptions& options, double maximumDistance, const Progress& progress = {});
 
 } // namespace shape

@@ -25,7 +25,7 @@ constexpr double QualityShrinkage = 0.8;
 constexpr double GoodScaledJacobian = 0.3;
 constexpr int MaximumGrids = 3;    ///< number of grids that are fitted
 constexpr int MaximumCompared = 4; ///< number of grids whose curves are compared before a fit
-/// Cells are at most this much smaller than a given size.
+/// Cells are at most this much smaller than a given size, if larger ones lack the topology.
 constexpr double SmallestShare = 0.25;
 
 /// The minimum scaled Jacobian of the hexahedra that are not near curves where interfaces meet.
@@ -68,13 +68,14 @@ struct RegionGrid
   int Kept = 0;
 };
 
-/// Returns cells of at most this size with the topology of the regions: the largest that have all
-/// curves and junctions of the surfaces, or else, of a few, those that have most.
-std::optional<RegionGrid> FindGrid(TouchingRegionVoxels& voxels, const Mesh& surfaces,
-  const Eigen::MatrixXi& labels, double size, double minimum, const Progress& progress)
+/// Returns cells of at most this size with the topology of the regions: of the first grids, as many
+/// as `compared`, the largest that have all curves and junctions of the surfaces, or else those
+/// that have most.
+std::optional<RegionGrid> FindGrid(TouchingRegionVoxels& voxels, const RegionTargets& targets,
+  double size, double minimum, int compared, const Progress& progress)
 {
   std::optional<RegionGrid> best;
-  for (int grids = 0; grids < MaximumCompared && size >= minimum * (1.0 - 1e-9); size *= Shrinkage)
+  for (int grids = 0; grids < compared && size >= minimum * (1.0 - 1e-9); size *= Shrinkage)
   {
     std::optional<LabelledCells> cells = voxels.Fill(size, progress);
     if (!cells)
@@ -83,7 +84,7 @@ std::optional<RegionGrid> FindGrid(TouchingRegionVoxels& voxels, const Mesh& sur
     }
     ++grids;
     const RegionMatch match =
-      MatchRegions(cells->Solid, FindRegionFaces(cells->Solid, cells->RegionOf), surfaces, labels);
+      MatchRegions(cells->Solid, FindRegionFaces(cells->Solid, cells->RegionOf), targets, size);
     const int kept = match.CurvesKept + match.JunctionsKept;
     if (!best || kept > best->Kept)
     {
@@ -118,6 +119,7 @@ RegionHexesResult BuildRegionHexahedra(
   surfaces.Points = regions.Surfaces.Points * regions.Frame;
   TouchingRegionVoxels voxels(
     surfaces, regions.Labels, progress.Part(0.0, 0.05, "measuring the surfaces"));
+  const RegionTargets targets(surfaces, regions.Labels);
   const double diagonal = ComputeBoxDiagonal(surfaces.Points);
   const GridGoals goals(options, diagonal);
   HexFitOptions fitting;
@@ -134,21 +136,24 @@ RegionHexesResult BuildRegionHexahedra(
   {
     // Most searches end after the first grid.
     const double end = 0.5 * (begin + 1.0);
-    const std::optional<RegionGrid> grid = FindGrid(voxels, surfaces, regions.Labels, size, minimum,
-      progress.Part(begin, begin, "filling the regions with a grid"));
+    const std::optional<RegionGrid> grid =
+      FindGrid(voxels, targets, size, minimum, isGiven ? 1 : MaximumCompared,
+        progress.Part(begin, begin, "filling the regions with a grid"));
     if (!grid)
     {
       break;
     }
     RegionHexesResult result;
-    static_cast<RegionFit&>(result) = FitRegions(grid->Cells, surfaces, regions.Labels, fitting,
+    static_cast<RegionFit&>(result) = FitRegions(grid->Cells, targets, fitting,
       goals.AcceptedDistance, progress.Part(begin, end, "fitting the grid to the surfaces"));
     result.CellSize = grid->Size;
     if (!best || IsBetter(result, *best))
     {
       best = std::move(result);
     }
-    if (IsAccepted(*best))
+    // The size of cells is a decision on their number: only inverted hexahedra make them smaller
+    // than given.
+    if (isGiven ? best->Fit.Inverted == 0 : IsAccepted(*best))
     {
       break;
     }

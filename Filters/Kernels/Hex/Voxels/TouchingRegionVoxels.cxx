@@ -201,6 +201,7 @@ std::optional<LabelledCells> TouchingRegionVoxels::Fill(double size, const Progr
   std::transform(regionOf.begin(), regionOf.end(), inside.begin(),
     [](int number) { return static_cast<char>(number > 0); });
   LabelledCells cells;
+  cells.CellSize = size;
   cells.Solid = BuildVoxelHexahedra(grid, inside);
   cells.RegionOf.resize(cells.Solid.Hexahedra.rows());
   Eigen::Index hex = 0;

@@ -29,6 +29,7 @@ struct LabelledSurfaces
 /// The cells of regions that touch.
 struct LabelledCells
 {
+  double CellSize = 0.0;
   HexMesh Solid;
   Eigen::VectorXi RegionOf; ///< m: the label of the region of each cell
 };

@@ -123,14 +123,14 @@ void InsertSheet(const LabelSet& labels, HexMesh& mesh, std::vector<int>& region
 } // namespace
 
 void InsertRegionSheets(
-  HexMesh& mesh, std::vector<int>& regionOf, const Mesh& surfaces, const Eigen::MatrixXi& labels)
+  HexMesh& mesh, std::vector<int>& regionOf, const RegionTargets& targets, double cellSize)
 {
   LabelSet all(regionOf.begin(), regionOf.end());
   all.insert(RegionSurfaces::Outside);
   const auto corners = [&]
   {
     const RegionFaces faces = FindFaces(mesh, regionOf);
-    return FindCurveCorners(mesh, faces, MatchRegions(mesh, faces, surfaces, labels));
+    return FindCurveCorners(mesh, faces, MatchRegions(mesh, faces, targets, cellSize));
   };
   LabelSet within;
   for (const CurveCorner& corner : corners())

@@ -1,9 +1,7 @@
 #pragma once
 
+#include "Hex/Features/RegionTargets.h"
 #include "Mesh/HexMesh.h"
-#include "Mesh/Mesh.h"
-
-#include <Eigen/Core>
 
 #include <vector>
 
@@ -23,9 +21,9 @@ namespace shape
  * wide angle between two curves, a sheet inside the union of its two regions makes two of it.
  *
  * New points have the positions of the points that they copy. regionOf: the label of each
- * hexahedron, extended by those of new ones. surfaces, labels: as for MatchRegions.
+ * hexahedron, extended by those of new ones. cellSize: as for MatchRegions.
  */
 void InsertRegionSheets(
-  HexMesh& mesh, std::vector<int>& regionOf, const Mesh& surfaces, const Eigen::MatrixXi& labels);
+  HexMesh& mesh, std::vector<int>& regionOf, const RegionTargets& targets, double cellSize);
 
 } // namespace shape
