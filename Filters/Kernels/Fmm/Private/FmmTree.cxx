@@ -83,8 +83,10 @@ FmmTree::FmmTree(
   const Eigen::RowVector3d low = sources.colwise().minCoeff();
   const Eigen::RowVector3d high = sources.colwise().maxCoeff();
   const double largest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
-  // The root needs an extent even if all sources coincide.
-  const double extent = std::max({ (high - low).maxCoeff(), 1e-9 * largest, 1e-280 });
+  // The root needs an extent even if all sources coincide. A small one would scale far points to
+  // distances whose squares single precision cannot hold (InverseDistanceSum).
+  const double spread = (high - low).maxCoeff();
+  const double extent = std::max({ spread > 0.0 ? spread : largest, 1e-9 * largest, 1e-280 });
   this->Scale = std::ldexp(1.0, -1 - std::ilogb(extent));
   this->Side = this->Scale * extent;
   const Eigen::RowVector3d middle = this->Scale * 0.5 * (low + high);
