@@ -5,12 +5,15 @@
 #include "Hex/Grid/GridHexesResult.h"
 #include "Hex/Voxels/TouchingRegionVoxels.h"
 
+#include <string>
+
 namespace shape
 {
 
 struct RegionHexesResult : RegionFit
 {
-  double CellSize = 0.0; ///< the size that was used, in the surfaces' units
+  double CellSize = 0.0;  ///< the size that was used, in the surfaces' units
+  std::string WhySmaller; ///< if it is smaller than the given one: why
 };
 
 /**
