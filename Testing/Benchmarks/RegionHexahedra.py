@@ -6,8 +6,8 @@ image of 256^3 labels.
 Phantoms are those of LabelSurfaces.py. Distances of points where three or more regions meet are from the exact
 curves, more than three voxels inside the ball; `curve` and `inner` are the facts CurveDistance and InnerDistance;
 all in voxels. The images are those of LabelImages.py; --images names their folder, and islands of fewer than
-8 voxels are dissolved. --large adds 256^3 labels of five regions, with cells of 3.8 voxels: about 200,000
-hexahedra. Its limits are those of two cores that do nothing else.
+8 voxels are dissolved. --large adds 256^3 labels of five regions, with cells of 3.8 voxels: hexahedra of
+this size, which is given, and not of a smaller one. Its limits are those of two cores that do nothing else.
 
 Of each result: no hexahedron is inverted, and each region has the Euler number and the number of components
 of its surface. Half a voxel along each axis is how far Shape Label Surfaces may move a point where two regions
@@ -27,6 +27,8 @@ from LabelSurfaces import Phantom
 
 SMALLEST_ISLAND = 8
 MINIMUM = 0.3  # scaled Jacobian of the liver and the skull
+LARGE_SIZE = 3.8  # the size of cells of 256^3 labels, in voxels
+HEXAHEDRA = 150000, 250000  # that this size gives at least and at most
 SECONDS, GIB = 120.0, 4.0  # of 256^3 labels
 
 
@@ -108,9 +110,11 @@ def main():
             if row:
                 claims.at_least(name, 'worst scaled Jacobian', row['min'], MINIMUM)
     if options.large:
-        surfaces, remesh, wall, cpu = run(Phantom(256, 5, options.first).image(), size=3.8)
+        surfaces, remesh, wall, cpu = run(Phantom(256, 5, options.first).image(), size=LARGE_SIZE)
         row = measure('256^3 labels', surfaces, remesh, wall, cpu, 1.0, claims, table)
         if row:
+            claims.at_least('256^3 labels', 'hexahedra', row['hexes'], HEXAHEDRA[0])
+            claims.at_most('256^3 labels', 'hexahedra', row['hexes'], HEXAHEDRA[1])
             claims.at_most('256^3 labels', 'wall seconds', wall, SECONDS)
             claims.at_most('256^3 labels', 'GiB', row['GiB'], GIB)
     claims.finish()

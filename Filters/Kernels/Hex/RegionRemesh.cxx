@@ -76,6 +76,10 @@ HexRemeshResult RemeshRegions(
   result.Fit = std::move(hexes.Fit);
   result.CellSize = hexes.CellSize;
   result.Reason = "regions that touch need the cells of a grid";
+  if (hexes.CellSize < grid.CellSize)
+  {
+    result.Reason += "; its cells are smaller than given, because " + hexes.WhySmaller;
+  }
   result.Regions = MeasureRegions(result.Fit);
   result.Curves = hexes.Curves;
   result.CurvesKept = hexes.CurvesKept;

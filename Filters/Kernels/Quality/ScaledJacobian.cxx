@@ -87,18 +87,8 @@ double FindMinimumScaledJacobianAwayFrom(const std::vector<int>& points, const H
 
 std::vector<char> MarkPointsOfBadHexahedra(const HexMesh& mesh, double bad)
 {
-  const Eigen::VectorXd values = ComputeScaledJacobians(mesh);
-  std::vector<char> marked;
-  for (Eigen::Index hex = 0; hex < values.size(); ++hex)
-  {
-    if (values(hex) < bad)
-    {
-      marked.resize(mesh.Points.rows(), 0);
-      const auto points = mesh.Hexahedra.row(hex);
-      std::for_each(points.begin(), points.end(), [&](int point) { marked[point] = 1; });
-    }
-  }
-  return marked;
+  return MarkPointsOfBadHexahedra(
+    mesh.Hexahedra, ComputeScaledJacobians(mesh), mesh.Points.rows(), bad);
 }
 
 } // namespace shape

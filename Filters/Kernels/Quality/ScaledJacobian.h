@@ -32,4 +32,24 @@ double FindMinimumScaledJacobianAwayFrom(const std::vector<int>& points, const H
 /// point and 0 for each other point (n values), or no values if there are no such hexahedra.
 std::vector<char> MarkPointsOfBadHexahedra(const HexMesh& mesh, double bad);
 
+/// The same, given the scaled Jacobians of the hexahedra (m x 8) and the number of points.
+template <typename Indices>
+std::vector<char> MarkPointsOfBadHexahedra(
+  const Indices& hexahedra, const Eigen::VectorXd& values, Eigen::Index points, double bad)
+{
+  std::vector<char> marked;
+  for (Eigen::Index hex = 0; hex < values.size(); ++hex)
+  {
+    if (values(hex) < bad)
+    {
+      marked.resize(points, 0);
+      for (const int point : hexahedra.row(hex))
+      {
+        marked[point] = 1;
+      }
+    }
+  }
+  return marked;
+}
+
 } // namespace shape

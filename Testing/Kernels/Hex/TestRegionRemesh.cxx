@@ -335,6 +335,29 @@ TEST(RegionRemesh, TheGridFollowsTheAxesOfTheImage)
   EXPECT_NEAR(VolumeOf(result, 1), 1200.0, 0.06 * 1200.0);
 }
 
+TEST(RegionRemesh, CellsAreSmallerThanGivenOnlyIfLargerOnesDoNotDoIt)
+{
+  // The first block has a tunnel, which cells larger than the tunnel cannot have.
+  const auto regions = Blocks({ 16, 8, 8 },
+    [](const Eigen::RowVector3d& at)
+    {
+      const bool isTunnel = at(0) > 3.0 && at(0) < 5.0 && at(1) > 3.0 && at(1) < 5.0;
+      return isTunnel ? 0 : at(0) < 8.0 ? 1 : 2;
+    });
+  shape::HexRemeshOptions options;
+  options.CellSize = 0.9;
+  const shape::HexRemeshResult given = shape::RemeshRegions(regions, options);
+  Check(given, { { 1, 0 }, { 2, 2 } });
+  EXPECT_EQ(given.CellSize, options.CellSize);
+  EXPECT_EQ(given.Reason.find("smaller"), std::string::npos) << given.Reason;
+  options.CellSize = 5.0;
+  const shape::HexRemeshResult smaller = shape::RemeshRegions(regions, options);
+  Check(smaller, { { 1, 0 }, { 2, 2 } });
+  EXPECT_LT(smaller.CellSize, options.CellSize);
+  EXPECT_NE(smaller.Reason.find("larger ones lack the topology"), std::string::npos)
+    << smaller.Reason;
+}
+
 TEST(RegionRemesh, WhatCannotBeFilledIsNamed)
 {
   auto regions =

@@ -248,7 +248,9 @@ std::optional<HexFit> FitWith(const HexMesh& core, const Surface& surface,
     fit.Solid.Points.row(point) = position;
   }
   // Layers along creases begin without thickness, and untangling them takes long.
-  const int smoothings = features.Curves.empty() ? 2 : 30;
+  SettlingOptions settling;
+  settling.Smoothings = features.Curves.empty() ? 2 : 30;
+  settling.RaisedFrom = options.RaisedFrom;
   Settle(
     fit.Solid, constraint,
     [&](Eigen::MatrixXd& points)
@@ -256,7 +258,7 @@ std::optional<HexFit> FitWith(const HexMesh& core, const Surface& surface,
       SmoothPillows(*boundary, points);
       interfaceLayers.Spread(points);
     },
-    { smoothings, options.RaisedFrom }, progress.Part(0.0, 0.95));
+    settling, progress.Part(0.0, 0.95));
   Judge(fit);
   fit.Quads = std::move(boundary->Quads);
   fit.PatchOf = std::move(boundary->PatchOf);

@@ -7,6 +7,7 @@
 #include "Hex/Fit/Private/RegionSheets.h"
 #include "Hex/Fit/Private/Settling.h"
 #include "Mesh/RegionSurfaces.h"
+#include "Quality/ScaledJacobian.h"
 
 #include <memory>
 #include <utility>
@@ -73,7 +74,37 @@ double MeasureInterfaces(const HexFit& fit, const RegionTargets& targets)
     .Larger();
 }
 
+/// The minimum scaled Jacobian of the hexahedra that are not near curves where interfaces meet.
+double FindMinimumAwayFromCurves(const RegionFit& result)
+{
+  std::vector<char> marked(result.Fit.Solid.Points.rows(), 0);
+  for (const int point : result.CurvePoints)
+  {
+    marked[point] = 1;
+  }
+  constexpr int rings = 2; // the layers along the interfaces
+  GrowRings(result.Fit.Solid.Hexahedra, rings, marked);
+  std::vector<int> near;
+  for (int point = 0; point < static_cast<int>(marked.size()); ++point)
+  {
+    if (marked[point])
+    {
+      near.push_back(point);
+    }
+  }
+  return FindMinimumScaledJacobianAwayFrom(near, result.Fit.Solid);
+}
+
 } // namespace
+
+bool IsGood(const RegionFit& result)
+{
+  const bool isComplete =
+    result.CurvesKept == result.Curves && result.JunctionsKept == result.Junctions;
+  return result.Fit.Inverted == 0 &&
+    (result.Fit.MinimumScaledJacobian >= GoodScaledJacobian ||
+      (isComplete && FindMinimumAwayFromCurves(result) >= GoodScaledJacobian));
+}
 
 RegionFit FitRegions(const LabelledCells& cells, const RegionTargets& targets,
   const HexFitOptions& options, double maximumDistance, const Progress& progress)
@@ -101,20 +132,26 @@ RegionFit FitRegions(const LabelledCells& cells, const RegionTargets& targets,
   {
     fit.Solid.Points.row(point) = position;
   }
-  constexpr int smoothings = 30; // curves are bent where they meet
-  // Where interfaces meet at small angles, more is rarely possible. Points leave the surfaces only
-  // for a scaled Jacobian that the hexahedra need.
-  constexpr double wanted = 0.4, needed = 0.3;
+  SettlingOptions settling;
+  settling.Smoothings = 30; // curves are bent where they meet
+  // Most cells are cubes already: more sweeps raise the mean scaled Jacobian by less than 0.01, and
+  // not the minimum.
+  settling.Sweeps = 3;
+  settling.RaisedFrom = options.RaisedFrom;
+  settling.RaisedTo = 0.4; // where interfaces meet at small angles, more is rarely possible
   Settle(
-    fit.Solid, *fit.Constraint, [&](Eigen::MatrixXd& points) { layers.Spread(points); },
-    { smoothings, options.RaisedFrom, wanted }, progress.Part(0.0, 0.8));
+    fit.Solid, *fit.Constraint, [&](Eigen::MatrixXd& points) { layers.Spread(points); }, settling,
+    progress.Part(0.0, 0.8));
   WriteFaces(faces, fit);
   Judge(fit);
-  RelaxBoundaryAroundBad(fit, targets.Surfaces, maximumDistance, progress.Part(0.8, 1.0), needed);
   for (const RegionNetwork::Curve& chain : match.Chains.Curves)
   {
     result.CurvePoints.insert(result.CurvePoints.end(), chain.Points.begin(), chain.Points.end());
   }
+  // Points leave the surfaces for a scaled Jacobian that the hexahedra need, or, if all are good
+  // enough, only if some are inverted.
+  const double needed = IsGood(result) ? 0.0 : GoodScaledJacobian;
+  RelaxBoundaryAroundBad(fit, targets.Surfaces, maximumDistance, progress.Part(0.8, 1.0), needed);
   result.CurveDistance = ComputeCurveDistance(fit.Solid.Points, targets, match);
   fit.InnerDistance = MeasureInterfaces(fit, targets);
   progress(1.0);

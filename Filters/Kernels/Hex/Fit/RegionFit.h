@@ -20,6 +20,14 @@ struct RegionFit
   double CurveDistance = 0.0;   ///< see ComputeCurveDistance
 };
 
+/// The minimum scaled Jacobian that hexahedra of regions need.
+inline constexpr double GoodScaledJacobian = 0.3;
+
+/// Whether neither smaller cells nor points that leave the surfaces are worth it: hexahedra have
+/// this scaled Jacobian or, if all curves are followed, those away from curves. Where interfaces
+/// meet at small angles, so do hexahedra of any size.
+bool IsGood(const RegionFit& result);
+
 /**
  * Fits the cells of regions that touch to their surfaces. Sheets of hexahedra are added where
  * interfaces meet at curves (InsertRegionSheets), and layers inside the boundary of each region, so
@@ -29,8 +37,8 @@ struct RegionFit
  * (MatchRegions). Then all points are moved to maximise the minimum scaled
  * Jacobian (OptimizeHexahedra). Creases of a surface between two regions are rounded.
  *
- * Where hexahedra stay inverted or bad, points leave the surfaces (RelaxBoundaryAroundBad, with
- * maximumDistance).
+ * Where hexahedra stay inverted or are not good (IsGood), points leave the surfaces
+ * (RelaxBoundaryAroundBad, with maximumDistance).
  *
  * Throws Aborted.
  */

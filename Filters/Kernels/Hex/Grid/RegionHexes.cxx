@@ -21,44 +21,10 @@ namespace
 
 /// The factor by which they shrink if hexahedra are bad.
 constexpr double QualityShrinkage = 0.8;
-/// From this minimum scaled Jacobian on, cells are not made smaller.
-constexpr double GoodScaledJacobian = 0.3;
 constexpr int MaximumGrids = 3;    ///< number of grids that are fitted
 constexpr int MaximumCompared = 4; ///< number of grids whose curves are compared before a fit
 /// Cells are at most this much smaller than a given size, if larger ones lack the topology.
 constexpr double SmallestShare = 0.25;
-
-/// The minimum scaled Jacobian of the hexahedra that are not near curves where interfaces meet.
-double FindMinimumAwayFromCurves(const RegionFit& result)
-{
-  std::vector<char> marked(result.Fit.Solid.Points.rows(), 0);
-  for (const int point : result.CurvePoints)
-  {
-    marked[point] = 1;
-  }
-  constexpr int rings = 2; // the layers along the interfaces
-  GrowRings(result.Fit.Solid.Hexahedra, rings, marked);
-  std::vector<int> near;
-  for (int point = 0; point < static_cast<int>(marked.size()); ++point)
-  {
-    if (marked[point])
-    {
-      near.push_back(point);
-    }
-  }
-  return FindMinimumScaledJacobianAwayFrom(near, result.Fit.Solid);
-}
-
-/// Whether smaller cells are not worth their number. Where interfaces meet at small angles, so do
-/// hexahedra of any size: these may be worse if all curves are followed.
-bool IsAccepted(const RegionFit& result)
-{
-  const bool isComplete =
-    result.CurvesKept == result.Curves && result.JunctionsKept == result.Junctions;
-  return result.Fit.Inverted == 0 &&
-    (result.Fit.MinimumScaledJacobian >= GoodScaledJacobian ||
-      (isComplete && FindMinimumAwayFromCurves(result) >= GoodScaledJacobian));
-}
 
 /// Cells of a grid, and the number of curves and junctions of the surfaces that they have.
 struct RegionGrid
@@ -66,6 +32,7 @@ struct RegionGrid
   LabelledCells Cells;
   double Size = 0.0;
   int Kept = 0;
+  std::string Difference; ///< why larger cells were not taken: see TouchingRegionVoxels; or empty
 };
 
 /// Returns cells of at most this size with the topology of the regions: of the first grids, as many
@@ -75,11 +42,13 @@ std::optional<RegionGrid> FindGrid(TouchingRegionVoxels& voxels, const RegionTar
   double size, double minimum, int compared, const Progress& progress)
 {
   std::optional<RegionGrid> best;
+  std::string difference;
   for (int grids = 0; grids < compared && size >= minimum * (1.0 - 1e-9); size *= Shrinkage)
   {
     std::optional<LabelledCells> cells = voxels.Fill(size, progress);
     if (!cells)
     {
+      difference = voxels.Difference();
       continue;
     }
     ++grids;
@@ -88,7 +57,7 @@ std::optional<RegionGrid> FindGrid(TouchingRegionVoxels& voxels, const RegionTar
     const int kept = match.CurvesKept + match.JunctionsKept;
     if (!best || kept > best->Kept)
     {
-      best = RegionGrid{ std::move(*cells), size, kept };
+      best = RegionGrid{ std::move(*cells), size, kept, difference };
     }
     if (kept == match.Curves + match.Junctions)
     {
@@ -131,6 +100,7 @@ RegionHexesResult BuildRegionHexahedra(
     ? options.CellSize
     : voxels.CellSizeFor(std::min<double>(options.FirstHexahedra, options.MaximumHexahedra));
   std::optional<RegionHexesResult> best;
+  std::string why;
   double begin = 0.05;
   for (int grids = 0; grids < MaximumGrids; ++grids)
   {
@@ -143,21 +113,34 @@ RegionHexesResult BuildRegionHexahedra(
     {
       break;
     }
+    if (!grid->Difference.empty())
+    {
+      why = "larger ones lack the topology of all regions (" + grid->Difference + ")";
+    }
+    size = QualityShrinkage * grid->Size;
+    if (best && best->Fit.Inverted == 0 && grid->Kept < best->CurvesKept + best->JunctionsKept)
+    {
+      continue; // its fit would not be better (IsBetter)
+    }
     RegionHexesResult result;
     static_cast<RegionFit&>(result) = FitRegions(grid->Cells, targets, fitting,
       goals.AcceptedDistance, progress.Part(begin, end, "fitting the grid to the surfaces"));
     result.CellSize = grid->Size;
+    result.WhySmaller = why;
     if (!best || IsBetter(result, *best))
     {
       best = std::move(result);
     }
     // The size of cells is a decision on their number: only inverted hexahedra make them smaller
     // than given.
-    if (isGiven ? best->Fit.Inverted == 0 : IsAccepted(*best))
+    if (isGiven ? best->Fit.Inverted == 0 : IsGood(*best))
     {
       break;
     }
-    size = QualityShrinkage * grid->Size;
+    if (best->Fit.Inverted > 0)
+    {
+      why = "hexahedra of larger ones stay inverted";
+    }
     begin = end;
   }
   if (!best)

@@ -5,12 +5,15 @@
 #include "Hex/Grid/GridHexesResult.h"
 #include "Hex/Voxels/TouchingRegionVoxels.h"
 
+#include <string>
+
 namespace shape
 {
 
 struct RegionHexesResult : RegionFit
 {
-  double CellSize = 0.0; ///< the size that was used, in the surfaces' units
+  double CellSize = 0.0;  ///< the size that was used, in the surfaces' units
+  std::string WhySmaller; ///< if it is smaller than the given one: why
 };
 
 /**
@@ -19,10 +22,10 @@ struct RegionHexesResult : RegionFit
  * hexahedra connect it to the interfaces and to the boundary (FitRegions).
  *
  * The hexahedra of each region have the Euler number and the number of components of its surface:
- * cells are made smaller until they do. A few grids with smaller cells are compared until one has
- * all curves and junctions of the surfaces. Cells are also made smaller while hexahedra are
- * inverted or bad, as long as their number permits. Hexahedra at curves where interfaces meet may
- * be bad if all curves are followed. The best result is kept.
+ * cells are made smaller until they do. If no size is given, a few grids with smaller cells are
+ * compared until one has all curves and junctions of the surfaces, and cells are made smaller while
+ * hexahedra are not good (IsGood), as long as their number permits. Cells of a given size are only
+ * made smaller for the topology, or if hexahedra stay inverted. The best result is kept.
  *
  * options: Seeds, Rounds, Snap and FeatureAngle are not used. Throws InvalidInput under the
  * conditions of TouchingRegionVoxels, or if an option is out of range; SolveFailure if no grid of

@@ -21,17 +21,11 @@ bool HasInverted(const HexMesh& mesh)
   return ComputeScaledJacobians(mesh).minCoeff() <= 0.0;
 }
 
-} // namespace
-
-void RelaxBoundaryOfInverted(
-  HexMesh& mesh, OverridableConstraint& freedoms, const Progress& progress)
+/// Releases points around inverted hexahedra that have at least this freedom, in rounds with
+/// growing neighbourhoods.
+void ReleaseInverted(
+  HexMesh& mesh, OverridableConstraint& freedoms, char least, const Progress& progress)
 {
-  if (!HasInverted(mesh))
-  {
-    return;
-  }
-  const Eigen::MatrixXd before = mesh.Points;
-  const std::vector<char> given = freedoms.Freedoms;
   for (int rings = 0; rings <= MaximumRings; ++rings)
   {
     std::vector<char> marked = MarkPointsOfBadHexahedra(mesh, Bad);
@@ -42,23 +36,42 @@ void RelaxBoundaryOfInverted(
     GrowRings(mesh.Hexahedra, rings, marked);
     for (std::size_t point = 0; point < marked.size(); ++point)
     {
-      freedoms.Freedoms[point] = marked[point] ? 3 : freedoms.Freedoms[point];
+      char& freedom = freedoms.Freedoms[point];
+      freedom = marked[point] && freedom >= least ? 3 : freedom;
     }
-    const Progress part =
-      progress.Part(rings / (MaximumRings + 1.0), (rings + 1.0) / (MaximumRings + 1.0));
     // Points that keep to the surface move with the released ones.
     constexpr int around = 2;
     GrowRings(mesh.Hexahedra, around, marked);
     HexOptimizationOptions options;
     options.Marked = std::move(marked);
-    OptimizeHexahedra(mesh, freedoms, options, part);
+    OptimizeHexahedra(mesh, freedoms, options,
+      progress.Part(rings / (MaximumRings + 1.0), (rings + 1.0) / (MaximumRings + 1.0)));
+  }
+}
+
+} // namespace
+
+void RelaxBoundaryOfInverted(
+  HexMesh& mesh, OverridableConstraint& freedoms, const Progress& progress)
+{
+  const Eigen::MatrixXd before = mesh.Points;
+  const std::vector<char> given = freedoms.Freedoms;
+  double begin = 0.0;
+  for (const char least : { 2, 0 })
+  {
+    if (!HasInverted(mesh))
+    {
+      break;
+    }
+    ReleaseInverted(mesh, freedoms, least, progress.Part(begin, begin + 0.5));
+    begin += 0.5;
+    if (HasInverted(mesh))
+    {
+      mesh.Points = before;
+      freedoms.Freedoms = given;
+    }
   }
   progress(1.0);
-  if (HasInverted(mesh))
-  {
-    mesh.Points = before;
-    freedoms.Freedoms = given;
-  }
 }
 
 // In each round one more ring around the worst hexahedra leaves the surface. On a femur this raises

@@ -13,7 +13,8 @@ namespace shape
  * Repairs hexahedra that cannot become positive while all boundary points stay on the surface, for
  * example in a groove between two touching parts. Points of hexahedra with a scaled Jacobian below
  * 0.2 are released from the surface and moved (OptimizeHexahedra). Each further round also releases
- * the points of one more ring of hexahedra around them.
+ * the points of one more ring of hexahedra around them. Points on creases and corners are released
+ * only if a hexahedron stays inverted otherwise.
  *
  * mesh: the hexahedra whose points are moved. freedoms: the freedom of released points becomes 3.
  * If a hexahedron stays inverted, all points and freedoms are restored. Does nothing if no

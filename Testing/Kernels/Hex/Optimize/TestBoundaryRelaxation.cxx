@@ -100,6 +100,30 @@ TEST(Releasing, PointsThatHoldAHexahedronInvertedAreFreedAndOthersStay)
   }
 }
 
+TEST(Releasing, PointsOnCreasesStayIfPointsOnPatchesSuffice)
+{
+  std::vector<char> onSide;
+  shape::HexMesh mesh = Cubes(onSide);
+  // Beside an edge of the box, whose points are fixed, while others of the sides are on patches.
+  mesh.Points.row(Id(3, 1, Side)).swap(mesh.Points.row(Id(4, 1, Side)));
+  ASSERT_LT(shape::ComputeScaledJacobians(mesh).minCoeff(), 0.0);
+  const SidesStay sides(onSide, 2);
+  shape::OverridableConstraint freedoms(sides, mesh.Points.rows());
+  const Eigen::MatrixXd before = mesh.Points;
+  for (int x = 0; x <= Side; ++x)
+  {
+    freedoms.Freedoms[Id(x, 0, Side)] = 0;
+  }
+  shape::RelaxBoundaryOfInverted(mesh, freedoms);
+  EXPECT_GT(shape::ComputeScaledJacobians(mesh).minCoeff(), 0.0);
+  EXPECT_EQ(freedoms.Freedom(Id(3, 1, Side)), 3);
+  for (int x = 0; x <= Side; ++x)
+  {
+    EXPECT_EQ(freedoms.Freedom(Id(x, 0, Side)), 0);
+    EXPECT_EQ(mesh.Points.row(Id(x, 0, Side)), before.row(Id(x, 0, Side)));
+  }
+}
+
 TEST(Releasing, NothingIsMovedWhereNothingIsInverted)
 {
   std::vector<char> onSide;

@@ -17,6 +17,7 @@ void Settle(HexMesh& mesh, const PointConstraint& constraint,
   spread(mesh.Points);
   SmoothInverted(mesh, constraint, progress.Part(0.1, 0.15));
   HexOptimizationOptions optimization;
+  optimization.Sweeps = options.Sweeps;
   optimization.RaiseTo = options.RaisedTo;
   optimization.RaiseAgainFrom = options.RaisedFrom;
   optimization.Bad = std::min(optimization.Bad, options.RaisedTo + BadAbove);

@@ -15,6 +15,7 @@ inline constexpr double RaisedTo = 0.55;
 struct SettlingOptions
 {
   int Smoothings = 2;                ///< sweeps that smooth the positions first
+  int Sweeps = 6;                    ///< see HexOptimizationOptions
   double RaisedFrom = 0.0;           ///< see HexFitOptions
   double RaisedTo = shape::RaisedTo; ///< the target for the minimum scaled Jacobian
 };

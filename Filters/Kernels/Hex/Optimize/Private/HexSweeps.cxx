@@ -299,17 +299,7 @@ std::vector<char> HexSweeps::MarkBad(double bad)
       }
     });
   this->EvaluatedAt = this->Now;
-  std::vector<char> marked;
-  for (Eigen::Index hex = 0; hex < this->Hexahedra.rows(); ++hex)
-  {
-    if (this->ScaledJacobians(hex) < bad)
-    {
-      marked.resize(this->Around.size(), 0);
-      const auto points = this->Hexahedra.row(hex);
-      std::for_each(points.begin(), points.end(), [&](int point) { marked[point] = 1; });
-    }
-  }
-  return marked;
+  return MarkPointsOfBadHexahedra(this->Hexahedra, this->ScaledJacobians, this->Points.cols(), bad);
 }
 
 /// Finds sets of points that share no hexahedron, greedily.
