@@ -201,7 +201,15 @@ TEST(SolidSurface, RefusesWhatEnclosesNothing)
 {
   const shape::Mesh sheet = shapetest::FlatSquare(4, 0.0);
   EXPECT_REFUSED(shape::MakeSolid(sheet), "is empty", "1 sheet(s)", "enclose nothing", "Wrap");
-  EXPECT_REFUSED(shape::MakeSolid(UnitBox(), { {}, -1.0 }), "DetailSize is -1");
+  // Beside a box, a sheet of 4 % of the area must not be lost; one of 0.4 % may be.
+  const auto withSheet = [&](double side)
+  {
+    shape::Mesh small = sheet;
+    small.Points *= side / (sheet.Points.col(0).maxCoeff() - sheet.Points.col(0).minCoeff());
+    return shapetest::Joined({ UnitBox(), shapetest::Shifted(small, { 3.0, 0.0, 0.0 }) });
+  };
+  EXPECT_REFUSED(shape::MakeSolid(withSheet(0.5)), "lacks 4 %", "Wrap");
+  EXPECT_NO_THROW(shape::MakeSolid(withSheet(0.16)));
   // It has one side, so a grid is needed.
   EXPECT_REFUSED(shape::MakeSolid(MoebiusStrip(), { {}, 1e-6 }), "points", "raise DetailSize");
 }

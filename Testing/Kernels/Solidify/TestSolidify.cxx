@@ -1,6 +1,7 @@
 #include "Mesh/UsedPoints.h"
 #include "Solidify/Solidify.h"
 #include "Support/HoleShapes.h"
+#include "Support/Refusals.h"
 #include "Support/SimpleSurfaces.h"
 
 #include <gtest/gtest.h>
@@ -66,4 +67,15 @@ TEST(Solidify, AutomaticTakesTheFirstMethodThatSucceeds)
   EXPECT_EQ(plate.Method, SolidifyMethod::Wrap);
   EXPECT_EQ(shape::Solidify(shapetest::FlatSquare(4, 0.0), coarse).Method, SolidifyMethod::Wrap);
   EXPECT_EQ(plate.EulerNumber, 2);
+}
+
+TEST(Solidify, RefusesLengthsOutOfRange)
+{
+  const shape::Mesh open = shapetest::SphereWithoutCap(3, 40);
+  for (const SolidifyMethod method : { SolidifyMethod::Automatic, SolidifyMethod::Mend,
+         SolidifyMethod::Solid, SolidifyMethod::Wrap })
+  {
+    EXPECT_REFUSED(shape::Solidify(open, { method, {}, -1.0, 0.0 }), "DetailSize is -1");
+    EXPECT_REFUSED(shape::Solidify(open, { method, {}, 0.0, -1.0 }), "GapSize is -1");
+  }
 }

@@ -70,6 +70,26 @@ RowVector3d ComputeAreaVector(const Eigen::MatrixXd& points, const std::vector<i
   return sum;
 }
 
+/// Returns the numbers of the loops, ascending, whose fills bulge: they have more than 1.5 times
+/// the area that their loops span at least. The cap of a sphere has it up to its third.
+std::vector<int> FindBulgingFills(const FilledSurface& filled)
+{
+  constexpr double most = 1.5;
+  std::vector<int> bulging;
+  for (const FilledHole& hole : filled.Holes)
+  {
+    const Mesh fill{ filled.Surface.Points,
+      filled.Surface.Triangles.middleRows(hole.FirstTriangle, hole.Triangles) };
+    const double least = 0.5 * ComputeAreaVectors(fill).colwise().sum().norm();
+    if (ComputeArea(fill) > most * least)
+    {
+      bulging.push_back(hole.Number);
+    }
+  }
+  std::sort(bulging.begin(), bulging.end());
+  return bulging;
+}
+
 /// Fills all holes. A surface whose boundary does not close has no solid.
 FilledSurface FillAllHoles(const Surface& surface, const Progress& progress)
 {
@@ -80,25 +100,35 @@ FilledSurface FillAllHoles(const Surface& surface, const Progress& progress)
       " boundary edges of the surface form no closed loop; find them with the method Report, and "
       "remove the triangles beside them");
   }
-  // A smooth fill of a large hole can bulge by the length of the surface.
-  constexpr double large = 0.2; // of the area
-  const double area = ComputeArea(surface);
-  std::vector<std::vector<int>> small, wide;
-  for (const std::vector<int>& loop : boundary.Loops)
-  {
-    const double least = ComputeAreaVector(surface.Points(), loop).norm();
-    (least > large * (area + least) ? wide : small).push_back(loop);
-  }
   // Holes are filled several times if triangles cross. Each of the fills takes at most a second.
   FillHolesOptions options;
   options.Filler.MaximumPoints = 2000;
-  FilledSurface filled = FillLoops(surface, small, options, progress.Part(0.0, 0.5));
-  if (wide.empty())
+  // A smooth fill of a large hole can bulge by the length of the surface.
+  constexpr double large = 0.2; // of the area
+  const double area = ComputeArea(surface);
+  std::vector<std::vector<int>> smooth, flat;
+  for (const std::vector<int>& loop : boundary.Loops)
+  {
+    const double least = ComputeAreaVector(surface.Points(), loop).norm();
+    (least > large * (area + least) ? flat : smooth).push_back(loop);
+  }
+  FilledSurface filled = FillLoops(surface, smooth, options, progress.Part(0.0, 0.4));
+  const std::vector<int> bulging = FindBulgingFills(filled);
+  if (!bulging.empty())
+  {
+    for (auto i = bulging.rbegin(); i != bulging.rend(); ++i)
+    {
+      flat.push_back(smooth[*i]);
+      smooth.erase(smooth.begin() + *i);
+    }
+    filled = FillLoops(surface, smooth, options, progress.Part(0.4, 0.6));
+  }
+  if (flat.empty())
   {
     return filled;
   }
   options.Method = FillMethod::Membrane;
-  FilledSurface all = FillLoops(filled.Surface, wide, options, progress.Part(0.5, 1.0));
+  FilledSurface all = FillLoops(filled.Surface, flat, options, progress.Part(0.6, 1.0));
   all.Provenance = Compose(filled.Provenance, all.Provenance);
   all.Holes.insert(all.Holes.begin(), filled.Holes.begin(), filled.Holes.end());
   return all;

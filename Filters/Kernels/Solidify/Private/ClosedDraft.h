@@ -38,7 +38,7 @@ struct OrientedDraft
 OrientedDraft DraftSurface(
   const Mesh& surface, const SurfaceDefectOptions& options, const Progress& progress);
 
-/// Thrown if triangles enclose nothing, so that no fill of their holes is the right one.
+/// Thrown if triangles, or parts of them, enclose nothing: no other way to fill them is better.
 class NoSolid : public InvalidInput
 {
 public:

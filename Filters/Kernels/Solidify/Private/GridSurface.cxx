@@ -8,7 +8,6 @@
 #include "Solidify/Private/JoinedSoup.h"
 #include "Solidify/SurfaceDefects.h"
 
-#include <cmath>
 #include <vector>
 
 namespace shape
@@ -16,8 +15,6 @@ namespace shape
 
 double ChooseDetailSize(const Mesh& surface, double size)
 {
-  RequireOption(
-    size >= 0.0 && std::isfinite(size), "DetailSize", size, "a finite number of at least 0");
   constexpr double share = 1.0 / 128.0;
   return size > 0.0 ? size : share * ComputeLongestBoxEdge(surface);
 }

@@ -16,8 +16,7 @@ namespace shape
 MendedSurface AdoptGridSurface(const Mesh& made, double spacing, const Mesh& input, double smallest,
   const std::string& name, const Progress& progress);
 
-/// Returns the size of details, or the default if it is 0. Throws InvalidInput if it is out of
-/// range.
+/// Returns the size of details (>= 0), or the default if it is 0.
 double ChooseDetailSize(const Mesh& surface, double size);
 
 } // namespace shape

@@ -3,6 +3,7 @@
 #include "Base/Errors.h"
 #include "Geometry/SelfIntersections.h"
 #include "Mesh/Surface.h"
+#include "Search/ClosestPoint.h"
 #include "Solidify/Private/ClosedDraft.h"
 #include "Solidify/Private/ContactSplit.h"
 #include "Solidify/Private/GridSurface.h"
@@ -12,6 +13,7 @@
 #include "Solids/Nesting.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,9 +58,10 @@ Stage UniteParts(
   return united;
 }
 
-/// The steps 1 and 2 of MakeSolid. Throws InvalidInput or SolveFailure if they do not succeed.
-MendedSurface MakeSolidOfTriangles(
-  const Mesh& surface, const SurfaceDefectOptions& options, const Progress& progress)
+/// The steps 1 and 2 of MakeSolid. first: the draft of the surface. Throws InvalidInput or
+/// SolveFailure if they do not succeed.
+MendedSurface MakeSolidOfTriangles(const Mesh& surface, const OrientedDraft& first,
+  const SurfaceDefectOptions& options, const Progress& progress)
 {
   Stage stage{ surface, TraceIdentity(surface.Points.rows(), surface.Triangles.rows()),
     std::vector<char>(surface.Triangles.rows(), 0) };
@@ -69,13 +72,9 @@ MendedSurface MakeSolidOfTriangles(
   {
     const Progress part =
       progress.Part(round / static_cast<double>(rounds), (round + 1) / static_cast<double>(rounds));
-    SurfaceDefectOptions again = options;
-    again.Tolerance = round == 0 ? options.Tolerance : 0.0;
-    const OrientedDraft drafted = DraftSurface(stage.Surface, again, part.Part(0.0, 0.3));
-    if (round == 0)
-    {
-      RequireNoSheets(drafted.Draft.Surface);
-    }
+    const OrientedDraft drafted = round == 0
+      ? first
+      : DraftSurface(stage.Surface, { 0.0, options.SmallestPiece }, part.Part(0.0, 0.3));
     const ClosedDraft closed = CloseDraft(drafted.Draft, part.Part(0.3, 0.4));
     result.SplitPoints += drafted.SplitPoints + closed.SplitPoints();
     result.RemovedPieces += drafted.RemovedPieces;
@@ -127,25 +126,53 @@ MendedSurface MakeSolidOfTriangles(
   return result;
 }
 
-/// Step 3 of MakeSolid.
-MendedSurface MakeSolidOnGrid(
-  const Mesh& surface, const SolidSurfaceOptions& options, const Progress& progress)
+/// Step 3 of MakeSolid. oriented: the triangles, oriented if they can be.
+MendedSurface MakeSolidOnGrid(const Mesh& surface, const Mesh& oriented,
+  const SolidSurfaceOptions& options, const Progress& progress)
 {
-  Mesh oriented = JoinSoup(surface, options.Defects.Tolerance, progress.Part(0.0, 0.05)).Surface;
-  try
-  {
-    oriented = DraftSurface(surface, options.Defects, progress.Part(0.05, 0.2)).Draft.Surface;
-    oriented = OrientCrossingPieces(oriented, progress.Part(0.2, 0.3));
-  }
-  catch (const InvalidInput&) // it has no orientation of its own
-  {
-  }
-  RequireNoSheets(oriented);
   const double spacing = ChooseDetailSize(oriented, options.DetailSize);
   const Mesh made = ContourWinding(
-    CloseByCones(oriented), spacing, progress.Part(0.3, 0.7, "sampling winding numbers"));
+    CloseByCones(oriented), spacing, progress.Part(0.0, 0.6, "sampling winding numbers"));
   return AdoptGridSurface(
-    made, spacing, surface, options.Defects.SmallestPiece, "the solid", progress.Part(0.7, 1.0));
+    made, spacing, surface, options.Defects.SmallestPiece, "the solid", progress.Part(0.6, 1.0));
+}
+
+/// The draft of a surface; none if it has no orientation of its own.
+std::optional<OrientedDraft> TryDraft(
+  const Mesh& surface, const SurfaceDefectOptions& options, const Progress& progress)
+{
+  try
+  {
+    return DraftSurface(surface, options, progress);
+  }
+  catch (const InvalidInput&) // such as a piece with one side only
+  {
+    return std::nullopt;
+  }
+}
+
+/// Throws NoSolid if the solid lacks parts of the triangles: positions on a hundredth or more
+/// of their area that are neither in it nor within `near` of it.
+void RequireParts(const Mesh& triangles, const Mesh& solid, double near, const Progress& progress)
+{
+  constexpr int count = 2000;
+  constexpr double most = 0.01;
+  const Eigen::MatrixXd positions = SampleRandomly(triangles, count, 1);
+  const ClosestPoints nearest =
+    SurfaceLocator(shape::Surface(solid)).Find(positions, progress.Part(0.0, 0.5));
+  int lost = 0;
+  for (Eigen::Index i = 0; i < positions.rows(); ++i)
+  {
+    progress(0.5 + 0.5 * static_cast<double>(i) / count);
+    lost += nearest.Distances(i) > near &&
+      ComputeWindingNumber(solid.Points, solid.Triangles, positions.row(i)) < 0.5;
+  }
+  if (lost >= most * count)
+  {
+    throw NoSolid("the solid lacks " + std::to_string(100 * lost / count) +
+      " % of the surface's area, which encloses nothing; choose the method Wrap, or remove these "
+      "parts");
+  }
 }
 
 } // namespace
@@ -153,22 +180,39 @@ MendedSurface MakeSolidOnGrid(
 MendedSurface MakeSolid(
   const Mesh& surface, const SolidSurfaceOptions& options, const Progress& progress)
 {
-  ChooseDetailSize(surface, options.DetailSize);
+  const std::optional<OrientedDraft> drafted =
+    TryDraft(surface, options.Defects, progress.Part(0.0, 0.2));
+  const Mesh triangles = drafted
+    ? drafted->Draft.Surface
+    : JoinSoup(surface, options.Defects.Tolerance, progress.Part(0.2, 0.25)).Surface;
+  RequireNoSheets(triangles);
+  const Progress check = progress.Part(0.95, 1.0);
+  const double near = 2.0 * ChooseDetailSize(triangles, options.DetailSize);
   try
   {
-    return MakeSolidOfTriangles(surface, options.Defects, progress.Part(0.0, 0.6));
+    if (drafted)
+    {
+      MendedSurface solid =
+        MakeSolidOfTriangles(surface, *drafted, options.Defects, progress.Part(0.25, 0.6));
+      RequireParts(triangles, solid.Surface, near, check);
+      return solid;
+    }
   }
-  catch (const NoSolid&)
+  catch (const NoSolid&) // the grid would lack the same
   {
     throw;
   }
-  catch (const InvalidInput&) // such as an edge that cannot be paired, or a hole without a loop
+  catch (const InvalidInput&) // such as a hole without a loop
   {
   }
   catch (const SolveFailure&)
   {
   }
-  return MakeSolidOnGrid(surface, options, progress.Part(0.6, 1.0));
+  MendedSurface solid = MakeSolidOnGrid(surface,
+    drafted ? OrientCrossingPieces(triangles, progress.Part(0.6, 0.7)) : triangles, options,
+    progress.Part(0.7, 0.95));
+  RequireParts(triangles, solid.Surface, near, check);
+  return solid;
 }
 
 } // namespace shape

@@ -34,8 +34,8 @@ struct SolidSurfaceOptions
  * is checked exactly.
  *
  * surface: any triangles. Throws InvalidInput if there is no such region, if sheets make up a
- * tenth of the area or more (see MendSurface), if DetailSize is out of range or needs too large a
- * grid, or under the conditions of FindSurfaceDefects; Aborted.
+ * tenth of the area or more (see MendSurface), if it would lack a hundredth of the area or more, if
+ * DetailSize needs too large a grid, or under the conditions of FindSurfaceDefects; Aborted.
  */
 MendedSurface MakeSolid(
   const Mesh& surface, const SolidSurfaceOptions& options = {}, const Progress& progress = {});

@@ -316,8 +316,6 @@ private:
 MendedSurface WrapSurface(
   const Mesh& surface, const WrapSurfaceOptions& options, const Progress& progress)
 {
-  RequireOption(options.GapSize >= 0.0 && std::isfinite(options.GapSize), "GapSize",
-    options.GapSize, "a finite number of at least 0");
   const Mesh joined =
     JoinSoup(surface, options.Defects.Tolerance, progress.Part(0.0, 0.05)).Surface;
   if (joined.Triangles.rows() == 0)

@@ -35,8 +35,8 @@ struct WrapSurfaceOptions
  * The result is closed, a manifold, oriented outwards, and does not intersect itself; all of this
  * is checked exactly. Every triangle is made.
  *
- * surface: any triangles. Throws InvalidInput if an option is out of range or needs too large a
- * grid, or under the conditions of FindSurfaceDefects; Aborted.
+ * surface: any triangles. Throws InvalidInput if GapSize is smaller than twice DetailSize or a
+ * grid would be too large, or under the conditions of FindSurfaceDefects; Aborted.
  */
 MendedSurface WrapSurface(
   const Mesh& surface, const WrapSurfaceOptions& options = {}, const Progress& progress = {});
