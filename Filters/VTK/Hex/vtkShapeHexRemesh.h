@@ -74,10 +74,10 @@
  *   regions meet, of which the outside is one; .CurvesKept: number of these curves that are chains
  *   of edges. .CurveDistance: the larger one-sided Hausdorff distance between these chains and
  *   curves, each compared with those of the same regions. .Junctions: number of points where these
- *   curves meet, where points of the same regions that a curve shorter than a cell connects are one
- *   and the curve is not counted; .JunctionsKept: number of these points that are points of the
- *   hexahedra. .Distance is that of all quads, .InnerDistance that of quads between regions.
- *   Patches are numbered by their pairs of regions.
+ *   curves meet; .JunctionsKept: number of these points that are points of the hexahedra. A curve
+ *   shorter than a cell between two points of the same regions is not counted, and its ends count
+ *   as one. .Distance is that of all quads, .InnerDistance that of quads between regions. Patches
+ *   are numbered by their pairs of regions.
  * - .ReleasedPoints: number of boundary points that left the surface because hexahedra would
  *   otherwise be inverted or have low quality.
  * - .Crossings: number of pairs of triangles of the surface that intersect.
