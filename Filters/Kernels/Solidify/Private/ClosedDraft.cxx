@@ -70,11 +70,11 @@ RowVector3d ComputeAreaVector(const Eigen::MatrixXd& points, const std::vector<i
   return sum;
 }
 
-/// Returns the numbers of the loops, ascending, whose fills bulge: they have more than 1.5 times
-/// the area that their loops span at least. The cap of a sphere has it up to its third.
+/// Returns the numbers of the loops, ascending, whose fills bulge: they have more than twice
+/// the area that their loops span at least, which is what a half of a sphere has.
 std::vector<int> FindBulgingFills(const FilledSurface& filled)
 {
-  constexpr double most = 1.5;
+  constexpr double most = 2.0;
   std::vector<int> bulging;
   for (const FilledHole& hole : filled.Holes)
   {
