@@ -33,6 +33,11 @@ RowVector3d OnSegment(const Eigen::Matrix3d& corners, int i, int j, const RowVec
   return barycentric;
 }
 
+bool IsCorner(const RowVector3d& barycentric)
+{
+  return barycentric.maxCoeff() == 1.0;
+}
+
 /// A triangle and data of its plane, contiguous for the search.
 struct Facet
 {
@@ -58,7 +63,9 @@ struct Nearest
     }
     const RowVector3d barycentric = FindClosestPointInTriangle(facet.Corners, this->Position);
     const double distance2 = (barycentric * facet.Corners - this->Position).squaredNorm();
-    if (distance2 < this->Bound2)
+    if (distance2 < this->Bound2 ||
+      (distance2 == this->Bound2 && this->Triangle >= 0 &&
+        IsCorner(barycentric) > IsCorner(this->Barycentric)))
     {
       this->Bound2 = distance2;
       this->Triangle = triangle;
@@ -144,7 +151,7 @@ RowVector3d FindClosestPointInTriangle(const Eigen::Matrix3d& corners, const Row
   {
     const RowVector3d candidate = OnSegment(corners, k, (k + 1) % 3, place);
     const double distance2 = (candidate * corners - place).squaredNorm();
-    if (distance2 < best)
+    if (distance2 < best || (distance2 == best && IsCorner(candidate) > IsCorner(barycentric)))
     {
       best = distance2;
       barycentric = candidate;

@@ -26,12 +26,14 @@ struct ClosestPoint : SurfacePoint
 
 /// Returns the barycentric coordinates of the point of a triangle that is closest to `position`. If
 /// this point lies on an edge, the coordinate of the opposite corner is exactly 0. corners: one per
-/// row; the triangle may be degenerate.
+/// row; the triangle may be degenerate. A corner is preferred to other points at the same distance.
 Eigen::RowVector3d FindClosestPointInTriangle(
   const Eigen::Matrix3d& corners, const Eigen::RowVector3d& position);
 
-/// Finds the closest points on a triangulated surface. Can be used from several threads. The search
-/// tree is cached in the surface, so another locator of the same surface costs nothing.
+/// Finds the closest points on a triangulated surface. Of triangles at equal distance, one whose
+/// closest point is a corner is preferred: a vertex is found as a vertex. Can be used from several
+/// threads. The search tree is cached in the surface, so another locator of the same surface costs
+/// nothing.
 class SurfaceLocator
 {
 public:

@@ -4,6 +4,7 @@
 #include "Mesh/Topology.h"
 #include "Solids/IsoSurface.h"
 #include "Support/RandomPoints.h"
+#include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -62,6 +63,21 @@ void ExpectPositiveBehindTheSharpEdge(const shape::Mesh& wedge)
 }
 
 } // namespace
+
+TEST(ClosestPoint, FindsVerticesAsVertices)
+{
+  // The last point lies on the long edge of a triangle without area.
+  const shape::Mesh sphere = shapetest::Icosphere(2);
+  for (int edge = 0; edge < 3; ++edge)
+  {
+    const shape::Mesh split = shapetest::WithFlatTriangle(sphere, 5, edge);
+    const shape::ClosestPoints found = shape::SurfaceLocator(split).Find(split.Points);
+    EXPECT_EQ(shape::FindNearestCorners(found, split.Triangles),
+      Eigen::VectorXi::LinSpaced(
+        split.Points.rows(), 0, static_cast<int>(split.Points.rows()) - 1));
+    EXPECT_EQ(found.Barycentrics.rowwise().maxCoeff().minCoeff(), 1.0);
+  }
+}
 
 TEST(ClosestPoint, AgreesWithTheSearchOfEveryTriangle)
 {

@@ -44,6 +44,24 @@ inline shape::Mesh Reversed(shape::Mesh mesh)
   return mesh;
 }
 
+/// Splits a triangle at the middle of the edge that begins at `corner`. The triangle beyond keeps
+/// its edge: a triangle without area lies between them. Its new point is last.
+inline shape::Mesh WithFlatTriangle(shape::Mesh mesh, int triangle, int corner)
+{
+  const int a = mesh.Triangles(triangle, corner), b = mesh.Triangles(triangle, (corner + 1) % 3),
+            c = mesh.Triangles(triangle, (corner + 2) % 3),
+            middle = static_cast<int>(mesh.Points.rows());
+  const Eigen::RowVector3d position = 0.5 * (mesh.Points.row(a) + mesh.Points.row(b));
+  mesh.Points.conservativeResize(middle + 1, 3);
+  mesh.Points.row(middle) = position;
+  const Eigen::Index count = mesh.Triangles.rows();
+  mesh.Triangles.conservativeResize(count + 2, 3);
+  mesh.Triangles.row(triangle) << a, middle, c;
+  mesh.Triangles.row(count) << middle, b, c;
+  mesh.Triangles.row(count + 1) << a, b, middle;
+  return mesh;
+}
+
 /// Several surfaces as one, which shares no point among them.
 inline shape::Mesh Joined(const std::vector<shape::Mesh>& parts)
 {

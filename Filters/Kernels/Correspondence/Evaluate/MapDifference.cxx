@@ -14,6 +14,7 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace shape
@@ -37,6 +38,20 @@ void RequirePoints(int asked, int points, const std::string& name)
     throw InvalidInput("NumberOfEigenpairs is " + std::to_string(asked) + ", but " + name +
       " has only " + std::to_string(points) + " points; lower it, or subdivide the surface");
   }
+}
+
+/// Returns, for each image, the vertex where it is, or -1 if it is at none.
+Eigen::VectorXi FindVertices(const SurfacePoints& map, const Eigen::MatrixXi& triangles)
+{
+  Eigen::VectorXi vertices = FindNearestCorners(map, triangles);
+  for (Eigen::Index i = 0; i < vertices.size(); ++i)
+  {
+    if (map.Barycentrics.row(i).maxCoeff() < 1.0)
+    {
+      vertices(i) = -1;
+    }
+  }
+  return vertices;
 }
 
 /// The midpoints of a surface's edges, their images by a map of its points, and a third of the area
@@ -69,12 +84,38 @@ struct EdgeSamples
       Eigen::Map<Eigen::VectorXd>(shares.data(), static_cast<Eigen::Index>(shares.size()));
     const Eigen::MatrixXd images = PullBack(map, second.Triangles(), second.Points());
     this->Images = SurfaceLocator(second).Find(this->Midpoints(images), progress);
+    this->MapEdgesToEdges(second, map);
   }
 
   /// Returns the means of the values (n x d) at the ends of edges.
   Eigen::MatrixXd Midpoints(const Eigen::MatrixXd& values) const
   {
     return 0.5 * (values(this->Low, Eigen::all) + values(this->High, Eigen::all));
+  }
+
+private:
+  /// If both ends of an edge are mapped to the ends of an edge, so is its midpoint. Without this,
+  /// the closest edge could be another one beside a triangle without area.
+  void MapEdgesToEdges(const Surface& second, const SurfacePoints& map)
+  {
+    const std::vector<HalfEdge>& edges = second.HalfEdges();
+    const Eigen::VectorXi vertices = FindVertices(map, second.Triangles());
+    for (std::size_t i = 0; i < this->Low.size(); ++i)
+    {
+      const int a = vertices(this->Low[i]), b = vertices(this->High[i]);
+      const std::pair<int, int> ends(std::min(a, b), std::max(a, b));
+      const auto edge = std::lower_bound(edges.begin(), edges.end(), ends,
+        [](const HalfEdge& e, const std::pair<int, int>& wanted)
+        { return std::make_pair(e.Low(), e.High()) < wanted; });
+      if (ends.first >= 0 && edge != edges.end() && edge->Low() == ends.first &&
+        edge->High() == ends.second)
+      {
+        const auto row = static_cast<Eigen::Index>(i);
+        this->Images.Triangles(row) = edge->Triangle;
+        this->Images.Barycentrics.row(row).setConstant(0.5);
+        this->Images.Barycentrics(row, (edge->Corner + 2) % 3) = 0.0;
+      }
+    }
   }
 };
 

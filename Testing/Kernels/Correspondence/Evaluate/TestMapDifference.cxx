@@ -1,6 +1,7 @@
 #include "Base/Errors.h"
 #include "Correspondence/Evaluate/MapDifference.h"
 #include "Search/ClosestPoint.h"
+#include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Geometry>
@@ -68,6 +69,16 @@ TEST(MapDifference, OfTheSameShapeIsTheIdentityAndScaleShowsInAreasOnly)
     EXPECT_LT((result.Area.Field.array() - scale * scale).abs().maxCoeff(), 1e-6);
     EXPECT_LT((result.Conformal.Field.array() - 1.0).abs().maxCoeff(), 1e-6);
     EXPECT_EQ(result.Undetermined, 0);
+  }
+}
+
+TEST(MapDifference, OfAShapeWithATriangleWithoutAreaIsTheIdentity)
+{
+  for (int edge = 0; edge < 3; ++edge)
+  {
+    const shape::Mesh split =
+      shapetest::WithFlatTriangle(shapetest::Torus(2.0, 0.7, 20, 10), 30, edge);
+    EXPECT_LT(FarFrom(shape::MapDifference(split, split, Same(split), Pairs(12)), 1.0), 1e-6);
   }
 }
 
