@@ -103,13 +103,20 @@ FilledSurface FillAllHoles(const Surface& surface, const Progress& progress)
   // Holes are filled several times if triangles cross. Each of the fills takes at most a second.
   FillHolesOptions options;
   options.Filler.MaximumPoints = 2000;
-  // A smooth fill of a large hole can bulge by the length of the surface.
+  // A smooth fill of a large hole can bulge by the length of its piece.
   constexpr double large = 0.2; // of the area
-  const double area = ComputeArea(surface);
+  const Eigen::VectorXi& pieces = surface.Topology().ComponentId;
+  const Eigen::VectorXd areas = surface.AreaVectors().rowwise().norm();
+  Eigen::VectorXd areaOfPiece = Eigen::VectorXd::Zero(surface.Topology().Components);
+  for (Eigen::Index t = 0; t < areas.size(); ++t)
+  {
+    areaOfPiece(pieces(surface.Triangles()(t, 0))) += 0.5 * areas(t);
+  }
   std::vector<std::vector<int>> smooth, flat;
   for (const std::vector<int>& loop : boundary.Loops)
   {
     const double least = ComputeAreaVector(surface.Points(), loop).norm();
+    const double area = areaOfPiece(pieces(loop.front()));
     (least > large * (area + least) ? flat : smooth).push_back(loop);
   }
   FilledSurface filled = FillLoops(surface, smooth, options, progress.Part(0.0, 0.4));
