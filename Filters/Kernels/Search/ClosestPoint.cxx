@@ -64,8 +64,7 @@ struct Nearest
     const RowVector3d barycentric = FindClosestPointInTriangle(facet.Corners, this->Position);
     const double distance2 = (barycentric * facet.Corners - this->Position).squaredNorm();
     if (distance2 < this->Bound2 ||
-      (distance2 == this->Bound2 && this->Triangle >= 0 &&
-        IsCorner(barycentric) > IsCorner(this->Barycentric)))
+      (distance2 == this->Bound2 && IsCorner(barycentric) > IsCorner(this->Barycentric)))
     {
       this->Bound2 = distance2;
       this->Triangle = triangle;
@@ -133,7 +132,7 @@ RowVector3d FindClosestPointInTriangle(const Eigen::Matrix3d& corners, const Row
   const RowVector3d normal = RowVector3d(corners.row(1) - corners.row(0))
                                .cross(RowVector3d(corners.row(2) - corners.row(0)));
   const double area2 = normal.squaredNorm();
-  RowVector3d barycentric;
+  RowVector3d barycentric = RowVector3d::Zero();
   bool inside = area2 > 0.0;
   for (int k = 0; k < 3 && inside; ++k)
   {

@@ -44,7 +44,7 @@ public:
   ClosestPoints Find(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
 
   /// The same for one point. guess: a triangle that is likely to be close, or -1. A good guess
-  /// speeds up the search. The guess is preferred among triangles at equal distance. If the point
+  /// speeds up the search. At equal distance it is preferred, except to a corner. If the point
   /// lies on it up to rounding, there is no search. Throws InvalidInput if the square of a distance
   /// overflows.
   ClosestPoint FindOne(const Eigen::RowVector3d& point, int guess = -1) const;

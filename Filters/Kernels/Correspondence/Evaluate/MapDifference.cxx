@@ -82,9 +82,12 @@ struct EdgeSamples
     }
     this->Areas =
       Eigen::Map<Eigen::VectorXd>(shares.data(), static_cast<Eigen::Index>(shares.size()));
+    const std::vector<int> others = this->MapEdgesToEdges(second, map);
     const Eigen::MatrixXd images = PullBack(map, second.Triangles(), second.Points());
-    this->Images = SurfaceLocator(second).Find(this->Midpoints(images), progress);
-    this->MapEdgesToEdges(second, map);
+    const SurfacePoints found =
+      SurfaceLocator(second).Find(this->Midpoints(images)(others, Eigen::all), progress);
+    this->Images.Triangles(others) = found.Triangles;
+    this->Images.Barycentrics(others, Eigen::all) = found.Barycentrics;
   }
 
   /// Returns the means of the values (n x d) at the ends of edges.
@@ -94,28 +97,32 @@ struct EdgeSamples
   }
 
 private:
-  /// If both ends of an edge are mapped to the ends of an edge, so is its midpoint. Without this,
-  /// the closest edge could be another one beside a triangle without area.
-  void MapEdgesToEdges(const Surface& second, const SurfacePoints& map)
+  /// If both ends of an edge are mapped to the ends of an edge, so is its midpoint: beside a
+  /// triangle without area, the closest edge could be another one. Returns the other edges.
+  std::vector<int> MapEdgesToEdges(const Surface& second, const SurfacePoints& map)
   {
     const std::vector<HalfEdge>& edges = second.HalfEdges();
     const Eigen::VectorXi vertices = FindVertices(map, second.Triangles());
-    for (std::size_t i = 0; i < this->Low.size(); ++i)
+    this->Images = { Eigen::VectorXi(this->Areas.size()), Eigen::MatrixXd(this->Areas.size(), 3) };
+    std::vector<int> others;
+    for (int i = 0; i < static_cast<int>(this->Low.size()); ++i)
     {
       const int a = vertices(this->Low[i]), b = vertices(this->High[i]);
       const std::pair<int, int> ends(std::min(a, b), std::max(a, b));
+      // The half-edges are sorted, and no end of theirs is -1.
       const auto edge = std::lower_bound(edges.begin(), edges.end(), ends,
         [](const HalfEdge& e, const std::pair<int, int>& wanted)
         { return std::make_pair(e.Low(), e.High()) < wanted; });
-      if (ends.first >= 0 && edge != edges.end() && edge->Low() == ends.first &&
-        edge->High() == ends.second)
+      if (edge == edges.end() || edge->Low() != ends.first || edge->High() != ends.second)
       {
-        const auto row = static_cast<Eigen::Index>(i);
-        this->Images.Triangles(row) = edge->Triangle;
-        this->Images.Barycentrics.row(row).setConstant(0.5);
-        this->Images.Barycentrics(row, (edge->Corner + 2) % 3) = 0.0;
+        others.push_back(i);
+        continue;
       }
+      this->Images.Triangles(i) = edge->Triangle;
+      this->Images.Barycentrics.row(i).setConstant(0.5);
+      this->Images.Barycentrics(i, (edge->Corner + 2) % 3) = 0.0;
     }
+    return others;
   }
 };
 

@@ -70,8 +70,8 @@ RowVector3d ComputeAreaVector(const Eigen::MatrixXd& points, const std::vector<i
   return sum;
 }
 
-/// Returns the numbers of the loops, ascending, whose fills bulge: they have more than twice
-/// the area that their loops span at least, which is what a half of a sphere has.
+/// Returns the numbers of the loops, ascending, whose fills bulge: they have more than twice the
+/// least area that spans their loops. Half of a sphere has exactly twice this area.
 std::vector<int> FindBulgingFills(const FilledSurface& filled)
 {
   constexpr double most = 2.0;
@@ -90,6 +90,19 @@ std::vector<int> FindBulgingFills(const FilledSurface& filled)
   return bulging;
 }
 
+/// Returns the area of each connected component, by ComponentId.
+Eigen::VectorXd ComputePieceAreas(const Surface& surface)
+{
+  const Topology& topology = surface.Topology();
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(topology.Components);
+  for (Eigen::Index t = 0; t < surface.Triangles().rows(); ++t)
+  {
+    areas(topology.ComponentId(surface.Triangles()(t, 0))) +=
+      0.5 * surface.AreaVectors().row(t).norm();
+  }
+  return areas;
+}
+
 /// Fills all holes. A surface whose boundary does not close has no solid.
 FilledSurface FillAllHoles(const Surface& surface, const Progress& progress)
 {
@@ -105,18 +118,12 @@ FilledSurface FillAllHoles(const Surface& surface, const Progress& progress)
   options.Filler.MaximumPoints = 2000;
   // A smooth fill of a large hole can bulge by the length of its piece.
   constexpr double large = 0.2; // of the area
-  const Eigen::VectorXi& pieces = surface.Topology().ComponentId;
-  const Eigen::VectorXd areas = surface.AreaVectors().rowwise().norm();
-  Eigen::VectorXd areaOfPiece = Eigen::VectorXd::Zero(surface.Topology().Components);
-  for (Eigen::Index t = 0; t < areas.size(); ++t)
-  {
-    areaOfPiece(pieces(surface.Triangles()(t, 0))) += 0.5 * areas(t);
-  }
+  const Eigen::VectorXd areas = ComputePieceAreas(surface);
   std::vector<std::vector<int>> smooth, flat;
   for (const std::vector<int>& loop : boundary.Loops)
   {
     const double least = ComputeAreaVector(surface.Points(), loop).norm();
-    const double area = areaOfPiece(pieces(loop.front()));
+    const double area = areas(surface.Topology().ComponentId(loop.front()));
     (least > large * (area + least) ? flat : smooth).push_back(loop);
   }
   FilledSurface filled = FillLoops(surface, smooth, options, progress.Part(0.0, 0.4));
