@@ -145,9 +145,11 @@ sheet = simple.Plane(XResolution=4, YResolution=4)
 sheet.UpdatePipeline()
 shapetesting.check_refused(new(shapetesting.output(sheet), 'Solid', DetailSize=0.05), 'enclose nothing', 'Wrap')
 plate = solid(shapetesting.output(sheet), 'Wrap', DetailSize=0.05)[0]
-assert fact(plate, 'Solidify.Method') == 'Wrap' and fact(plate, 'Solidify.GridSpacing') == 0.05
+assert fact(plate, 'Solidify.Method') == 'Wrap' and fact(plate, 'Solidify.GridSpacing') == 0.0
 assert fact(plate, 'Solidify.EulerNumber') == 2 and open_or_tangled(plate) == 0
-assert abs(volume(plate) - 1.8 * 0.05) < 0.02
+assert abs(volume(plate) - 0.1 * 0.05) < 1e-6
+thick = solid(shapetesting.output(sheet), 'Wrap', DetailSize=0.05, SheetThickness=0.02)[0]
+assert abs(volume(thick) - 0.02) < 1e-6
 assert (cells(plate, 'Origin') == 2).all()
 wrapped = solid(sphere, 'Wrap', DetailSize=0.1, GapSize=0.4)[0]
 assert fact(wrapped, 'Solidify.Method') == 'Wrap', 'a right surface is wrapped if one asks for it'
@@ -164,3 +166,4 @@ shapetesting.check_refused(new(sphere, Tolerance=-1.0), 'Tolerance is -1')
 shapetesting.check_refused(new(sphere, Tolerance=50.0), 'no triangle of the surface is left')
 shapetesting.check_refused(new(sphere, 'Wrap', DetailSize=1.0, GapSize=0.5), 'GapSize is 0.5')
 shapetesting.check_refused(new(sphere, 'Wrap', DetailSize=-1.0), 'DetailSize is -1')
+shapetesting.check_refused(new(sphere, 'Wrap', SheetThickness=-1.0), 'SheetThickness is -1')

@@ -26,7 +26,8 @@ MendedSurface Apply(SolidifyMethod method, const Mesh& surface, const SolidifyOp
   {
     return MakeSolid(surface, { options.Defects, options.DetailSize }, progress);
   }
-  return WrapSurface(surface, { options.Defects, options.DetailSize, options.GapSize }, progress);
+  return WrapSurface(surface,
+    { options.Defects, options.DetailSize, options.GapSize, options.SheetThickness }, progress);
 }
 
 /// Sets the result of the method, or of the first that succeeds.
@@ -109,6 +110,7 @@ SolidifyResult Solidify(
   };
   requireLength("DetailSize", options.DetailSize);
   requireLength("GapSize", options.GapSize);
+  requireLength("SheetThickness", options.SheetThickness);
   SolidifyResult result;
   result.Defects =
     FindSurfaceDefects(surface, options.Defects, progress.Part(0.0, 0.3, "looking for defects"));

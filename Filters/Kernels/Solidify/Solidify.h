@@ -26,6 +26,7 @@ struct SolidifyOptions
   SurfaceDefectOptions Defects; ///< the tolerances of every method
   double DetailSize = 0.0;      ///< see SolidSurfaceOptions and WrapSurfaceOptions
   double GapSize = 0.0;         ///< see WrapSurfaceOptions
+  double SheetThickness = 0.0;  ///< see WrapSurfaceOptions
 };
 
 struct SolidifyResult

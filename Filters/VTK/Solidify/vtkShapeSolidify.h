@@ -54,6 +54,7 @@ public:
   vtkShapeOptionOf(Options.Defects, Tolerance, double);
   vtkShapeOption(DetailSize, double);
   vtkShapeOption(GapSize, double);
+  vtkShapeOption(SheetThickness, double);
   vtkShapeOptionOf(Options.Defects, SmallestPiece, double);
   ///@}
 

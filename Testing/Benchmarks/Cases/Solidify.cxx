@@ -32,7 +32,7 @@
 namespace
 {
 
-constexpr const char* Usage = R"(MODEL [MUTATION ...] [Seed=1] [Wrap=0] [Method=0]
+constexpr const char* Usage = R"(MODEL [MUTATION ...] [Seed=1] [Wrap=0] [Method=0] [Detail=0] [Gap=0]
 
 Damages a model (OFF, STL, PLY, OBJ) by the mutations in order, and turns the result into a solid (Automatic):
   soup        no two triangles share a point
@@ -49,7 +49,8 @@ manifold without self-intersections that bounds a volume; same: whether no bit o
 grid: the spacing of the grid that was used, or 0; distance: the larger Hausdorff distance from the
 undamaged model, in % of its longest box edge; crease: the median distance of its creases; away: the
 largest distance of a position on the result from the damaged model; far: the larger Hausdorff distance
-from that. Method=1 to 4 sets the method: Report, Mend, Solid or Wrap.
+from that. Method=1 to 4 sets the method: Report, Mend, Solid or Wrap. Detail and Gap are Detail Size and
+Gap Size in % of the longest box edge.
 With Wrap=1, a row of CGAL's alpha wrapping of the same input if it was changed, whose alpha is chosen such that it has
 about as many triangles; its offset is alpha / 30. An input that is refused has no figures, but an error.)";
 
@@ -348,6 +349,7 @@ void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
   Chance chance(static_cast<unsigned int>(arguments.Setting("Seed", 1)));
   const bool wrap = arguments.Setting("Wrap", false);
   const int method = arguments.Setting("Method", 0);
+  const double detail = arguments.Setting("Detail", 0.0), gap = arguments.Setting("Gap", 0.0);
   if (method < 0 || method >= static_cast<int>(Methods.size()))
   {
     throw benchmark::UsageError("Method is 0 to 4");
@@ -366,6 +368,9 @@ void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
   shape::SolidifyResult result;
   shape::SolidifyOptions options;
   options.Method = static_cast<shape::SolidifyMethod>(method);
+  const double percent = 0.01 * shape::ComputeLongestBoxEdge(input.Points);
+  options.DetailSize = detail * percent;
+  options.GapSize = gap * percent;
   // Debris is known to be smaller than this.
   options.Defects.SmallestPiece =
     std::find(mutations.begin(), mutations.end(), "debris") == mutations.end() ? 0.0 : 0.005;

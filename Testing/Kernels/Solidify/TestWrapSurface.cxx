@@ -1,8 +1,11 @@
+#include "Distance/HausdorffDistance.h"
 #include "Mesh/Surface.h"
+#include "Mesh/UsedPoints.h"
 #include "Solidify/Private/WrapSurface.h"
 #include "Support/HoleShapes.h"
 #include "Support/Refusals.h"
 #include "Support/SimpleSurfaces.h"
+#include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
 
@@ -50,9 +53,46 @@ shape::Mesh ToTangledSoup(const shape::Mesh& mesh)
 
 TEST(WrapSurface, ASheetBecomesAPlate)
 {
+  // The square has sides of 2, and its points move along one normal.
+  const shape::Mesh square = shapetest::FlatSquare(4, 0.0);
+  EXPECT_NEAR(ExpectWrap(square, { {}, 0.05, 0.2 }, 2), 4.0 * 0.1 * 0.05, 1e-12);
+  EXPECT_NEAR(ExpectWrap(square, { {}, 0.05, 0.2, 0.02 }, 2), 4.0 * 0.02, 1e-12);
+  EXPECT_NEAR(ExpectWrap(ToTangledSoup(square), { {}, 0.05, 0.2, 0.02 }, 2), 4.0 * 0.02, 1e-12);
+}
+
+TEST(WrapSurface, PlatesThatCrossAreUnited)
+{
+  // Two squares whose middles cross at a right angle: both plates but for what they share.
+  const shape::Mesh square = shapetest::FlatSquare(5, 0.0);
+  shape::Mesh upright = square;
+  upright.Points.col(2) = square.Points.col(1);
+  upright.Points.col(1).setConstant(0.03);
+  constexpr double thickness = 0.02;
+  const double volume =
+    ExpectWrap(shape::JoinMeshes({ square, upright }), { {}, 0.05, 0.2, thickness }, 2);
+  EXPECT_NEAR(volume, 2.0 * 4.0 * thickness - 2.0 * thickness * thickness, 1e-9);
+}
+
+TEST(WrapSurface, APlateOfACurvedSheetHasTheDistanceOfHalfItsThickness)
+{
+  const shape::Mesh sheet = shapetest::SphereWithoutCap(3, 100);
+  constexpr double thickness = 0.01;
+  const shape::MendedSurface wrap = shape::WrapSurface(sheet, { {}, 0.05, 0.2, thickness });
+  EXPECT_TRUE(shape::FindSurfaceDefects(wrap.Surface).Defects.empty());
+  EXPECT_EQ(wrap.GridSpacing, 0.0);
+  const shape::HausdorffDistances distances =
+    shape::ComputeHausdorffDistance(sheet, wrap.Surface);
+  EXPECT_LE(distances.Larger(), 0.5 * thickness * (1.0 + 1e-9));
+  EXPECT_GT(distances.Larger(), 0.49 * thickness);
+}
+
+TEST(WrapSurface, ASheetBesideASolidBecomesAThickPlate)
+{
   // The square has sides of 2; the plate is 1.8 times the spacing thick, and rounded at the border.
   constexpr double spacing = 0.05, half = 0.9 * spacing;
-  const double volume = ExpectWrap(shapetest::FlatSquare(4, 0.0), { {}, spacing, 0.2 }, 2);
+  const shape::Mesh both = shape::JoinMeshes(
+    { shapetest::FlatSquare(4, 0.0), shapetest::Shifted(Cube(), { -0.5, -0.5, 0.31 }) });
+  const double volume = ExpectWrap(both, { {}, spacing, 0.2 }, 4) - 1.0;
   const double plate = 4.0 * 2.0 * half, border = 8.0 * 0.5 * M_PI * half * half;
   EXPECT_NEAR(volume, plate + border, 0.05 * plate);
 }

@@ -60,7 +60,7 @@ Stage UniteParts(
 
 /// The steps 1 and 2 of MakeSolid. first: the draft of the surface. Throws InvalidInput or
 /// SolveFailure if they do not succeed.
-MendedSurface MakeSolidOfTriangles(const Mesh& surface, const OrientedDraft& first,
+MendedSurface MakeSolidOfDraft(const Mesh& surface, const OrientedDraft& first,
   const SurfaceDefectOptions& options, const Progress& progress)
 {
   Stage stage{ surface, TraceIdentity(surface.Points.rows(), surface.Triangles.rows()),
@@ -177,6 +177,13 @@ void RequireParts(const Mesh& triangles, const Mesh& solid, double near, const P
 
 } // namespace
 
+MendedSurface MakeSolidOfTriangles(
+  const Mesh& surface, const SurfaceDefectOptions& options, const Progress& progress)
+{
+  const OrientedDraft drafted = DraftSurface(surface, options, progress.Part(0.0, 0.3));
+  return MakeSolidOfDraft(surface, drafted, options, progress.Part(0.3, 1.0));
+}
+
 MendedSurface MakeSolid(
   const Mesh& surface, const SolidSurfaceOptions& options, const Progress& progress)
 {
@@ -193,7 +200,7 @@ MendedSurface MakeSolid(
     if (drafted)
     {
       MendedSurface solid =
-        MakeSolidOfTriangles(surface, *drafted, options.Defects, progress.Part(0.25, 0.6));
+        MakeSolidOfDraft(surface, *drafted, options.Defects, progress.Part(0.25, 0.6));
       RequireParts(triangles, solid.Surface, near, check);
       return solid;
     }

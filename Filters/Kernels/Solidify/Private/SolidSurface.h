@@ -40,4 +40,9 @@ struct SolidSurfaceOptions
 MendedSurface MakeSolid(
   const Mesh& surface, const SolidSurfaceOptions& options = {}, const Progress& progress = {});
 
+/// Does the steps 1 and 2 of MakeSolid, without its conditions on sheets and lost area. Throws
+/// InvalidInput or SolveFailure if they do not succeed; Aborted.
+MendedSurface MakeSolidOfTriangles(
+  const Mesh& surface, const SurfaceDefectOptions& options, const Progress& progress = {});
+
 } // namespace shape

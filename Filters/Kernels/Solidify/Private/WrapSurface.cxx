@@ -7,6 +7,7 @@
 #include "Solidify/Private/GridFlood.h"
 #include "Solidify/Private/GridSurface.h"
 #include "Solidify/Private/JoinedSoup.h"
+#include "Solidify/Private/SheetPlates.h"
 #include "Solidify/Private/SolidSampling.h"
 #include "Solids/GridWinding.h"
 
@@ -46,12 +47,20 @@ public:
       MakeGrid(surface, spacing, static_cast<int>(std::ceil(this->Radius / spacing)) + 2);
     this->FindEdgeHits(progress.Part(0.0, 0.1));
     this->MeasureDistances(progress.Part(0.1, 0.6));
-    this->FindAir(progress.Part(0.6, 0.8));
-    this->AddPlates(progress.Part(0.8, 0.9));
+    this->FindAir(progress.Part(0.6, 1.0));
   }
 
-  Mesh Contour(const Progress& progress) const
+  /// Whether there is air on both sides of every triangle.
+  bool HasOnlySheets() const
   {
+    return std::none_of(this->Solid.Inside.begin(), this->Solid.Inside.end(),
+      [](char isInside) { return isInside != 0; });
+  }
+
+  /// Returns the boundary of the solid, after points around sheets were added to it.
+  Mesh Contour(const Progress& progress)
+  {
+    this->AddPlates(progress.Part(0.0, 0.2));
     const std::vector<GridEdge> edges = FindBoundaryEdges(this->Solid);
     std::vector<EdgeCrossing> crossings;
     crossings.reserve(edges.size());
@@ -59,7 +68,7 @@ public:
     {
       crossings.push_back(this->Cross(edge));
     }
-    return ContourGrid(this->Solid, edges, crossings, progress);
+    return ContourGrid(this->Solid, edges, crossings, progress.Part(0.2, 1.0));
   }
 
 private:
@@ -331,7 +340,24 @@ MendedSurface WrapSurface(
   const double gap = options.GapSize > 0.0 ? options.GapSize : 6.0 * spacing;
   RequireOption(
     gap >= 2.0 * spacing, "GapSize", options.GapSize, "0, or at least twice DetailSize");
-  const Wrapping wrapping(joined, spacing, gap, progress.Part(0.05, 0.6, "wrapping the surface"));
+  Wrapping wrapping(joined, spacing, gap, progress.Part(0.05, 0.5, "wrapping the surface"));
+  if (wrapping.HasOnlySheets())
+  {
+    constexpr double share = 0.1; // of the spacing
+    const double thickness =
+      options.SheetThickness > 0.0 ? options.SheetThickness : share * spacing;
+    try
+    {
+      return ThickenSheets(
+        surface, thickness, options.Defects, progress.Part(0.5, 0.6, "thickening sheets"));
+    }
+    catch (const InvalidInput&) // the grid takes over
+    {
+    }
+    catch (const SolveFailure&)
+    {
+    }
+  }
   const Mesh made = wrapping.Contour(progress.Part(0.6, 0.7));
   return AdoptGridSurface(
     made, spacing, surface, options.Defects.SmallestPiece, "the wrap", progress.Part(0.7, 1.0));
