@@ -12,16 +12,49 @@ cross themselves; and half of the files are soups. Every result must be valid fo
 the defect; there is no crash and no run of more than 120 s; a right model stays bit for bit. --half 1 or 2
 takes every other model, so that one half serves to develop and the other one to report. --wrap also wraps
 each input that was changed by CGAL, with as many triangles; then the result must not be farther from the
-input on 90 % of them, nor from the creases of the model, and take at most twice the time.
+input on 90 % of them, nor from the creases of the model, and take at most twice the time. --plates adds
+damaged plates that are thinner than the offset of that wrap: the result must stay within half of their
+thickness, so that both of their sides are kept.
 """
 import collections
+import os
 import random
+import tempfile
 
 import sweep
 
 SHARES = {'holes': 0.11, 'duplicates': 0.16, 'degenerate': 0.16, 'fins': 0.22, 'debris': 0.26,
           'crossing': 0.45, 'soup': 0.5, 'reversed': 0.10}
 LIMIT = 120
+# Of each of these, some plates.
+PLATES = (['soup', 'holes'], ['duplicates', 'reversed'], ['fins', 'degenerate', 'debris'], ['soup', 'reversed'])
+
+
+def write_plate(path, cells, thickness):
+    """A plate of the size 1 x 0.8, each side of which has cells x cells squares."""
+    number = cells + 1
+    points = [(i / cells, 0.8 * j / cells, z) for z in (0.0, thickness) for j in range(number)
+              for i in range(number)]
+    triangles = []
+
+    def add(*quad):
+        triangles.extend([(quad[0], quad[1], quad[2]), (quad[0], quad[2], quad[3])])
+
+    for j in range(cells):
+        for i in range(cells):
+            first = i + number * j
+            below = (first, first + number, first + number + 1, first + 1)
+            add(*below)
+            add(*(point + number * number for point in reversed(below)))
+    border = ([(i, 0) for i in range(cells)] + [(cells, j) for j in range(cells)] +
+              [(cells - i, cells) for i in range(cells)] + [(0, cells - j) for j in range(cells)])
+    for (i, j), (k, m) in zip(border, border[1:] + border[:1]):
+        one, other = i + number * j, k + number * m
+        add(one, other, other + number * number, one + number * number)
+    with open(path, 'w') as file:
+        file.write('OFF\n%d %d 0\n' % (len(points), len(triangles)))
+        file.writelines('%.17g %.17g %.17g\n' % point for point in points)
+        file.writelines('3 %d %d %d\n' % triangle for triangle in triangles)
 
 
 def main():
@@ -29,6 +62,7 @@ def main():
     parser.add_argument('--mutations', type=int, default=300)
     parser.add_argument('--half', type=int, choices=(1, 2))
     parser.add_argument('--wrap', action='store_true')
+    parser.add_argument('--plates', action='store_true')
     options = parser.parse_args()
     program, claims = sweep.Program(options), sweep.Claims()
     counts = collections.Counter()
@@ -75,6 +109,15 @@ def main():
         name, path = chance.choice(sound)
         solidify(name, path, mutations, seed)
     print('mutations:', dict(counts))
+    with tempfile.TemporaryDirectory() as folder:
+        for cells in (10, 20, 40) if options.plates else ():
+            thickness = 1.0 / (90.0 * cells)
+            path = os.path.join(folder, 'plate%d.off' % cells)
+            write_plate(path, cells, thickness)
+            for seed, mutations in enumerate(PLATES):
+                row = solidify('plate%d' % cells, path, mutations, seed)
+                claims.at_most('plate%d %s' % (cells, ' '.join(mutations)), 'distance from the plate in %',
+                               row['distance'] if row else float('inf'), 50.0 * thickness)
     if pairs:
         def share(figure, chosen=pairs):
             return sum(ours[figure] <= peer[figure] for ours, peer in chosen) / max(len(chosen), 1)
