@@ -40,8 +40,15 @@ MethodOptions OfMethod(const HexMeshOptions& options)
 
 HexRemeshResult OfHexes(GridHexesResult result)
 {
-  return { std::move(result.Fit), std::move(result.Features), MethodType::Grid, "", result.CellSize,
-    result.Crossings, {}, result.InnerCreasesKept, result.TopologyAgreed };
+  HexRemeshResult hexes;
+  hexes.Grid = FindHexGrid(result.Fit, {}, result.CellSize);
+  hexes.Fit = std::move(result.Fit);
+  hexes.Features = std::move(result.Features);
+  hexes.CellSize = result.CellSize;
+  hexes.Crossings = result.Crossings;
+  hexes.InnerCreasesKept = result.InnerCreasesKept;
+  hexes.TopologyAgreed = result.TopologyAgreed;
+  return hexes;
 }
 
 HexRemeshResult ByGrid(const Surface& surface, const HexRemeshOptions& options,
@@ -123,8 +130,14 @@ HexRemeshResult ByPolycube(
     "would invert more cells",
     "taken from a grid in the solid deformed towards the axes, because no better polycube was found"
   };
-  return { std::move(result.Fit), std::move(result.Features), MethodType::Polycube,
-    std::string("its cells ") + maps[static_cast<int>(result.Map)], result.CellSize, 0, {}, true };
+  HexRemeshResult hexes;
+  hexes.Grid = FindHexGrid(result.Fit, result.CellSize * result.Positions, result.CellSize);
+  hexes.Fit = std::move(result.Fit);
+  hexes.Features = std::move(result.Features);
+  hexes.Method = MethodType::Polycube;
+  hexes.Reason = std::string("its cells ") + maps[static_cast<int>(result.Map)];
+  hexes.CellSize = result.CellSize;
+  return hexes;
 }
 
 HexRemeshResult ByGivenPolycube(const Surface& surface, const HexRemeshOptions& options,
@@ -139,6 +152,7 @@ HexRemeshResult ByGivenPolycube(const Surface& surface, const HexRemeshOptions& 
   result.Features = FindFeatures(surface, options, cells.CellSize);
   result.Fit = FitHexahedra(
     cells.Solid, surface, result.Features, { options.PaddingLayers }, progress.Part(0.4, 0.9));
+  result.Grid = FindHexGrid(result.Fit, cells.Positions, cells.Spacing);
   SnapIfFar(result.Fit, surface, progress.Part(0.9, 1.0, "moving the boundary onto the surface"));
   result.Reason =
     "the Polycube is given; its cells are mapped by the harmonic map of its SourcePosition";

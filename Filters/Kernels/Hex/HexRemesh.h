@@ -2,6 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Hex/Fit/HexFit.h"
+#include "Hex/HexGrid.h"
 #include "Hex/Polycube/GivenPolycube.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/Surface.h"
@@ -60,6 +61,7 @@ struct HexRegion
 struct HexRemeshResult
 {
   HexFit Fit;
+  HexGrid Grid;             ///< whose cells became the hexahedra
   SurfaceFeatures Features; ///< the creases that the hexahedra were asked to follow
   HexRemeshOptions::MethodType Method = HexRemeshOptions::MethodType::Grid; ///< the method used
   std::string Reason;    ///< why this method was chosen, and which map carried the cells

@@ -40,9 +40,11 @@ vtkShapeHexRemesh::vtkShapeHexRemesh()
   this->DeclareInput("Labels", PortData::Pieces, PortUse::Optional, { "vtkImageData" });
   this->DeclareOutput("vtkUnstructuredGrid");
   this->DeclareOutput("vtkPolyData");
+  this->DeclareOutput("vtkUnstructuredGrid");
   this->DeclareFacts();
   this->DeclareShown(0, { "ScaledJacobian" });
   this->DeclareShown(1, { "Patch" });
+  this->DeclareShown(2, { "Block" });
   this->DeclareMemoryRemedy("raise Cell Size");
   // These are new: they belong to the hexahedra, not to the input.
   std::set<std::string> measures = { "Distance" };
@@ -207,10 +209,12 @@ void vtkShapeHexRemesh::WriteResult(const shape::HexRemeshResult& result,
   vtkDataObject* input)
 {
   auto* hexahedra = vtkUnstructuredGrid::SafeDownCast(this->GetOutputDataObject(0));
-  vtkShapeHexResult::WriteHexahedra(result.Fit, hexahedra);
+  vtkShapeHexResult::WriteHexahedra(result.Fit, result.Grid, hexahedra);
   vtkShapeHexResult::WriteBoundary(
     result, surface, innerSurfaces, vtkPolyData::SafeDownCast(this->GetOutputDataObject(1)));
-  for (const int port : { 0, 1 })
+  vtkShapeHexResult::WriteGrid(
+    result.Fit, result.Grid, vtkUnstructuredGrid::SafeDownCast(this->GetOutputDataObject(2)));
+  for (const int port : { 0, 1, 2 })
   {
     this->GetOutputDataObject(port)->GetFieldData()->PassData(input->GetFieldData());
     vtkShapeHexResult::AddFacts(result, hexahedra, this->GetOutputDataObject(port));
@@ -280,7 +284,7 @@ void vtkShapeHexRemesh::Execute(const shape::Progress& progress)
   this->WriteResult(result, surface, guides.InnerSurfaces, input);
   if (options.Patches.size() > 0)
   {
-    for (const int port : { 0, 1 })
+    for (const int port : { 0, 1, 2 })
     {
       vtkShapeConvert::AddFact(this->GetOutputDataObject(port), "HexRemesh.PatchesLost",
         CountMissing(options.Patches, result.Fit.PatchOf));

@@ -33,7 +33,8 @@
  * - `Skew`, `Taper` (0 for a box), `Shape` (1 for a cube, 0 if degenerate).
  * - `FacePatch` (int, 6): patch of each face in VTK's order; -1 for faces inside the solid.
  * The arrays after `RegionId` are of type double, except `FacePatch`. The Mesh Quality filter
- * defines measures with the same names.
+ * defines measures with the same names. The point array `SourcePosition` (double, 3) is the
+ * position of each point in output 2. Points of layers that were added lie between its points.
  *
  * Output 1 (vtkPolyData): the quads of the boundary, then the quads between regions, which face out
  * of the inner surface. `OriginalPointId` of a point is its index in output 0. The cell arrays are
@@ -46,10 +47,19 @@
  *   the outside. The normal leaves the first.
  * - `Distance` (double): distance of the centre of the quad from Surface or, between regions, from
  *   the inner surface.
- * In parallel, the first process has both outputs.
+ *
+ * Output 2: the regular grid whose cells became the hexahedra (vtkUnstructuredGrid), at their
+ * places in the polycube or grid. Its cells are cubes; those of a given Polycube are in it, others
+ * have the edge length CellSize. The point array `TargetPosition` (double, 3) is the map onto the
+ * solid: the position of point `OriginalPointId` of output 0. The cell array `Block` (int) numbers
+ * structured blocks, and `BlockIndex` (int, 3) gives i, j, k of a cell in its block, from 0. Each
+ * side of a block is a side of one other block or lies on the boundary.
+ *
+ * In parallel, the first process has all outputs.
  *
  * Facts, with the prefix HexRemesh
- * - .Method ("Polycube" or "Grid"), .Reason (for this choice), .Hexahedra, .CellSize, .Regions.
+ * - .Method ("Polycube" or "Grid"), .Reason (for this choice), .Hexahedra, .CellSize, .Regions,
+ *   .Blocks.
  * - .MinimumScaledJacobian, .MeanScaledJacobian, .ScaledJacobianHistogram (20 counts of hexahedra,
  *   for [0, 0.05), ..., [0.95, 1]).
  * - .Distance: the larger one-sided Hausdorff distance between the boundary and the surface.

@@ -52,6 +52,30 @@ vtkSmartPointer<vtkPoints> ToVtkPoints(const Eigen::MatrixXd& points)
   return result;
 }
 
+/// The points that cells use, in ascending order.
+std::vector<int> FindUsed(const Eigen::MatrixXi& cells)
+{
+  std::vector<int> used(cells.data(), cells.data() + cells.size());
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  return used;
+}
+
+/// Cells whose points are indices of `used`.
+Eigen::MatrixXi Renumber(Eigen::MatrixXi cells, const std::vector<int>& used)
+{
+  for (int& point : cells.reshaped())
+  {
+    point = static_cast<int>(std::lower_bound(used.begin(), used.end(), point) - used.begin());
+  }
+  return cells;
+}
+
+Eigen::VectorXi ToVector(const std::vector<int>& values)
+{
+  return Eigen::Map<const Eigen::VectorXi>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
 /// Computes the distances of the quads' centres from a surface.
 Eigen::VectorXd Distances(
   const Eigen::MatrixXd& points, const Eigen::MatrixXi& quads, const shape::Surface& surface)
@@ -129,7 +153,8 @@ void AddSizeFacts(const Eigen::VectorXd& ratios, vtkDataObject* output)
 
 } // namespace
 
-void vtkShapeHexResult::WriteHexahedra(const shape::HexFit& fit, vtkUnstructuredGrid* output)
+void vtkShapeHexResult::WriteHexahedra(
+  const shape::HexFit& fit, const shape::HexGrid& grid, vtkUnstructuredGrid* output)
 {
   output->SetPoints(ToVtkPoints(fit.Solid.Points));
   output->SetCells(VTK_HEXAHEDRON, ToCellArray(fit.Solid.Hexahedra));
@@ -139,6 +164,21 @@ void vtkShapeHexResult::WriteHexahedra(const shape::HexFit& fit, vtkUnstructured
   output->GetCellData()->AddArray(
     ToTuples(shape::FindFacePatches(fit.Solid, fit.Quads, fit.PatchOf), "FacePatch"));
   vtkShapeMeasures::AddToHexahedra(Measures(), output);
+  output->GetPointData()->AddArray(
+    vtkShapeConvert::ToArray(grid.SourcePositions, "SourcePosition"));
+}
+
+void vtkShapeHexResult::WriteGrid(
+  const shape::HexFit& fit, const shape::HexGrid& grid, vtkUnstructuredGrid* output)
+{
+  const std::vector<int> used = FindUsed(grid.Cells);
+  output->SetPoints(ToVtkPoints(grid.SourcePositions(used, Eigen::all)));
+  output->SetCells(VTK_HEXAHEDRON, ToCellArray(Renumber(grid.Cells, used)));
+  output->GetPointData()->AddArray(
+    vtkShapeConvert::ToArray(fit.Solid.Points(used, Eigen::all), "TargetPosition"));
+  vtkShapeCarry::AddOriginals(ToVector(used), "OriginalPointId", output->GetPointData());
+  output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(grid.BlockOf, "Block"));
+  output->GetCellData()->AddArray(ToTuples(grid.Indices, "BlockIndex"));
 }
 
 /// Joins the quads of the boundary and then the quads of each interface, and renumbers their
@@ -170,18 +210,10 @@ void vtkShapeHexResult::WriteBoundary(const shape::HexRemeshResult& result,
       Distances(fit.Solid.Points, own, innerSurfaces.empty() ? surface : innerSurfaces[i]);
     row += own.rows();
   }
-  std::vector<int> used(quads.data(), quads.data() + quads.size());
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  for (int& point : quads.reshaped())
-  {
-    point = static_cast<int>(std::lower_bound(used.begin(), used.end(), point) - used.begin());
-  }
+  const std::vector<int> used = FindUsed(quads);
   output->SetPoints(ToVtkPoints(fit.Solid.Points(used, Eigen::all)));
-  output->SetPolys(ToCellArray(quads));
-  vtkShapeCarry::AddOriginals(
-    Eigen::Map<const Eigen::VectorXi>(used.data(), static_cast<Eigen::Index>(used.size())),
-    "OriginalPointId", output->GetPointData());
+  output->SetPolys(ToCellArray(Renumber(quads, used)));
+  vtkShapeCarry::AddOriginals(ToVector(used), "OriginalPointId", output->GetPointData());
   vtkCellData* data = output->GetCellData();
   data->AddArray(vtkShapeConvert::ToIntegers(patchOf, "Patch"));
   data->AddArray(vtkShapeConvert::ToIntegers(interfaceOf, "Interface"));
@@ -234,6 +266,7 @@ void vtkShapeHexResult::AddFacts(
     { "MeanScaledJacobian", fit.MeanScaledJacobian },
     { "Distance", fit.Distance },
     { "InnerDistance", fit.InnerDistance },
+    { "Blocks", result.Grid.Blocks },
     { "Regions",
       result.Regions.empty() ? fit.RegionOf.maxCoeff() + 1.0
                              : static_cast<double>(result.Regions.size()) },

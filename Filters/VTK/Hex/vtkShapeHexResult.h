@@ -13,8 +13,12 @@ class vtkUnstructuredGrid;
 namespace vtkShapeHexResult
 {
 
-/// Writes the hexahedra with their cell arrays.
-void WriteHexahedra(const shape::HexFit& fit, vtkUnstructuredGrid* output);
+/// Writes the hexahedra with their arrays.
+void WriteHexahedra(
+  const shape::HexFit& fit, const shape::HexGrid& grid, vtkUnstructuredGrid* output);
+
+/// Writes the grid whose cells became the hexahedra.
+void WriteGrid(const shape::HexFit& fit, const shape::HexGrid& grid, vtkUnstructuredGrid* output);
 
 /// Writes the quads of the boundary, then the quads of each interface. innerSurfaces: the inner
 /// surface of each interface; empty if `surface` has the interfaces, too.

@@ -230,6 +230,7 @@ std::optional<HexFit> FitWith(const HexMesh& core, const Surface& surface,
   }
   HexFit fit;
   fit.Solid = core;
+  fit.Core = core.Hexahedra;
   const InterfaceLayers interfaceLayers(fit.Solid, interfaces, options.PaddingLayers);
   for (int layer = 1; layer < options.PaddingLayers; ++layer)
   {

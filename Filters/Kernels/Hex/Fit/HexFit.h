@@ -86,6 +86,9 @@ struct HexFitOptions
 struct HexFit
 {
   HexMesh Solid;
+  /// The cells before layers were added. Layers keep the points of boundaries and interfaces, so
+  /// that these are points of Solid.
+  Eigen::MatrixXi Core;
   Eigen::MatrixXi Quads;              ///< q x 4: the boundary, counter-clockwise seen from outside
   Eigen::VectorXi PatchOf;            ///< for each quad: the patch of the surface that it lies on
   double MinimumScaledJacobian = 0.0; ///< positive if no hexahedron is inverted

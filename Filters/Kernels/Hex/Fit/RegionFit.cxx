@@ -112,6 +112,7 @@ RegionFit FitRegions(const LabelledCells& cells, const RegionTargets& targets,
   RegionFit result;
   HexFit& fit = result.Fit;
   fit.Solid = cells.Solid;
+  fit.Core = cells.Solid.Hexahedra;
   std::vector<int> regions(cells.RegionOf.begin(), cells.RegionOf.end());
   InsertRegionSheets(fit.Solid, regions, targets, cells.CellSize);
   progress(0.0);

@@ -202,7 +202,11 @@ GivenPolycubeCells BuildPolycubeCells(const GivenPolycube& polycube, const Surfa
                    : "give a Polycube with a larger unit (TargetEdgeLength)"));
   }
   const SampledGrid grid = GridIn(outer, cell);
-  GivenPolycubeCells cells{ BuildVoxelHexahedra(grid, CellsInside(outer, grid)), cell / scale };
+  GivenPolycubeCells cells;
+  cells.Solid = BuildVoxelHexahedra(grid, CellsInside(outer, grid));
+  cells.Positions = cells.Solid.Points;
+  cells.CellSize = cell / scale;
+  cells.Spacing = cell;
   RequireTopology(cells.Solid, surface);
 
   HarmonicVolumeMapOptions options;

@@ -21,10 +21,12 @@ struct GivenPolycube
 
 struct GivenPolycubeCells
 {
-  HexMesh Solid; ///< the cells, close to the surface
+  HexMesh Solid;             ///< the cells, close to the surface
+  Eigen::MatrixXd Positions; ///< n x 3: the position of each point in the polycube
   /// The edge length of a cell once the polycube is scaled to the solid's volume, in the surface's
   /// units.
   double CellSize = 0.0;
+  double Spacing = 0.0; ///< the edge length of a cell in the polycube
 };
 
 /**

@@ -167,6 +167,7 @@ PolycubeHexesResult FitCubes(const Cubes& cubes, const Surface& surface,
   result.Charts = charts.Count();
   result.Corners = static_cast<int>(std::count_if(charts.AtPoint.begin(), charts.AtPoint.end(),
     [](const std::vector<int>& around) { return around.size() > 2; }));
+  result.Positions = cubes.Positions;
   result.CellSize = cubes.CellSize;
   result.Map = cubes.Map;
   result.Overlaps = cubes.Overlaps;

@@ -27,6 +27,8 @@ struct PolycubeHexesResult
   /// boundary of the hexahedra.
   Mesh Polycube;
   Eigen::MatrixXd Targets;
+  /// For each point of Fit.Core, its position in the polycube, in units of cells.
+  Eigen::MatrixXd Positions;
   enum class MapType
   {
     Harmonic = 0,   ///< the harmonic map that extends the polycube's boundary map

@@ -121,6 +121,7 @@ HexFit JoinFits(const std::vector<HexFit>& fits)
     joined.Solid.Points.conservativeResize(points + fit.Solid.Points.rows(), 3);
     joined.Solid.Points.bottomRows(fit.Solid.Points.rows()) = fit.Solid.Points;
     Append(joined.Solid.Hexahedra, fit.Solid.Hexahedra, points);
+    Append(joined.Core, fit.Core, points);
     Append(joined.Quads, fit.Quads, points);
     Append(joined.PatchOf, fit.PatchOf, joined.PatchOf.maxCoeff() + 1);
     Append(joined.RegionOf, fit.RegionOf, 0);
