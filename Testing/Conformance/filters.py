@@ -7,7 +7,8 @@ from paraview import servermanager
 from paraview.simple import GetActiveSource  # connects to the built-in server
 import shapemap.vtkShapeFilters as module
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkUnstructuredGrid
 
 import shapetesting
 
@@ -72,6 +73,31 @@ def scanned():
     return image
 
 
+def divided():
+    """A box of 3 x 2 x 2 cells as the grid of hexahedra."""
+    image = vtkImageData()
+    image.SetDimensions(4, 3, 3)
+    places = numpy.array([image.GetPoint(i) for i in range(image.GetNumberOfPoints())])
+    i, j, k = (index.ravel(order='F') for index in numpy.indices((3, 2, 2)))
+    first = i + 4 * (j + 3 * k)
+    corners = first[:, None] + numpy.array([0, 1, 5, 4, 12, 13, 17, 16])
+    grid = vtkUnstructuredGrid()
+    grid.SetPoints(vtkPoints())
+    grid.GetPoints().SetData(numpy_to_vtk(places, deep=True))
+    cells = vtkCellArray()
+    for cell in corners:
+        cells.InsertNextCell(8, cell.tolist())
+    grid.SetCells(12, cells)
+    for data, name, values in (
+            (grid.GetPointData(), 'TargetPosition', places + 0.1 * numpy.sin(places[:, ::-1])),
+            (grid.GetCellData(), 'Block', numpy.zeros(12, numpy.int32)),
+            (grid.GetCellData(), 'BlockIndex', numpy.stack((i, j, k), axis=1).astype(numpy.int32))):
+        array = numpy_to_vtk(values, deep=True)
+        array.SetName(name)
+        data.AddArray(array)
+    return grid
+
+
 # Inputs that no file has; also optional ones that others may take the place of, one of which is
 # required.
 NEEDED_INPUTS = {
@@ -83,6 +109,7 @@ NEEDED_INPUTS = {
     ('ShapeFillHoles', 'Input'): holed,
     ('ShapeLabelSurfaces', 'Input'): segmented,
     ('ShapeImageValues', 'Image'): scanned,
+    ('ShapeStructuredBlocks', 'Input'): divided,
 }
 
 GetActiveSource()

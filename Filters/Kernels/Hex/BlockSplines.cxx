@@ -1,6 +1,7 @@
 #include "Hex/BlockSplines.h"
 
 #include "Base/Errors.h"
+#include "Base/Parallel.h"
 
 #include <Eigen/Dense>
 
@@ -111,7 +112,7 @@ MatrixXd ApplyAlong(int axis, const MatrixXd& matrix, const MatrixXd& values, Ro
     {
       const auto from = Eigen::seqN(o * step * counts(axis) + s, counts(axis), step);
       const auto to = Eigen::seqN(o * step * after(axis) + s, after(axis), step);
-      result(to, Eigen::all) = matrix * values(from, Eigen::all);
+      result(to, Eigen::all) = matrix * MatrixXd(values(from, Eigen::all));
     }
   }
   counts = after;
@@ -192,29 +193,43 @@ BlockSpline FitBlockSpline(
   return spline;
 }
 
-MatrixXd Evaluate(const BlockSpline& spline, const MatrixXd& parameters)
+MatrixXd Evaluate(
+  const BlockSpline& spline, const MatrixXd& parameters, const Progress& progress)
 {
-  MatrixXd values = MatrixXd::Zero(parameters.rows(), spline.Controls.cols());
   const RowVector3i& counts = spline.Counts;
-  for (Eigen::Index row = 0; row < parameters.rows(); ++row)
+  const auto evaluate = [&](const Eigen::RowVector3d& at) -> Eigen::RowVectorXd
   {
     const auto along = [&](int axis)
     {
       return BasisValues(spline.Knots[axis], GetDegree(spline.Knots[axis]),
-        std::clamp(parameters(row, axis), 0.0, 1.0));
+        std::clamp(at(axis), 0.0, 1.0));
     };
     const std::array<BasisValues, 3> basis = { along(0), along(1), along(2) };
-    for (Eigen::Index k = 0; k < basis[2].Values.size(); ++k)
+    Eigen::RowVectorXd value = Eigen::RowVectorXd::Zero(spline.Controls.cols());
+    for (int k = 0; k < static_cast<int>(basis[2].Values.size()); ++k)
     {
-      for (Eigen::Index j = 0; j < basis[1].Values.size(); ++j)
+      for (int j = 0; j < static_cast<int>(basis[1].Values.size()); ++j)
       {
-        const Eigen::Index first =
-          basis[0].First + counts(0) * (basis[1].First + j + counts(1) * (basis[2].First + k));
-        values.row(row) += basis[1].Values(j) * basis[2].Values(k) *
-          (basis[0].Values.transpose() * spline.Controls.middleRows(first, basis[0].Values.size()));
+        const int first = basis[0].First +
+          counts(0) * (basis[1].First + j + counts(1) * (basis[2].First + k));
+        value += basis[1].Values(j) * basis[2].Values(k) * basis[0].Values.transpose() *
+          spline.Controls.middleRows(first, basis[0].Values.size());
       }
     }
-  }
+    return value;
+  };
+  MatrixXd values(parameters.rows(), spline.Controls.cols());
+  constexpr int grain = 256;
+  ParallelFor(
+    static_cast<int>(parameters.rows()), grain,
+    [&](int begin, int end)
+    {
+      for (int row = begin; row < end; ++row)
+      {
+        values.row(row) = evaluate(parameters.row(row));
+      }
+    },
+    progress);
   return values;
 }
 

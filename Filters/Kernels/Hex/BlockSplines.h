@@ -52,7 +52,9 @@ BlockSpline FitBlockSpline(const Eigen::RowVector3i& counts, const Eigen::Matrix
   const BlockSplineOptions& options = {});
 
 /// Evaluates a spline. parameters: k x 3, in [0, 1]; others are moved to the nearest of these.
-Eigen::MatrixXd Evaluate(const BlockSpline& spline, const Eigen::MatrixXd& parameters);
+/// Throws Aborted.
+Eigen::MatrixXd Evaluate(const BlockSpline& spline, const Eigen::MatrixXd& parameters,
+  const Progress& progress = {});
 
 /// Returns the parameters of the nodes of a block: k x 3, along the first axis first.
 Eigen::MatrixXd NodeParameters(const Eigen::RowVector3i& counts);
