@@ -230,3 +230,14 @@ for handle, change, words in (
     assert 'Shape Deform: ' in message and words in message, message
     assert algorithm.GetOutputDataObject(0).GetNumberOfPoints() == 0
 print('shapes of every kind follow their boundary')
+
+# When the front reached a point: its distance along edges, 0 on the handle.
+line = simple.Line(Point1=[0, 0, 0], Point2=[2, 0, 0], Resolution=20)
+end = simple.Calculator(Input=simple.Threshold(Input=simple.Calculator(
+    Input=line, ResultArrayName='x', Function='coordsX'), Scalars=['POINTS', 'x'], LowerThreshold=-1,
+    UpperThreshold=0.15), ResultArrayName='SourcePosition', Function='coords')
+waved = simple.ShapeDeform(Input=line, Boundary=end)
+waved.UpdatePipeline()
+arrivals = array(shapetesting.output(waved), 'ArrivalTime')
+expected = numpy.maximum(0.0, array(shapetesting.output(waved), 'SourcePosition')[:, 0] - 0.1)
+assert abs(arrivals - expected).max() < 1e-6, (arrivals, expected)

@@ -197,3 +197,23 @@ refused('positive', feature, target, [0.0, 0.0, 1.2], Scale=-1.0)
 refused('lower Scale to', feature, target, [0.0, 0.0, 1.2], Scale=20.0)
 refused('InnerScale is 1e+300', feature, target, [0.0, 0.0, 1.2], InnerScale=1e300)
 refused('BlendWidth is nan', feature, target, [0.0, 0.0, 1.2], BlendWidth=float('nan'))
+
+# Arrays of the feature, the bias and the flattening are properties; wrong ones are named.
+painted = simple.Calculator(Input=cut, ResultArrayName='Painted', Function='1+4*coordsX')
+lean = dict(Feature=painted, Target=planet, Seed=[0.0, 1.0, 0.3], Rotation=30.0)
+plain = simple.ShapePasteFeature(**lean)
+plain.UpdatePipeline()
+for settings in ({'RigidityArray': 'Painted'}, {'ScaleArray': 'Painted'}, {'BiasFrame': [1, 0, 0], 'BiasWeight': 0.3},
+                 {'LaplacianSmoothing': 1}, {'NormalSmoothing': 60}, {'UpwindAverage': 0}):
+    changed = simple.ShapePasteFeature(**lean, **settings)
+    changed.UpdatePipeline()
+    one, other = output(plain), output(changed)
+    assert fact(other, 'PasteFeature.EulerNumber') == 2
+    assert one.GetNumberOfPoints() != other.GetNumberOfPoints() or abs(points(one) - points(other)).max() > 1e-4, settings
+algorithm = shapemap.vtkShapePasteFeature()
+algorithm.SetInputDataObject(0, output(painted))
+algorithm.SetInputDataObject(1, output(planet))
+algorithm.SetSeed(0.0, 1.0, 0.3)
+algorithm.SetScaleArray('Paint')
+said = ' '.join(shapetesting.run(algorithm))
+assert "the Feature has no point array 'Paint'" in said, said

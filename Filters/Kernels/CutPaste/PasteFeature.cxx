@@ -247,12 +247,17 @@ PastedFeature FeatureToPaste::PasteOn(PasteTarget& target, const PastePlacement&
   // Offsets within the feature grow with Scale, so the feature is deformed at its original size to
   // a pose divided by Scale.
   HandlePose pose = PoseHandle(this->Handle, landing.Positions / placement.Scale, landing.Normals);
+  BiasFrames(this->Handle, this->Handle.Normals, options.Frames, pose);
+  Eigen::MatrixXd wanted = landing.Normals;
+  for (Eigen::Index i = 0; i < wanted.rows() && options.Frames.BiasWeight > 0.0; ++i)
+  {
+    wanted.row(i) = (pose.Rotations[i] * this->Handle.Normals.row(i).transpose()).transpose();
+  }
   const Eigen::VectorXd before = AnglesAcross(
     this->LoopNormals(this->WithMidpoints(this->Prepared->Deform(pose, this->NormalReach).Points)),
-    landing.Normals, ComputeHandleTangents(this->Handle, pose.Positions));
+    wanted, ComputeHandleTangents(this->Handle, pose.Positions));
   const Eigen::MatrixXd deformed = options.OptimizeNormals
-    ? this->Smoothly(
-        pose, landing.Normals, options, progress.Part(0.3, 0.9, "deforming the feature"))
+    ? this->Smoothly(pose, wanted, options, progress.Part(0.3, 0.9, "deforming the feature"))
     : this->WithMidpoints(this->Prepared
                             ->Deform(pose, std::numeric_limits<double>::infinity(),
                               progress.Part(0.3, 0.9, "deforming the feature"))
@@ -264,8 +269,8 @@ PastedFeature FeatureToPaste::PasteOn(PasteTarget& target, const PastePlacement&
     fits ? SplitEdges(this->Feature.Triangles(), {}, given) : this->Cut, this->Stand, landing,
     placement.Scale * deformed.topRows(fits ? given : deformed.rows()));
   result.AnglesBefore = before;
-  result.AnglesAfter = AnglesAcross(this->LoopNormals(deformed), landing.Normals,
-    ComputeHandleTangents(this->Handle, pose.Positions));
+  result.AnglesAfter = AnglesAcross(
+    this->LoopNormals(deformed), wanted, ComputeHandleTangents(this->Handle, pose.Positions));
   result.Facts = this->Prepared->Facts();
   result.Position = std::move(landing);
   // A disk is removed from the target, and the feature is joined along a circle.

@@ -5,6 +5,7 @@
 #include "CutPaste/PasteTarget.h"
 #include "CutPaste/PastedFeature.h"
 #include "CutPaste/Seam.h"
+#include "Deform/HandleFrames.h"
 #include "Deform/ShapeDeformation.h"
 #include "Mesh/Surface.h"
 #include "Search/TriangleWalk.h"
@@ -23,6 +24,9 @@ struct PasteFeatureOptions
   /// Whether the feature is being dragged. If so, one angle for the whole loop is enough, the
   /// result is not checked, and no smaller scale is searched for if the feature does not fit.
   bool Dragging = false;
+  /// The normals of the feature at its loop are rotated towards BiasFrame, and no longer match
+  /// those of the target.
+  PoseOptions Frames = {};
 };
 
 /// Returns the quantile of values for a share from 0 (minimum) to 1 (maximum); 0 if there are no

@@ -145,11 +145,12 @@ DeformedShape Deformer::Deform(const DeformProblem& problem, const HandleTarget&
     this->Deformation->Deform(PoseHandleAt(problem.Handle, target, options, this->Graph),
       std::numeric_limits<double>::infinity(), progress.Part(0.8, 1.0, "moving the points"));
   DeformedShape deformed{ Eigen::MatrixXd(sorted.Points.rows(), 3),
-    std::vector<Eigen::Matrix3d>(sorted.Rotations.size()) };
+    std::vector<Eigen::Matrix3d>(sorted.Rotations.size()), Eigen::VectorXd(sorted.Points.rows()) };
   for (std::size_t i = 0; i < this->Order.size(); ++i)
   {
     deformed.Points.row(this->Order[i]) = sorted.Points.row(static_cast<Eigen::Index>(i));
     deformed.Rotations[this->Order[i]] = sorted.Rotations[i];
+    deformed.Arrivals(this->Order[i]) = this->Deformation->Arrivals()(static_cast<Eigen::Index>(i));
   }
   return deformed;
 }

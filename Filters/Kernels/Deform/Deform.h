@@ -45,8 +45,9 @@ HandlePose PoseHandleAt(const BoundaryHandle& handle, const HandleTarget& target
 class Deformer
 {
 public:
-  /// Deforms a shape. Throws InvalidInput when BuildPointGraph, PrepareDeformation or PoseHandleAt
-  /// does; Aborted. The stored state then remains valid.
+  /// Deforms a shape, with the arrival times of its points. Throws InvalidInput when
+  /// BuildPointGraph, PrepareDeformation or PoseHandleAt does; Aborted. The stored state then
+  /// remains valid.
   DeformedShape Deform(const DeformProblem& problem, const HandleTarget& target,
     const PoseOptions& options = {}, const Progress& progress = {});
 

@@ -31,6 +31,7 @@ struct DeformedShape
 {
   Eigen::MatrixXd Points;                 ///< n x 3
   std::vector<Eigen::Matrix3d> Rotations; ///< n rotations of the shape, one at each point
+  Eigen::VectorXd Arrivals = {};          ///< n arrival times (ShapeDeformation::Arrivals), or none
 };
 
 /**

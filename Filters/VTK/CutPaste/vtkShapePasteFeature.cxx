@@ -18,6 +18,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkShapePasteFeature);
 
@@ -46,6 +47,8 @@ struct vtkShapePasteFeature::Kept
   vtkShapePastedData::Part Feature, Target;
   int LoopIndex = 0;
   shape::DeformOptions Deformation;
+  std::vector<std::string> Fields; ///< the names of their arrays
+  shape::ExponentialMapOptions Flattening;
   std::unique_ptr<shape::FeatureToPaste> Paste;
   std::unique_ptr<shape::PasteTarget> Position;
   bool HasOwnFill = false;
@@ -75,6 +78,7 @@ void vtkShapePasteFeature::Execute(const shape::Progress& progress)
     this->BlendWidth, "at least 0 and at most 1");
   this->PrepareFeature(progress.Part(0.0, 0.2, "preparing the feature"));
   this->PrepareTarget(progress.Part(0.2, 0.3, "preparing the target"));
+  this->Paste.Frames = this->Frames;
   this->Placement.Seed << this->Seed[0], this->Seed[1], this->Seed[2];
   auto* output = vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
   try
@@ -100,8 +104,10 @@ void vtkShapePasteFeature::Execute(const shape::Progress& progress)
 void vtkShapePasteFeature::PrepareFeature(const shape::Progress& progress)
 {
   Kept& kept = *this->Cache;
+  const std::vector<std::string> fields = { this->RigidityArray, this->ScaleArray,
+    this->SegmentArray };
   if (!kept.FeatureInput.IsNew(*this, 0, this->GetGatheredInput(0).Data) && kept.Paste &&
-    kept.LoopIndex == this->LoopIndex && kept.Deformation == this->Options)
+    kept.LoopIndex == this->LoopIndex && kept.Deformation == this->Options && kept.Fields == fields)
   {
     return;
   }
@@ -116,15 +122,19 @@ void vtkShapePasteFeature::PrepareFeature(const shape::Progress& progress)
   const shape::Topology topology = shape::ComputeTopology(surface);
   kept.NonManifold = topology.NonManifoldEdges + topology.NonManifoldPoints;
   kept.Paste = std::make_unique<shape::FeatureToPaste>(surface, std::move(feature.Base),
-    this->Options, shape::DeformFields(), progress.Part(0.5, 1.0));
+    this->Options, this->ReadFields(kept.Feature.Data, "the Feature"), progress.Part(0.5, 1.0));
   kept.LoopIndex = this->LoopIndex;
   kept.Deformation = this->Options;
+  kept.Fields = fields;
 }
 
 void vtkShapePasteFeature::PrepareTarget(const shape::Progress& progress)
 {
   Kept& kept = *this->Cache;
-  if (!kept.TargetInput.IsNew(*this, 1, this->GetGatheredInput(1).Data) && kept.Position)
+  const bool isFlattenedSo = kept.Flattening.UpwindAverage == this->Flattening.UpwindAverage &&
+    kept.Flattening.NormalSmoothing == this->Flattening.NormalSmoothing;
+  if (!kept.TargetInput.IsNew(*this, 1, this->GetGatheredInput(1).Data) && kept.Position &&
+    isFlattenedSo)
   {
     return;
   }
@@ -133,7 +143,8 @@ void vtkShapePasteFeature::PrepareTarget(const shape::Progress& progress)
   kept.Target =
     vtkShapePastedData::Read(this->GetGatheredInput(1).Data, "the Target", progress.Part(0.0, 0.3));
   kept.Position = std::make_unique<shape::PasteTarget>(
-    kept.Target.Surface, shape::ExponentialMapOptions(), progress.Part(0.3, 1.0));
+    kept.Target.Surface, this->Flattening, progress.Part(0.3, 1.0));
+  kept.Flattening = this->Flattening;
 }
 
 void vtkShapePasteFeature::PasteInto(vtkPolyData* output, const shape::Progress& progress)

@@ -56,7 +56,7 @@ public:
 
   ///@{
   /// The properties. Effects and ranges: vtkShapePasteFeature.xml. Enumerations and defaults:
-  /// shape::PasteFeatureOptions, shape::PastePlacement.
+  /// shape::PasteFeatureOptions, shape::PastePlacement, shape::ExponentialMapOptions.
   vtkSetVector3Macro(Seed, double);
   vtkGetVector3Macro(Seed, double);
   vtkShapeOptionOf(Placement, Rotation, double);
@@ -67,6 +67,8 @@ public:
   vtkSetMacro(BlendWidth, double);
   vtkGetMacro(BlendWidth, double);
   vtkShapeOptionOf(Paste, Dragging, bool);
+  vtkShapeOptionOf(Flattening, UpwindAverage, bool);
+  vtkShapeOptionOf(Flattening, NormalSmoothing, int);
   ///@}
 
 protected:
@@ -87,6 +89,7 @@ private:
   double BlendWidth = 0.25;
   shape::PastePlacement Placement;
   shape::PasteFeatureOptions Paste;
+  shape::ExponentialMapOptions Flattening;
   struct Kept;
   std::unique_ptr<Kept> Cache;
 };

@@ -25,20 +25,6 @@ vtkShapeDeform::vtkShapeDeform()
 
 vtkShapeDeform::~vtkShapeDeform() = default;
 
-namespace
-{
-
-Eigen::VectorXd FieldOf(vtkUnstructuredGrid* grid, const std::string& name)
-{
-  if (name.empty() || name == "None")
-  {
-    return {};
-  }
-  return vtkShapeConvert::ToPointArray(grid, name, 1, "the Input").col(0);
-}
-
-} // namespace
-
 void vtkShapeDeform::Execute(const shape::Progress& progress)
 {
   vtkUnstructuredGrid* grid = this->GetGatheredInput(0).Grid;
@@ -46,11 +32,7 @@ void vtkShapeDeform::Execute(const shape::Progress& progress)
   shape::DeformProblem problem;
   problem.Shape = vtkShapeHandle::ToElements(grid, "the Input", progress.Part(0.0, 0.1));
   problem.Handle = std::move(boundary.Source);
-  problem.Fields = { FieldOf(grid, this->RigidityArray), FieldOf(grid, this->ScaleArray), {} };
-  if (!this->SegmentArray.empty() && this->SegmentArray != "None")
-  {
-    problem.Fields.Segments = vtkShapeHandle::ToLabels(grid, this->SegmentArray);
-  }
+  problem.Fields = this->ReadFields(grid, "the Input");
   problem.Options = this->Options;
   const shape::DeformedShape deformed =
     this->Deformer->Deform(problem, boundary.Target, this->Frames, progress.Part(0.1, 0.95));

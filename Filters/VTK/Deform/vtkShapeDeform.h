@@ -18,10 +18,11 @@
  *     the axis times the angle in radians. They apply at points with a non-zero `FrameSet`. Between
  *     such points, they are interpolated along the curve.
  *
- * Output: the deformed Input with the point array `SourcePosition` (double, 3). Normals of points
- * rotate, and normals of cells are dropped. A rigid motion of the handle moves the shape rigidly.
- * If the handle is scaled by the factor Scale, the entire shape undergoes the same similarity. If
- * the handle does not move, the shape does not change.
+ * Output: the deformed Input with the point arrays `SourcePosition` (double, 3) and `ArrivalTime`
+ * (double): when the front reached the point, as its distance from the handle along edges. Normals
+ * of points rotate, and normals of cells are dropped. A rigid motion of the handle moves the shape
+ * rigidly. If the handle is scaled by the factor Scale, the entire shape undergoes the same
+ * similarity. If the handle does not move, the shape does not change.
  *
  * Facts, with the prefix Deform
  * - .Islands: number of parts that are not connected to the handle.
@@ -41,10 +42,7 @@
 
 #include "vtkShapeDeformingAlgorithm.h"
 
-#include "Deform/HandleFrames.h" // for the options
-
 #include <memory> // for what is kept
-#include <string> // for array names
 
 namespace shape
 {
@@ -58,18 +56,8 @@ public:
   vtkTypeMacro(vtkShapeDeform, vtkShapeDeformingAlgorithm);
 
   ///@{
-  /// The properties. Effects and ranges: vtkShapeDeform.xml. Enumerations and defaults:
-  /// shape::PoseOptions.
-  vtkSetStdStringFromCharMacro(RigidityArray);
-  vtkGetCharFromStdStringMacro(RigidityArray);
+  /// The properties. Effects and ranges: vtkShapeDeform.xml. Defaults: shape::DeformOptions.
   vtkShapeOption(Scale, double);
-  vtkSetStdStringFromCharMacro(ScaleArray);
-  vtkGetCharFromStdStringMacro(ScaleArray);
-  vtkShapeVectorOptionOf(Frames, BiasFrame);
-  vtkShapeOptionOf(Frames, BiasWeight, double);
-  vtkSetStdStringFromCharMacro(SegmentArray);
-  vtkGetCharFromStdStringMacro(SegmentArray);
-  vtkShapeOption(LaplacianSmoothing, bool);
   ///@}
 
 protected:
@@ -81,8 +69,6 @@ private:
   vtkShapeDeform(const vtkShapeDeform&) = delete;
   void operator=(const vtkShapeDeform&) = delete;
 
-  std::string RigidityArray = "None", ScaleArray = "None", SegmentArray = "None";
-  shape::PoseOptions Frames;
   std::unique_ptr<shape::Deformer> Deformer; ///< stores the weights
 };
 

@@ -2,6 +2,8 @@
  * @class   vtkShapeDeformingAlgorithm
  * @brief   base of the filters that deform a shape by its boundary: its parameters
  *
+ * RigidityArray, ScaleArray and SegmentArray are arrays of the shape that is deformed.
+ *
  * All these parameters may be changed interactively. The source is Schmidt and Singh,
  * "Drag-and-drop surface composition" (Graphics Interface 2010), section 2.
  */
@@ -10,7 +12,12 @@
 
 #include "vtkShapeAlgorithm.h"
 
+#include "Deform/HandleFrames.h"     // for the options
 #include "Deform/ShapeDeformation.h" // for the options
+
+#include <string> // for array names
+
+class vtkDataSet;
 
 class VTKSHAPEFILTERS_EXPORT vtkShapeDeformingAlgorithm : public vtkShapeAlgorithm
 {
@@ -34,13 +41,28 @@ public:
   vtkShapeEnumOption(Multiresolution, shape::DeformOptions::MultiresolutionType,
     shape::DeformOptions::MultiresolutionType::Automatic,
     shape::DeformOptions::MultiresolutionType::Off);
+  vtkSetStdStringFromCharMacro(RigidityArray);
+  vtkGetCharFromStdStringMacro(RigidityArray);
+  vtkSetStdStringFromCharMacro(ScaleArray);
+  vtkGetCharFromStdStringMacro(ScaleArray);
+  vtkSetStdStringFromCharMacro(SegmentArray);
+  vtkGetCharFromStdStringMacro(SegmentArray);
+  vtkShapeVectorOptionOf(Frames, BiasFrame);
+  vtkShapeOptionOf(Frames, BiasWeight, double);
+  vtkShapeOption(LaplacianSmoothing, bool);
   ///@}
 
 protected:
   vtkShapeDeformingAlgorithm();
   ~vtkShapeDeformingAlgorithm() override = default;
 
+  /// Reads the values at the points of a shape from the chosen arrays. name: denotes the shape in
+  /// errors. Throws shape::InvalidInput if an array is missing or has several components.
+  shape::DeformFields ReadFields(vtkDataSet* shape, const std::string& name) const;
+
   shape::DeformOptions Options;
+  shape::PoseOptions Frames;
+  std::string RigidityArray = "None", ScaleArray = "None", SegmentArray = "None";
 
 private:
   vtkShapeDeformingAlgorithm(const vtkShapeDeformingAlgorithm&) = delete;

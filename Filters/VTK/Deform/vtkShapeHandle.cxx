@@ -186,21 +186,22 @@ shape::ShapeElements vtkShapeHandle::ToElements(
     AsRows(tetrahedra, 4) };
 }
 
-Eigen::VectorXi vtkShapeHandle::ToLabels(vtkUnstructuredGrid* grid, const std::string& array)
+Eigen::VectorXi vtkShapeHandle::ToLabels(
+  vtkDataSet* shape, const std::string& array, const std::string& name)
 {
-  const vtkIdType points = grid->GetNumberOfPoints();
-  vtkDataArray* cells = grid->GetCellData()->GetArray(array.c_str());
-  if (grid->GetPointData()->HasArray(array.c_str()) || !cells)
+  const vtkIdType points = shape->GetNumberOfPoints();
+  vtkDataArray* cells = shape->GetCellData()->GetArray(array.c_str());
+  if (shape->GetPointData()->HasArray(array.c_str()) || !cells)
   {
-    return vtkShapeConvert::ToPointArray(grid, array, 1, "the Input").col(0).cast<int>();
+    return vtkShapeConvert::ToPointArray(shape, array, 1, name).col(0).cast<int>();
   }
   // A point gets the most frequent label of its cells. If several labels are equally frequent, it
   // gets the lowest.
   std::vector<std::map<int, int>> around(points);
   vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  for (vtkIdType cell = 0; cell < shape->GetNumberOfCells(); ++cell)
   {
-    grid->GetCellPoints(cell, ids);
+    shape->GetCellPoints(cell, ids);
     for (const vtkIdType point : *ids)
     {
       ++around[point][ToLabel(cells, cell)];
@@ -251,6 +252,8 @@ void vtkShapeHandle::Write(vtkDataObject* input, const Eigen::MatrixXd& whole,
       const std::vector<int> rows = positions.Find(own);
       vtkShapeComposite::Move(from, vtkShapeConvert::Rows(deformed.Points, rows), to);
       to->GetPointData()->AddArray(vtkShapeConvert::ToArray(own, "SourcePosition"));
+      to->GetPointData()->AddArray(
+        vtkShapeConvert::ToArray(vtkShapeConvert::Rows(deformed.Arrivals, rows), "ArrivalTime"));
       AddTurnedNormals(from, rows, deformed.Rotations, to);
     });
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 class vtkDataObject;
+class vtkDataSet;
 class vtkUnstructuredGrid;
 
 /// Conversion of the shape and the handle of vtkShapeDeform to kernel types, and of the deformed
@@ -20,9 +21,9 @@ shape::ShapeElements ToElements(
 
 /// Returns a label for each point from a point array or a cell array with one component. With a
 /// cell array, a point gets the most frequent label of the cells around it. If several labels are
-/// equally frequent, it gets the lowest. Throws shape::InvalidInput if there is neither array, or a
-/// label does not fit into an int.
-Eigen::VectorXi ToLabels(vtkUnstructuredGrid* grid, const std::string& array);
+/// equally frequent, it gets the lowest. name: denotes the shape in errors. Throws
+/// shape::InvalidInput if there is neither array, or a label does not fit into an int.
+Eigen::VectorXi ToLabels(vtkDataSet* shape, const std::string& array, const std::string& name);
 
 struct Boundary
 {
@@ -36,10 +37,10 @@ struct Boundary
 /// another number of components.
 Boundary Read(vtkUnstructuredGrid* boundary);
 
-/// Writes the deformed `input`, which is a part of the shape, to `output`. Adds the point array
-/// `SourcePosition`, and rotates point normals. whole: n x 3, the points of the complete shape
-/// before the deformation. deformed: the complete shape after it. Throws shape::InvalidInput if a
-/// point of `input` is not in `whole`.
+/// Writes the deformed `input`, which is a part of the shape, to `output`. Adds the point arrays
+/// `SourcePosition` and `ArrivalTime`, and rotates point normals. whole: n x 3, the points of the
+/// complete shape before the deformation. deformed: the complete shape after it. Throws
+/// shape::InvalidInput if a point of `input` is not in `whole`.
 void Write(vtkDataObject* input, const Eigen::MatrixXd& whole, const shape::DeformedShape& deformed,
   vtkDataObject* output);
 

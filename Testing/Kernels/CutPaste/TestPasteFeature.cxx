@@ -5,6 +5,7 @@
 
 #include "Base/Errors.h"
 #include "CutPaste/PasteFeature.h"
+#include "Deform/Deform.h"
 #include "Geometry/VertexNormals.h"
 #include "Mesh/BoundaryLoops.h"
 #include "Mesh/Surface.h"
@@ -116,6 +117,86 @@ Eigen::MatrixXd FeaturePoints(const shape::PastedFeature& pasted)
   const Eigen::VectorXi& points = pasted.Feature.Points;
   const auto first = std::find(points.begin(), points.end(), 0) - points.begin();
   return pasted.Surface.Points.middleRows(first, points.maxCoeff() + 1);
+}
+
+/// Painted rigidity and scale, and two segments.
+shape::DeformFields Painted(const Eigen::MatrixXd& points)
+{
+  shape::DeformFields fields;
+  fields.Rigidity = 1.0 + points.col(0).array().square();
+  fields.Scale = 1.0 + 0.3 * (4.0 * points.col(1).array()).sin();
+  fields.Segments = (points.col(2).array() > 1.2).cast<int>();
+  return fields;
+}
+
+TEST(PasteFeature, FieldsAndBiasActAsInDeform)
+{
+  const Cut cut = HornOfSphere(5);
+  const shape::Mesh sphere = shapetest::Icosphere(5);
+  shape::PasteTarget target(sphere);
+  const shape::DeformFields fields = Painted(cut.Feature.Points);
+  for (const bool smooth : { false, true })
+  {
+    shape::DeformProblem problem;
+    problem.Shape.Points = cut.Feature.Points;
+    problem.Shape.Triangles = cut.Feature.Triangles;
+    problem.Fields = fields;
+    problem.Options.RigidityBy = shape::DeformOptions::RigidityByType::Distance;
+    problem.Options.LaplacianSmoothing = smooth;
+    problem.Options.Multiresolution = shape::DeformOptions::MultiresolutionType::Off;
+    shape::PasteFeatureOptions options;
+    options.OptimizeNormals = false;
+    options.Frames.BiasFrame = { 0.0, 1.0, 0.3 };
+    options.Frames.BiasWeight = 0.4;
+    shape::PastePlacement position;
+    position.Seed << 0.3, -0.5, 0.7;
+    position.Rotation = 20.0;
+    const shape::PastedFeature pasted =
+      shape::FeatureToPaste(cut.Feature, cut.Base, problem.Options, fields)
+        .PasteOn(target, position, options);
+
+    Eigen::MatrixXd loop = cut.Feature.Points(cut.Base.Loop, Eigen::all);
+    problem.Handle = shape::BuildCurveHandle(loop, true, cut.Base.Normals);
+    const shape::DeformedShape deformed = shape::Deformer().Deform(
+      problem, { pasted.Position.Positions, pasted.Position.Normals, {} }, options.Frames);
+    EXPECT_LT((FeaturePoints(pasted) - deformed.Points).cwiseAbs().maxCoeff(), 1e-12);
+
+    // Each of them changes the result.
+    const auto pasteWith = [&](const shape::DeformFields& other, double bias)
+    {
+      shape::PasteFeatureOptions without = options;
+      without.Frames.BiasWeight = bias;
+      return FeaturePoints(shape::FeatureToPaste(cut.Feature, cut.Base, problem.Options, other)
+                             .PasteOn(target, position, without));
+    };
+    EXPECT_GT(
+      (pasteWith({ {}, fields.Scale, fields.Segments }, 0.4) - deformed.Points).norm(), 1e-3);
+    EXPECT_GT(
+      (pasteWith({ fields.Rigidity, {}, fields.Segments }, 0.4) - deformed.Points).norm(), 1e-3);
+    EXPECT_GT(
+      (pasteWith({ fields.Rigidity, fields.Scale, {} }, 0.4) - deformed.Points).norm(), 1e-3);
+    EXPECT_GT((pasteWith(fields, 0.0) - deformed.Points).norm(), 1e-3);
+  }
+}
+
+TEST(PasteFeature, TheFeatureLeansTowardsTheBiasAlsoWithASmoothSeam)
+{
+  const Cut cut = HornOfSphere(5);
+  shape::PasteTarget target(shapetest::Icosphere(5));
+  const shape::FeatureToPaste feature(cut.Feature, cut.Base);
+  shape::PastePlacement position;
+  position.Seed << 0.0, 0.0, 1.0;
+  const Eigen::RowVector3d direction(1.0, 0.0, 0.0);
+  double before = -1e300;
+  for (const double weight : { 0.0, 0.2, 0.4 })
+  {
+    shape::PasteFeatureOptions options;
+    options.Frames = { { 1.0, 0.0, 0.0 }, weight };
+    const Eigen::MatrixXd points = FeaturePoints(feature.PasteOn(target, position, options));
+    const double reach = points.rows() * points.colwise().mean().dot(direction);
+    EXPECT_GT(reach, before);
+    before = reach + 0.01;
+  }
 }
 
 TEST(PasteFeature, DroppedInPlaceNothingHasMoved)
