@@ -217,3 +217,24 @@ algorithm.SetSeed(0.0, 1.0, 0.3)
 algorithm.SetScaleArray('Paint')
 said = ' '.join(shapetesting.run(algorithm))
 assert "the Feature has no point array 'Paint'" in said, said
+
+# Whatever fills the hole, the feature returns to its place, and the original surface is there again.
+horned.UpdatePipeline()
+whole = points(output(horned))
+for settings in ({'FillMethod': 'Fair'}, {'FillMethod': 'Membrane', 'EdgeGrowth': 0.3},
+                 {'FillMethod': 'Deformation', 'Scale': 1.5},
+                 {'FillMethod': 'Deformation', 'BiasFrame': [0, 1, 0], 'BiasWeight': 0.1}):
+    part = simple.ShapeCutFeature(Input=horned, LoopPoints=CIRCLE.ravel().tolist(), **settings)
+    part.UpdatePipeline()
+    rest = simple.OutputPort(part, 1)
+    seed = vtk_to_numpy(shapetesting.facts(output(part)).GetArray('CutFeature.Seed'))[0]
+    back = simple.ShapePasteFeature(Feature=part, Target=rest, Seed=seed.tolist())
+    back.UpdatePipeline()
+    assert fact(output(back), 'PasteFeature.EulerNumber') == 2
+    distances = numpy.array([numpy.linalg.norm(points(output(back)) - place, axis=1).min() for place in whole])
+    assert distances.max() < 1e-6, (settings, distances.max())
+    if 'Scale' in settings:
+        bulging = output(part, 1)
+    elif settings['FillMethod'] == 'Fair':
+        fair = output(part, 1)
+assert bulging.GetNumberOfPoints() != fair.GetNumberOfPoints() or abs(points(bulging) - points(fair)).max() > 1e-3

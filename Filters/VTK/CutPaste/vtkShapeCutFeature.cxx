@@ -52,6 +52,20 @@ vtkShapeCutFeature::vtkShapeCutFeature()
 
 vtkShapeCutFeature::~vtkShapeCutFeature() = default;
 
+void vtkShapeCutFeature::SetFillMethod(int method)
+{
+  if (method < 0 || method > static_cast<int>(shape::FillMethod::Membrane))
+  {
+    vtkErrorMacro(<< this->GetLabel() << ": FillMethod " << method
+                  << " does not exist; use a value from 0 to 3");
+  }
+  else if (method != this->GetFillMethod())
+  {
+    this->Cutting.Fill.Method = static_cast<shape::FillMethod>(method);
+    this->Modified();
+  }
+}
+
 void vtkShapeCutFeature::SetNumberOfLoopPoints(int count)
 {
   vtkShapeList::Resize(this, this->LoopPoints, count, 3);
@@ -170,7 +184,9 @@ void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progres
     kept.Cutter =
       std::make_unique<shape::FeatureCutter>(kept.Numbered.Surface, progress.Part(0.0, 0.1));
   }
-  shape::CutFeatureOptions options = this->Options;
+  shape::CutFeatureOptions options = this->Cutting;
+  options.Fill.Deformation = this->Options;
+  options.Fill.Frames = this->Frames;
   // Filling is too slow for a step of a drag. The hole is filled when the mouse button is released.
   options.FillHole = options.FillHole && !this->Dragging;
   shape::CutFeatureResult cut;

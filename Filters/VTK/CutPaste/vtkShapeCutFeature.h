@@ -50,7 +50,7 @@
 #ifndef vtkShapeCutFeature_h
 #define vtkShapeCutFeature_h
 
-#include "vtkShapeAlgorithm.h"
+#include "vtkShapeDeformingAlgorithm.h"
 
 #include "CutPaste/CutFeature.h" // for the options
 
@@ -59,11 +59,11 @@
 
 class vtkPolyData;
 
-class VTKSHAPEFILTERS_EXPORT vtkShapeCutFeature : public vtkShapeAlgorithm
+class VTKSHAPEFILTERS_EXPORT vtkShapeCutFeature : public vtkShapeDeformingAlgorithm
 {
 public:
   static vtkShapeCutFeature* New();
-  vtkTypeMacro(vtkShapeCutFeature, vtkShapeAlgorithm);
+  vtkTypeMacro(vtkShapeCutFeature, vtkShapeDeformingAlgorithm);
 
   ///@{
   /// The properties. Effects and ranges: vtkShapeCutFeature.xml. Enumerations and defaults:
@@ -71,12 +71,18 @@ public:
   void SetNumberOfLoopPoints(int count);
   void SetLoopPoints(int index, double x, double y, double z);
   std::vector<double> GetLoopPoints() { return this->LoopPoints; }
-  vtkShapeEnumOption(Side, shape::LoopSide, shape::LoopSide::Smaller, shape::LoopSide::Right);
-  vtkShapeOption(LoopIndex, int);
-  vtkShapeOption(FillHole, bool);
+  vtkShapeEnumOptionOf(
+    Cutting, Side, shape::LoopSide, shape::LoopSide::Smaller, shape::LoopSide::Right);
+  vtkShapeOptionOf(Cutting, LoopIndex, int);
+  vtkShapeOptionOf(Cutting, FillHole, bool);
   vtkSetMacro(KeepOriginal, bool);
   vtkGetMacro(KeepOriginal, bool);
-  vtkShapeOption(SnapShare, double);
+  vtkShapeOptionOf(Cutting, SnapShare, double);
+  void SetFillMethod(int method);
+  int GetFillMethod() { return static_cast<int>(this->Cutting.Fill.Method); }
+  vtkShapeOptionOf(Cutting.Fill.Filler, EdgeGrowth, double);
+  vtkShapeOptionOf(Cutting.Fill.Filler, OptimizeNormals, bool);
+  vtkShapeOption(Scale, double);
   vtkSetMacro(Dragging, bool);
   vtkGetMacro(Dragging, bool);
   ///@}
@@ -95,7 +101,7 @@ private:
   std::vector<double> LoopPoints;
   bool KeepOriginal = false;
   bool Dragging = false;
-  shape::CutFeatureOptions Options;
+  shape::CutFeatureOptions Cutting;
   struct Kept;
   std::unique_ptr<Kept> Cache;
 };

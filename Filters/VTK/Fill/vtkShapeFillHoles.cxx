@@ -180,6 +180,7 @@ void vtkShapeFillHoles::Execute(const shape::Progress& progress)
   }
   this->Prepare(progress.Part(0.0, 0.1));
   this->Fill.Deformation = this->Options;
+  this->Fill.Frames = this->Frames;
   const Kept& kept = *this->Cache;
   const shape::FilledSurface filled = kept.Filler->Fill(this->Fill, progress.Part(0.1, 0.9));
   auto* output = vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));

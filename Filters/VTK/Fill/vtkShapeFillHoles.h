@@ -74,8 +74,6 @@ public:
   vtkShapeOptionOf(Fill.Filler, EdgeGrowth, double);
   vtkShapeOptionOf(Fill.Filler, MaximumPoints, int);
   vtkShapeOption(Scale, double);
-  vtkShapeVectorOptionOf(Fill.Frames, BiasFrame);
-  vtkShapeOptionOf(Fill.Frames, BiasWeight, double);
   ///@}
 
 protected:
