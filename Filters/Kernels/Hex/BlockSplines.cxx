@@ -193,16 +193,15 @@ BlockSpline FitBlockSpline(
   return spline;
 }
 
-MatrixXd Evaluate(
-  const BlockSpline& spline, const MatrixXd& parameters, const Progress& progress)
+MatrixXd Evaluate(const BlockSpline& spline, const MatrixXd& parameters, const Progress& progress)
 {
   const RowVector3i& counts = spline.Counts;
   const auto evaluate = [&](const Eigen::RowVector3d& at) -> Eigen::RowVectorXd
   {
     const auto along = [&](int axis)
     {
-      return BasisValues(spline.Knots[axis], GetDegree(spline.Knots[axis]),
-        std::clamp(at(axis), 0.0, 1.0));
+      return BasisValues(
+        spline.Knots[axis], GetDegree(spline.Knots[axis]), std::clamp(at(axis), 0.0, 1.0));
     };
     const std::array<BasisValues, 3> basis = { along(0), along(1), along(2) };
     Eigen::RowVectorXd value = Eigen::RowVectorXd::Zero(spline.Controls.cols());
@@ -210,8 +209,8 @@ MatrixXd Evaluate(
     {
       for (int j = 0; j < static_cast<int>(basis[1].Values.size()); ++j)
       {
-        const int first = basis[0].First +
-          counts(0) * (basis[1].First + j + counts(1) * (basis[2].First + k));
+        const int first =
+          basis[0].First + counts(0) * (basis[1].First + j + counts(1) * (basis[2].First + k));
         value += basis[1].Values(j) * basis[2].Values(k) * basis[0].Values.transpose() *
           spline.Controls.middleRows(first, basis[0].Values.size());
       }

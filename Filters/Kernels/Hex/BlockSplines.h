@@ -53,8 +53,8 @@ BlockSpline FitBlockSpline(const Eigen::RowVector3i& counts, const Eigen::Matrix
 
 /// Evaluates a spline. parameters: k x 3, in [0, 1]; others are moved to the nearest of these.
 /// Throws Aborted.
-Eigen::MatrixXd Evaluate(const BlockSpline& spline, const Eigen::MatrixXd& parameters,
-  const Progress& progress = {});
+Eigen::MatrixXd Evaluate(
+  const BlockSpline& spline, const Eigen::MatrixXd& parameters, const Progress& progress = {});
 
 /// Returns the parameters of the nodes of a block: k x 3, along the first axis first.
 Eigen::MatrixXd NodeParameters(const Eigen::RowVector3i& counts);

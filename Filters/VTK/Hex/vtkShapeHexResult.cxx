@@ -18,6 +18,7 @@
 
 #include "Hex/FacePatches.h"
 #include "Mesh/Topology.h"
+#include "Mesh/UsedPoints.h"
 #include "Quality/ScaledJacobian.h"
 #include "Search/ClosestPoint.h"
 
@@ -50,25 +51,6 @@ vtkSmartPointer<vtkPoints> ToVtkPoints(const Eigen::MatrixXd& points)
   auto result = vtkSmartPointer<vtkPoints>::New();
   result->SetData(vtkShapeConvert::ToArray(points, "Points"));
   return result;
-}
-
-/// The points that cells use, in ascending order.
-std::vector<int> FindUsed(const Eigen::MatrixXi& cells)
-{
-  std::vector<int> used(cells.data(), cells.data() + cells.size());
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  return used;
-}
-
-/// Cells whose points are indices of `used`.
-Eigen::MatrixXi Renumber(Eigen::MatrixXi cells, const std::vector<int>& used)
-{
-  for (int& point : cells.reshaped())
-  {
-    point = static_cast<int>(std::lower_bound(used.begin(), used.end(), point) - used.begin());
-  }
-  return cells;
 }
 
 Eigen::VectorXi ToVector(const std::vector<int>& values)
@@ -171,9 +153,10 @@ void vtkShapeHexResult::WriteHexahedra(
 void vtkShapeHexResult::WriteGrid(
   const shape::HexFit& fit, const shape::HexGrid& grid, vtkUnstructuredGrid* output)
 {
-  const std::vector<int> used = FindUsed(grid.Cells);
+  const std::vector<int> used = shape::FindUsedPoints(grid.Cells, fit.Solid.Points.rows());
   output->SetPoints(ToVtkPoints(grid.SourcePositions(used, Eigen::all)));
-  output->SetCells(VTK_HEXAHEDRON, ToCellArray(Renumber(grid.Cells, used)));
+  output->SetCells(
+    VTK_HEXAHEDRON, ToCellArray(shape::RenumberPoints(grid.Cells, used, fit.Solid.Points.rows())));
   output->GetPointData()->AddArray(
     vtkShapeConvert::ToArray(fit.Solid.Points(used, Eigen::all), "TargetPosition"));
   vtkShapeCarry::AddOriginals(ToVector(used), "OriginalPointId", output->GetPointData());
@@ -210,9 +193,9 @@ void vtkShapeHexResult::WriteBoundary(const shape::HexRemeshResult& result,
       Distances(fit.Solid.Points, own, innerSurfaces.empty() ? surface : innerSurfaces[i]);
     row += own.rows();
   }
-  const std::vector<int> used = FindUsed(quads);
+  const std::vector<int> used = shape::FindUsedPoints(quads, fit.Solid.Points.rows());
   output->SetPoints(ToVtkPoints(fit.Solid.Points(used, Eigen::all)));
-  output->SetPolys(ToCellArray(Renumber(quads, used)));
+  output->SetPolys(ToCellArray(shape::RenumberPoints(quads, used, fit.Solid.Points.rows())));
   vtkShapeCarry::AddOriginals(ToVector(used), "OriginalPointId", output->GetPointData());
   vtkCellData* data = output->GetCellData();
   data->AddArray(vtkShapeConvert::ToIntegers(patchOf, "Patch"));

@@ -28,8 +28,7 @@ vtkStandardNewMacro(vtkShapeStructuredBlocks);
 
 vtkShapeStructuredBlocks::vtkShapeStructuredBlocks()
 {
-  this->DeclareInput(
-    "Input", PortData::WholeGrid, PortUse::Required, { "vtkUnstructuredGrid" });
+  this->DeclareInput("Input", PortData::WholeGrid, PortUse::Required, { "vtkUnstructuredGrid" });
   this->DeclareOutput("vtkMultiBlockDataSet");
   this->DeclareOutput("vtkMultiBlockDataSet");
   this->DeclareFacts();
@@ -115,8 +114,8 @@ std::vector<std::vector<int>> SortCells(const std::vector<shape::GridBlock>& blo
   for (int cell = 0; cell < static_cast<int>(blockOf.size()); ++cell)
   {
     const Eigen::RowVector3i counts = blocks[blockOf(cell)].Counts.array() - 1;
-    cells[blockOf(cell)][indices(cell, 0) +
-      counts(0) * (indices(cell, 1) + counts(1) * indices(cell, 2))] = cell;
+    cells[blockOf(cell)]
+         [indices(cell, 0) + counts(0) * (indices(cell, 1) + counts(1) * indices(cell, 2))] = cell;
   }
   return cells;
 }
@@ -151,10 +150,8 @@ void vtkShapeStructuredBlocks::Execute(const shape::Progress& progress)
     const shape::GridBlock& block = blocks[i];
     const std::vector<int> rows(block.Nodes.begin(), block.Nodes.end());
     const Eigen::MatrixXd values = targets(rows, Eigen::all);
-    const shape::BlockSpline spline =
-      shape::FitBlockSpline(block.Counts, values, this->Options);
-    const Eigen::MatrixXd fitted =
-      shape::Evaluate(spline, shape::NodeParameters(block.Counts));
+    const shape::BlockSpline spline = shape::FitBlockSpline(block.Counts, values, this->Options);
+    const Eigen::MatrixXd fitted = shape::Evaluate(spline, shape::NodeParameters(block.Counts));
     const Eigen::VectorXd errors = (fitted - values).rowwise().norm();
     const auto grid = MakeGrid(block.Counts, values);
     CopyRows(input->GetPointData(), rows, { this->MapArray }, grid->GetPointData());
@@ -184,10 +181,10 @@ void vtkShapeStructuredBlocks::Execute(const shape::Progress& progress)
     vtkShapeConvert::AddFact(output, "StructuredBlocks.Nodes", count(nodeCount));
     vtkShapeConvert::AddFact(output, "StructuredBlocks.ControlPoints", count(controlCount));
     vtkShapeConvert::AddFact(output, "StructuredBlocks.SplineError", largest);
+    vtkShapeConvert::AddFact(output, "StructuredBlocks.MeanSplineError",
+      sum / count(std::max<Eigen::Index>(nodeCount, 1)));
     vtkShapeConvert::AddFact(
-      output, "StructuredBlocks.MeanSplineError", sum / count(std::max<Eigen::Index>(nodeCount, 1)));
-    vtkShapeConvert::AddFact(output, "StructuredBlocks.RelativeError",
-      largest / shape::ComputeBoxDiagonal(targets));
+      output, "StructuredBlocks.RelativeError", largest / shape::ComputeBoxDiagonal(targets));
   }
   progress(1.0);
 }

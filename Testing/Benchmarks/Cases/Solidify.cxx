@@ -32,7 +32,8 @@
 namespace
 {
 
-constexpr const char* Usage = R"(MODEL [MUTATION ...] [Seed=1] [Wrap=0] [Method=0] [Detail=0] [Gap=0]
+constexpr const char* Usage =
+  R"(MODEL [MUTATION ...] [Seed=1] [Wrap=0] [Method=0] [Detail=0] [Gap=0]
 
 Damages a model (OFF, STL, PLY, OBJ) by the mutations in order, and turns the result into a solid (Automatic):
   soup        no two triangles share a point

@@ -80,8 +80,7 @@ TEST(WrapSurface, APlateOfACurvedSheetHasTheDistanceOfHalfItsThickness)
   const shape::MendedSurface wrap = shape::WrapSurface(sheet, { {}, 0.05, 0.2, thickness });
   EXPECT_TRUE(shape::FindSurfaceDefects(wrap.Surface).Defects.empty());
   EXPECT_EQ(wrap.GridSpacing, 0.0);
-  const shape::HausdorffDistances distances =
-    shape::ComputeHausdorffDistance(sheet, wrap.Surface);
+  const shape::HausdorffDistances distances = shape::ComputeHausdorffDistance(sheet, wrap.Surface);
   EXPECT_LE(distances.Larger(), 0.5 * thickness * (1.0 + 1e-9));
   EXPECT_GT(distances.Larger(), 0.49 * thickness);
 }
