@@ -61,7 +61,7 @@ void vtkShapeCutFeature::SetFillMethod(int method)
   }
   else if (method != this->GetFillMethod())
   {
-    this->Cutting.Fill.Method = static_cast<shape::FillMethod>(method);
+    this->Options.Fill.Method = static_cast<shape::FillMethod>(method);
     this->Modified();
   }
 }
@@ -184,9 +184,7 @@ void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progres
     kept.Cutter =
       std::make_unique<shape::FeatureCutter>(kept.Numbered.Surface, progress.Part(0.0, 0.1));
   }
-  shape::CutFeatureOptions options = this->Cutting;
-  options.Fill.Deformation = this->Options;
-  options.Fill.Frames = this->Frames;
+  shape::CutFeatureOptions options = this->Options;
   // Filling is too slow for a step of a drag. The hole is filled when the mouse button is released.
   options.FillHole = options.FillHole && !this->Dragging;
   shape::CutFeatureResult cut;

@@ -50,7 +50,7 @@
 #ifndef vtkShapeCutFeature_h
 #define vtkShapeCutFeature_h
 
-#include "vtkShapeDeformingAlgorithm.h"
+#include "vtkShapeAlgorithm.h"
 
 #include "CutPaste/CutFeature.h" // for the options
 
@@ -59,11 +59,11 @@
 
 class vtkPolyData;
 
-class VTKSHAPEFILTERS_EXPORT vtkShapeCutFeature : public vtkShapeDeformingAlgorithm
+class VTKSHAPEFILTERS_EXPORT vtkShapeCutFeature : public vtkShapeAlgorithm
 {
 public:
   static vtkShapeCutFeature* New();
-  vtkTypeMacro(vtkShapeCutFeature, vtkShapeDeformingAlgorithm);
+  vtkTypeMacro(vtkShapeCutFeature, vtkShapeAlgorithm);
 
   ///@{
   /// The properties. Effects and ranges: vtkShapeCutFeature.xml. Enumerations and defaults:
@@ -72,17 +72,19 @@ public:
   void SetLoopPoints(int index, double x, double y, double z);
   std::vector<double> GetLoopPoints() { return this->LoopPoints; }
   vtkShapeEnumOptionOf(
-    Cutting, Side, shape::LoopSide, shape::LoopSide::Smaller, shape::LoopSide::Right);
-  vtkShapeOptionOf(Cutting, LoopIndex, int);
-  vtkShapeOptionOf(Cutting, FillHole, bool);
+    Options, Side, shape::LoopSide, shape::LoopSide::Smaller, shape::LoopSide::Right);
+  vtkShapeOption(LoopIndex, int);
+  vtkShapeOption(FillHole, bool);
   vtkSetMacro(KeepOriginal, bool);
   vtkGetMacro(KeepOriginal, bool);
-  vtkShapeOptionOf(Cutting, SnapShare, double);
+  vtkShapeOption(SnapShare, double);
   void SetFillMethod(int method);
-  int GetFillMethod() { return static_cast<int>(this->Cutting.Fill.Method); }
-  vtkShapeOptionOf(Cutting.Fill.Filler, EdgeGrowth, double);
-  vtkShapeOptionOf(Cutting.Fill.Filler, OptimizeNormals, bool);
-  vtkShapeOption(Scale, double);
+  int GetFillMethod() { return static_cast<int>(this->Options.Fill.Method); }
+  vtkShapeOptionOf(Options.Fill.Filler, EdgeGrowth, double);
+  vtkShapeOptionOf(Options.Fill.Filler, OptimizeNormals, bool);
+  vtkShapeOptionOf(Options.Fill.Deformation, Scale, double);
+  vtkShapeVectorOptionOf(Options.Fill.Frames, BiasFrame);
+  vtkShapeOptionOf(Options.Fill.Frames, BiasWeight, double);
   vtkSetMacro(Dragging, bool);
   vtkGetMacro(Dragging, bool);
   ///@}
@@ -101,7 +103,7 @@ private:
   std::vector<double> LoopPoints;
   bool KeepOriginal = false;
   bool Dragging = false;
-  shape::CutFeatureOptions Cutting;
+  shape::CutFeatureOptions Options;
   struct Kept;
   std::unique_ptr<Kept> Cache;
 };

@@ -1,6 +1,6 @@
 /**
  * @class   vtkShapeStructuredBlocks
- * @brief   turn the grid of hexahedra into structured grids, with a spline of its map over each
+ * @brief   turn the grid of hexahedra into structured grids and splines
  *
  * Input (vtkUnstructuredGrid): hexahedra with the cell arrays `Block` (int) and `BlockIndex` (int,
  * 3) and a map array at their points, such as output 2 of vtkShapeHexRemesh. Each block is a box of
@@ -17,9 +17,11 @@
  *
  * Splines of blocks that share a side agree on it. In parallel, the first process has all outputs.
  *
- * Facts, with the prefix StructuredBlocks: .Blocks, .Nodes, .ControlPoints (sums over the blocks);
- * .SplineError and .MeanSplineError (largest and mean distance at the nodes), .RelativeError: the
- * largest one divided by the diagonal of the bounding box of the map's values.
+ * Facts, with the prefix StructuredBlocks
+ * - .Blocks, .Nodes, .ControlPoints: their numbers, over all blocks.
+ * - .SplineError, .MeanSplineError: the largest and the mean distance at the nodes.
+ * - .RelativeError: the largest distance divided by the diagonal of the bounding box of the map's
+ *   values.
  *
  * The mathematics: shape::FitBlockSpline.
  */
@@ -28,7 +30,7 @@
 
 #include "vtkShapeAlgorithm.h"
 
-#include "Hex/BlockSplines.h" // for the options
+#include "Hex/StructuredBlocks.h" // for the options
 
 #include <string> // for names
 

@@ -1,4 +1,4 @@
-#include "Hex/BlockSplines.h"
+#include "Hex/StructuredBlocks.h"
 #include "Support/Refusals.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ double LargestError(int factor)
 
 } // namespace
 
-TEST(BlockSplines, CubicMapsAreReproduced)
+TEST(StructuredBlocks, CubicMapsAreReproduced)
 {
   const Eigen::MatrixXd nodes = shape::NodeParameters(Counts);
   const shape::BlockSpline spline = shape::FitBlockSpline(Counts, Cubic(nodes));
@@ -47,14 +47,14 @@ TEST(BlockSplines, CubicMapsAreReproduced)
   EXPECT_LT((shape::Evaluate(spline, between) - Cubic(between)).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-TEST(BlockSplines, TheErrorFallsWithTheFourthPowerOfTheDistance)
+TEST(StructuredBlocks, TheErrorFallsWithTheFourthPowerOfTheDistance)
 {
   // Splines of degree 3 approximate smooth functions with the order 4.
   const double coarse = LargestError(2), fine = LargestError(4);
   EXPECT_GT(std::log2(coarse / fine), 3.5);
 }
 
-TEST(BlockSplines, AsManyControlPointsAsNodesInterpolate)
+TEST(StructuredBlocks, AsManyControlPointsAsNodesInterpolate)
 {
   const Eigen::MatrixXd nodes = shape::NodeParameters(Counts);
   Eigen::MatrixXd values = Waves(nodes);
@@ -63,7 +63,7 @@ TEST(BlockSplines, AsManyControlPointsAsNodesInterpolate)
   EXPECT_LT((shape::Evaluate(spline, nodes) - values).cwiseAbs().maxCoeff(), 1e-9);
 }
 
-TEST(BlockSplines, BlocksAgreeOnTheSideThatTheyShare)
+TEST(StructuredBlocks, BlocksAgreeOnTheSideThatTheyShare)
 {
   // The upper side of one block along the first axis is the lower side of the other one.
   Eigen::MatrixXd at = shape::NodeParameters(Counts);
@@ -79,7 +79,7 @@ TEST(BlockSplines, BlocksAgreeOnTheSideThatTheyShare)
   EXPECT_LT((first - shape::Evaluate(other, side)).cwiseAbs().maxCoeff(), 1e-13);
 }
 
-TEST(BlockSplines, CellsThatFillNoBoxAreRefused)
+TEST(StructuredBlocks, CellsThatFillNoBoxAreRefused)
 {
   // Two cells of a row of two, of which both have the same index, or one is missing.
   Eigen::MatrixXd positions(12, 3);

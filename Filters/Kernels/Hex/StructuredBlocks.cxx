@@ -1,4 +1,4 @@
-#include "Hex/BlockSplines.h"
+#include "Hex/StructuredBlocks.h"
 
 #include "Base/Errors.h"
 #include "Base/Parallel.h"
