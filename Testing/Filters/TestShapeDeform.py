@@ -233,9 +233,8 @@ print('shapes of every kind follow their boundary')
 
 # When the front reached a point: its distance along edges, 0 on the handle.
 line = simple.Line(Point1=[0, 0, 0], Point2=[2, 0, 0], Resolution=20)
-end = simple.Calculator(Input=simple.Threshold(Input=simple.Calculator(
-    Input=line, ResultArrayName='x', Function='coordsX'), Scalars=['POINTS', 'x'], LowerThreshold=-1,
-    UpperThreshold=0.15), ResultArrayName='SourcePosition', Function='coords')
+end = simple.Calculator(Input=simple.Line(Point1=[0, 0, 0], Point2=[0.1, 0, 0], Resolution=1),
+                        ResultArrayName='SourcePosition', Function='coords')
 waved = simple.ShapeDeform(Input=line, Boundary=end)
 waved.UpdatePipeline()
 arrivals = array(shapetesting.output(waved), 'ArrivalTime')
