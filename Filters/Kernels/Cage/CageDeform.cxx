@@ -91,7 +91,7 @@ struct CageDeformer::Data
   /// Whether a position that is this far outside stays.
   bool IsOutside(double distance) const
   {
-    constexpr double Tolerance = 1e-6, Farthest = 1e3;
+    constexpr double Tolerance = 1e-6, Farthest = 100.0;
     return distance >
       (this->Options.Coordinates == CageCoordinates::MeanValue ? Farthest : Tolerance);
   }
@@ -168,7 +168,7 @@ CagePositions CageDeformer::Data::Locate(
   const Eigen::Index count = points.rows();
   outside.setZero(count);
   CagePositions positions{ points, Eigen::VectorXi::Zero(count), at.Closest, {} };
-  if (this->Options.Gradient)
+  if (this->Options.DeformationGradient)
   {
     positions.GradientAt = points;
   }
@@ -185,7 +185,7 @@ CagePositions CageDeformer::Data::Locate(
     {
       positions.Points.row(i) = closest;
     }
-    if (this->Options.Gradient && (isOutside || std::abs(distance) < NearCage))
+    if (this->Options.DeformationGradient && (isOutside || std::abs(distance) < NearCage))
     {
       positions.GradientAt.row(i) = StepInside(this->Cage, at.Closest.Triangles(i), closest);
     }
@@ -213,7 +213,7 @@ CageMovedPoints CageDeformer::Evaluate(
     const bool moves = result.OutsideDomain(i) == 0;
     if (moves)
     {
-      const Eigen::RowVector3d place = positions.Points.row(i) + motion.Steps.row(i);
+      const Eigen::RowVector3d place = scaled.row(i) + motion.Steps.row(i);
       result.Points.row(i) =
         data.Centre + data.Size * (place * linear.transpose() + data.After.Offset);
     }

@@ -22,10 +22,10 @@ struct CageDeformOptions
 {
   CageCoordinates Coordinates = CageCoordinates::MeanValue;
 
-  /// Harmonic: the approximate number of tetrahedra inside the cage: 1,000 to 100,000,000. The
-  /// error falls with the power 2/3 of it. With the default, it is about 1e-4 of the cage's size
-  /// for smooth motions, and the solution takes about a second.
-  int Tetrahedra = 100000;
+  /// Harmonic: the approximate number of tetrahedra inside the cage: 1,000 to 100,000,000. It is
+  /// larger if the cage has many triangles. The error falls with its power 2/3. With the default,
+  /// it is at most about 1e-3 of the size of a motion like x^2 - y^2 across the cage.
+  int Tetrahedra = 200000;
 
   /// Green: whether affine motions are reproduced. If false, the cage's triangles alone determine
   /// how normals are stretched, and only similarities are reproduced. If true, this is done for the
@@ -34,7 +34,7 @@ struct CageDeformOptions
   bool ReproduceAffine = false;
 
   /// Whether the gradient of the map is computed.
-  bool Gradient = false;
+  bool DeformationGradient = false;
 };
 
 /// Positions that a cage has moved.
@@ -42,7 +42,7 @@ struct CageMovedPoints
 {
   Eigen::MatrixXd Points;        ///< n x 3
   Eigen::VectorXi OutsideDomain; ///< n: 1 if the point lies outside and is not moved, else 0
-  /// n x 9 with Gradient, otherwise empty: d y_0 / d x_0, d y_0 / d x_1, ... in rows of the
+  /// n x 9 with DeformationGradient, otherwise empty: d y_0 / d x_0, d y_0 / d x_1, ... in rows of the
   /// gradient of the position y by x; the identity at points that are not moved.
   Eigen::MatrixXd Gradients;
 };
@@ -52,10 +52,10 @@ struct CageMovedPoints
  * cross each other.
  *
  * - MeanValue (Ju, Schaefer and Warren, "Mean value coordinates for closed triangular meshes",
- *   2005): y(x) = sum_i w_i y_i / sum_i w_i. Affine motions are reproduced, inside and outside, up
- * to rounding. The map is smooth off the cage, and follows the cage on it. Coordinates may be
- *   negative, where the cage is not convex and outside. Rounding grows with the square of the
- *   distance, so points more than 1,000 times the size of the cage away are not moved.
+ *   2005): y(x) = sum_i w_i y_i / sum_i w_i. Affine motions are reproduced inside and outside, up
+ *   to rounding. The map is smooth off the cage, and follows the cage on it. Coordinates may be
+ *   negative where the cage is not convex, and outside. There, rounding grows with the cube of the
+ *   distance, so points farther away than 100 times the size of the cage are not moved.
  * - Harmonic (Joshi et al., "Harmonic coordinates for character articulation", 2007): each
  *   coordinate is the solution of Laplace's equation with the values of the cage on the boundary,
  *   by linear finite elements on tetrahedra. Affine motions are reproduced up to rounding, and the
@@ -66,10 +66,11 @@ struct CageMovedPoints
  *   A n instead of s_j n_j (see ReproduceAffine). The map does not follow the cage on the cage
  *   itself, except for these motions.
  *
- * Harmonic and Green are defined in the cage. There, a point within 1e-6 of the size of the cage
- * counts as on the cage, and points farther outside are not moved. At points on the cage, gradients
- * are those just inside; at its edges, those in one of the triangles. Evaluation takes O(points *
- * triangles) time, for Harmonic O(points), and memory for points and cage.
+ * Harmonic and Green are defined in the cage. Points up to 1e-6 of the size of the cage outside
+ * move as the closest point of the cage does, and points farther outside are not moved. At points
+ * on the cage, gradients are those just inside; at its edges, those in one of the triangles.
+ * Evaluation takes O(points * triangles) time, for Harmonic O(points), and memory for points and
+ * cage.
  */
 class CageDeformer
 {

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 
 #include <array>
-#include <cmath>
+#include <type_traits>
 #include <vector>
 
 namespace shape
@@ -43,20 +43,11 @@ struct TriangleView
   std::array<Number, 3> Barycentric;   ///< of x's projection
 };
 
-/// Heights are never 0 where gradients are computed: those of formulas are undefined in the plane,
-/// although they are continuous there. Lengths are relative to the size of the cage.
-inline double LiftHeight(double height)
-{
-  return height;
-}
-
-inline LinearNumber LiftHeight(const LinearNumber& height)
-{
-  constexpr double Lowest = 1e-9;
-  return std::abs(height.Value) < Lowest
-    ? LinearNumber{ std::copysign(Lowest, height.Value), height.Slope }
-    : height;
-}
+/// Returns a height that is not 0: in the plane the formulas are undefined, although their
+/// gradients are continuous. It differs by 1e-8 of the distance from the edges. rays: to the
+/// corners.
+double LiftHeight(
+  const CageTriangle& triangle, const std::array<Eigen::Vector3d, 3>& rays, double height);
 
 template <typename Number>
 TriangleView<Number> SeeTriangle(const CageTriangle& triangle, const Eigen::Vector3d& x)
@@ -64,7 +55,12 @@ TriangleView<Number> SeeTriangle(const CageTriangle& triangle, const Eigen::Vect
   TriangleView<Number> view;
   const std::array<Eigen::Vector3d, 3> rays = { triangle.Points[0] - x, triangle.Points[1] - x,
     triangle.Points[2] - x };
-  view.Height = LiftHeight(MakeLinear<Number>(triangle.Normal.dot(rays[0]), -triangle.Normal));
+  double height = triangle.Normal.dot(rays[0]);
+  if constexpr (!std::is_same_v<Number, double>)
+  {
+    height = LiftHeight(triangle, rays, height);
+  }
+  view.Height = MakeLinear<Number>(height, -triangle.Normal);
   for (int k = 0; k < 3; ++k)
   {
     const Eigen::Vector3d& ray = rays[(k + 1) % 3];
