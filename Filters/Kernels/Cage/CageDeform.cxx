@@ -67,12 +67,12 @@ Surface Normalize(
 /// continuous on the cage.
 Eigen::RowVector3d StepInside(const Mesh& cage, int triangle, const Eigen::RowVector3d& closest)
 {
-  constexpr double Share = 1e-5;
+  constexpr double share = 1e-5;
   const Eigen::Matrix3d corners = GetCorners(cage, triangle);
   const Eigen::RowVector3d area =
     (corners.row(1) - corners.row(0)).cross(corners.row(2) - corners.row(0));
-  return closest + Share * (corners.colwise().mean() - closest) -
-    0.1 * Share * area / std::sqrt(area.norm());
+  return closest + share * (corners.colwise().mean() - closest) -
+    0.1 * share * area / std::sqrt(area.norm());
 }
 
 } // namespace
@@ -91,9 +91,9 @@ struct CageDeformer::Data
   /// Whether a position that is this far outside stays.
   bool IsOutside(double distance) const
   {
-    constexpr double Tolerance = 1e-6, Farthest = 100.0;
+    constexpr double tolerance = 1e-6, farthest = 100.0;
     return distance >
-      (this->Options.Coordinates == CageCoordinates::MeanValue ? Farthest : Tolerance);
+      (this->Options.Coordinates == CageCoordinates::MeanValue ? farthest : tolerance);
   }
 
   CagePositions Locate(const Eigen::MatrixXd& points, const SignedDistance::Result& at,
@@ -164,7 +164,7 @@ int CageDeformer::GetTetrahedra() const
 CagePositions CageDeformer::Data::Locate(
   const Eigen::MatrixXd& points, const SignedDistance::Result& at, Eigen::VectorXi& outside) const
 {
-  constexpr double Rounding = 1e-13, NearCage = 1e-6;
+  constexpr double rounding = 1e-13, nearCage = 1e-6;
   const Eigen::Index count = points.rows();
   outside.setZero(count);
   CagePositions positions{ points, Eigen::VectorXi::Zero(count), at.Closest, {} };
@@ -180,12 +180,12 @@ CagePositions CageDeformer::Data::Locate(
     // Outside, a map that is defined inside is evaluated on the cage. What stays is ignored later.
     const bool isOutside =
       distance > 0.0 && this->Options.Coordinates != CageCoordinates::MeanValue;
-    positions.IsOnCage(i) = isOutside || std::abs(distance) <= Rounding;
+    positions.IsOnCage(i) = isOutside || std::abs(distance) <= rounding;
     if (positions.IsOnCage(i))
     {
       positions.Points.row(i) = closest;
     }
-    if (this->Options.DeformationGradient && (isOutside || std::abs(distance) < NearCage))
+    if (this->Options.DeformationGradient && (isOutside || std::abs(distance) < nearCage))
     {
       positions.GradientAt.row(i) = StepInside(this->Cage, at.Closest.Triangles(i), closest);
     }

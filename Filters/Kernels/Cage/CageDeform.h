@@ -42,8 +42,8 @@ struct CageMovedPoints
 {
   Eigen::MatrixXd Points;        ///< n x 3
   Eigen::VectorXi OutsideDomain; ///< n: 1 if the point lies outside and is not moved, else 0
-  /// n x 9 with DeformationGradient, otherwise empty: d y_0 / d x_0, d y_0 / d x_1, ... in rows of the
-  /// gradient of the position y by x; the identity at points that are not moved.
+  /// n x 9 with DeformationGradient, otherwise empty: d y_0 / d x_0, d y_0 / d x_1, ... in rows of
+  /// the gradient of the position y by x; the identity at points that are not moved.
   Eigen::MatrixXd Gradients;
 };
 

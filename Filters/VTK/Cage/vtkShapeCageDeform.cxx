@@ -53,8 +53,8 @@ vtkIdType FindDifference(vtkCellArray* cells, vtkCellArray* others)
   return -1;
 }
 
-/// The two cages must have the same points and cells: the polygons of the first are triangulated for
-/// both, since a polygon that is not flat can be divided in several ways.
+/// The two cages must have the same points and cells: the polygons of the first are triangulated
+/// for both, since a polygon that is not flat can be divided in several ways.
 void RequireSameCells(vtkPolyData* cage, vtkPolyData* moved)
 {
   const vtkIdType points = cage->GetNumberOfPoints();
@@ -94,8 +94,7 @@ void vtkShapeCageDeform::Execute(const shape::Progress& progress)
   const double prepared = fills ? 0.9 : 0.1;
   const shape::CageDeformer deformer(vtkShapeConvert::ToMesh(cage, "the Cage"),
     vtkShapeConvert::ToPoints(moved), this->Options, progress.Part(0.0, prepared));
-  this->AddCount(
-    0, "CageDeform.OutsidePoints", this->Move(deformer, progress.Part(prepared, 1.0)));
+  this->AddCount(0, "CageDeform.OutsidePoints", this->Move(deformer, progress.Part(prepared, 1.0)));
   vtkShapeConvert::AddFact(
     this->GetOutputDataObject(0), "CageDeform.Tetrahedra", deformer.GetTetrahedra());
   progress(1.0);
@@ -109,8 +108,7 @@ std::vector<Eigen::RowVector3d> vtkShapeCageDeform::Move(
   const double share =
     1.0 / std::max<vtkIdType>(1, domain->GetNumberOfElements(vtkDataObject::POINT));
   double done = 0.0;
-  vtkShapeComposite::ForEach(domain, this->GetOutputDataObject(0),
-    vtkShapeComposite::Points::Moved,
+  vtkShapeComposite::ForEach(domain, this->GetOutputDataObject(0), vtkShapeComposite::Points::Moved,
     [&](vtkDataSet* input, vtkDataSet* output)
     {
       const Eigen::MatrixXd sources = vtkShapeConvert::ToPoints(input);

@@ -7,16 +7,16 @@
  * - Cage: a closed surface, gathered from all blocks and processes. Polygons are triangulated
  *   internally. It may have several components, of any orientation, and a component inside another
  *   one bounds a void.
- * - MovedCage: the same surface with its points moved: as many points, and the same polygons, in the
- *   same order.
+ * - MovedCage: the same surface with its points moved: as many points, and the same polygons, in
+ * the same order.
  *
  * Output: the input moved, without point normals, with the point arrays
  * - `SourcePosition` (double, 3).
  * - `OutsideDomain` (int): 0 if the point moved. It is 1 if the point is outside the cage and
  *   Coordinates is Harmonic or Green, or if it is farther away than 100 times the size of the cage.
  *   Such points keep their position.
- * - `DeformationGradient` (double, 9; if the property of this name is on): the derivatives of the new
- *   position by the old one, in rows: first those of x.
+ * - `DeformationGradient` (double, 9; if the property of this name is on): the derivatives of the
+ * new position by the old one, in rows: first those of x.
  *
  * Facts: CageDeform.OutsidePoints, the number of points with OutsideDomain 1 (over all processes,
  * without ghosts), and CageDeform.Tetrahedra, the number of tetrahedra of Harmonic, otherwise 0.

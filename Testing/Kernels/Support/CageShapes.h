@@ -78,15 +78,16 @@ enum class Sides
   Both
 };
 
-/// Points at small distances from the triangles, edges and points of a mesh, and in the planes of
-/// its triangles.
+/// Points at small distances from about 20 triangles, edges and points of a mesh, and in the planes
+/// of its triangles.
 inline Eigen::MatrixXd PointsNear(const shape::Mesh& mesh, Sides sides)
 {
   const double size = shape::ComputeLongestBoxEdge(mesh.Points);
   const std::vector<Eigen::RowVector3d> places = { { 0.3, 0.3, 0.4 }, { 0.5, 0.5, 0.0 },
     { 0.0, 0.25, 0.75 }, { 1.0, 0.0, 0.0 }, { 1.5, -0.25, -0.25 }, { -0.5, 1.5, 0.0 } };
   std::vector<Eigen::RowVector3d> found;
-  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  const Eigen::Index step = std::max<Eigen::Index>(1, mesh.Triangles.rows() / 20);
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); t += step)
   {
     const Eigen::Matrix3d corners = shape::GetCorners(mesh, t);
     const Eigen::RowVector3d normal =

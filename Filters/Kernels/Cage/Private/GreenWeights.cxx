@@ -50,15 +50,15 @@ GreenShares<Number> ComputeGreenShares(
   const CageTriangle& triangle, const TriangleView<Number>& view)
 {
   // Lengths are relative to the size of the cage.
-  constexpr double Flat = 1e-13;
+  constexpr double flat = 1e-13;
   const Number zero = MakeLinear<Number>(0.0, Eigen::Vector3d::Zero());
-  const bool isFlat = std::abs(ValueOf(view.Height)) < Flat;
+  const bool isFlat = std::abs(ValueOf(view.Height)) < flat;
   const Number angle = isFlat ? zero : ComputeSolidAngle(triangle, view);
   GreenShares<Number> shares{ { zero, zero, zero }, (0.25 / M_PI) * angle,
     isFlat ? zero : -1.0 * view.Height * angle };
   for (int k = 0; k < 3; ++k)
   {
-    if (ValueOf(view.LineDistances[k]) < Flat)
+    if (ValueOf(view.LineDistances[k]) < flat)
     {
       continue; // the potential is infinite, or times a length of 0
     }

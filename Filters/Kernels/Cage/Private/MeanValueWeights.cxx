@@ -72,9 +72,9 @@ std::array<Number, 3> ComputeMeanValueShares(
   const CageTriangle& triangle, const TriangleView<Number>& view)
 {
   // Lengths are relative to the size of the cage. A lower height changes the result by less.
-  constexpr double Flat = 1e-15;
+  constexpr double flat = 1e-15;
   const double height = std::abs(ValueOf(view.Height));
-  if (height < Flat)
+  if (height < flat)
   {
     return { MakeLinear<Number>(0.0, Eigen::Vector3d::Zero()),
       MakeLinear<Number>(0.0, Eigen::Vector3d::Zero()),

@@ -27,9 +27,9 @@ CageMotion MoveEach(const CagePositions& positions, int triangles,
   const bool withGradient = positions.GradientAt.rows() > 0;
   CageMotion motion{ Eigen::MatrixXd(count, 3), Eigen::MatrixXd(withGradient ? count : 0, 9) };
   // A chunk takes about a hundredth of a second.
-  constexpr int Evaluations = 50000;
+  constexpr int evaluations = 50000;
   ParallelFor(
-    static_cast<int>(count), std::max(1, Evaluations / triangles),
+    static_cast<int>(count), std::max(1, evaluations / triangles),
     [&](int begin, int end)
     {
       for (int i = begin; i < end; ++i)
