@@ -2,7 +2,7 @@
 
     Utilities/pvpython.sh Testing/Benchmarks/CageDeform.py [--points 20] [--tetrahedra 200000]
 
-The cage is the dented sphere with 642 or 2,562 points; the shape is a lattice inside it, at least 0.05 from the
+The cage is the dented sphere with 642 or 2,892 points; the shape is a lattice inside it, at least 0.05 from the
 cage. Motions of the cage: shear; harmonic (x^2 - y^2 and products, whose motion inside is known); bent (not
 harmonic, the known motion is only one of many). The error is the largest distance from the known motion, divided by
 the size of the cage. Rough is the largest second difference of the motion over 0.02, divided by that of the known
