@@ -1,6 +1,6 @@
 """Shape Cage Deform with its three coordinates beside Shape Harmonic Volume Map, on motions that are known.
 
-    Utilities/pvpython.sh Testing/Benchmarks/CageDeform.py [--points 20] [--tetrahedra 200000]
+    Utilities/pvpython.sh Testing/Benchmarks/CageDeform.py [--points 14] [--tetrahedra 200000]
 
 The cage is the dented sphere with 642 or 2,892 points; the shape is a lattice inside it, at least 0.05 from the
 cage. Motions of the cage: shear; harmonic (x^2 - y^2 and products, whose motion inside is known); bent (not
@@ -157,7 +157,7 @@ def bent_ball(options):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('--points', type=int, default=20, help='of the lattice along each axis')
+    parser.add_argument('--points', type=int, default=14, help='of the lattice along each axis')
     parser.add_argument('--tetrahedra', type=int, default=200000)
     options = parser.parse_args()
     claims = sweep.Claims()
