@@ -321,6 +321,23 @@ def Deform():
 
 
 @drawing
+def CageDeform():
+    figure = shape('FigureA.vtp')
+    figure.UpdatePipeline()
+    x0, x1, y0, y1, z0, z1 = figure.GetDataInformation().GetBounds()
+    box = Box(XLength=1.15 * (x1 - x0), YLength=1.4 * (y1 - y0), ZLength=1.15 * (z1 - z0),
+              Center=[(x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2])
+    cage = Subdivide(Input=Triangulate(Input=Clean(Input=box)), NumberofSubdivisions=2)
+    bent = Calculator(Input=cage, CoordinateResults=1, Function='coords + 0.7*(coordsZ - %g)^2*iHat' % z0)
+    deformed = ShapeCageDeform(Input=figure, Cage=cage, MovedCage=bent)
+    for surface, around, x in ((figure, cage, -0.75), (deformed, bent, 0.55)):
+        show(surface, (x, 0, 0))
+        wires = show(around, (x, 0, 0), colour=ACCENT)
+        wires.Representation, wires.LineWidth = 'Wireframe', 2.0
+    return FRONT
+
+
+@drawing
 def Morph():
     both = ShapeMorph(Input=shape('FigureA.vtp'))
     for time, x in ((0.0, -1.15), (0.5, 0.0), (1.0, 1.15)):

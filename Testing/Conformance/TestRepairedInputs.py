@@ -9,8 +9,8 @@ import defects
 import filters
 import shapetesting
 
-# Of these inputs, a filter uses the points alone, or leaves polygons as they are.
-NOT_REPAIRED = {('ShapeSolidify', 'Input'),
+# Of these inputs, a filter uses the points alone, or leaves polygons as they are; or two must have the same cells.
+NOT_REPAIRED = {('ShapeSolidify', 'Input'), ('ShapeCageDeform', 'Cage'), ('ShapeCageDeform', 'MovedCage'),
                 ('ShapeFillHoles', 'Input'), ('ShapeApplyVolumeMap', 'Map'), ('ShapeCutFeature', 'Loop'),
                 ('ShapeCutFeature', 'Input'), ('ShapePasteFeature', 'Feature')}
 

@@ -53,10 +53,10 @@ const std::set<std::string> RealMeasures = {
   "Distance", "Gauss_Curvature", "Mean_Curvature", "Maximum_Curvature", "Minimum_Curvature",
   "Normals", "Tangents",
   // ShapeMap: distances, distortion of maps, spectra
-  "BoundaryDistance", "GeodesicDistance", "JacobianDeterminant", "Dirichlet", "SymmetricDirichlet",
-  "ConformalDistortion", "ARAP", "AreaDifference", "ConformalDifference", "AreaEigenfunctions",
-  "ConformalEigenfunctions", "Eigenfunctions", "HeatKernelSignature", "WaveKernelSignature",
-  "Embedding"
+  "BoundaryDistance", "GeodesicDistance", "DeformationGradient", "JacobianDeterminant", "Dirichlet",
+  "SymmetricDirichlet", "ConformalDistortion", "ARAP", "AreaDifference", "ConformalDifference",
+  "AreaEigenfunctions", "ConformalEigenfunctions", "Eigenfunctions", "HeatKernelSignature",
+  "WaveKernelSignature", "Embedding"
 };
 
 /// Measures that are counts or Booleans.
