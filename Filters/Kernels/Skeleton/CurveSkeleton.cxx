@@ -24,12 +24,12 @@ namespace
 /// The Resolution, if it is automatic, as a share of the box's diagonal.
 constexpr double AutomaticShare = 0.01;
 /// The most points of the remeshed surface, so that memory and time remain bounded.
-constexpr double MostPoints = 60000.0;
+constexpr double MostPoints = 20000.0;
 /// The length of edges that the contraction collapses, as a share of those of the remeshed surface:
 /// the paper has 0.002 of the diagonal.
 constexpr double ShortestShare = 0.2;
 /// The share of the points whose medial balls are smaller than "thin".
-constexpr double ThinQuantile = 0.05;
+constexpr double ThinQuantile = 0.1;
 
 /// Returns the surface with points in the order of their coordinates and triangles in the order of
 /// their points, so that the result does not depend on numbers.
@@ -89,7 +89,7 @@ Mesh RemeshFinely(const Surface& surface, double resolution, const Progress& pro
   Eigen::VectorXd radii = ShrinkMedialBalls(mesh, progress.Part(0.4, 0.5)).Radii;
   std::sort(radii.begin(), radii.end());
   const double thin = radii(static_cast<Eigen::Index>(ThinQuantile * (radii.size() - 1.0)));
-  const double wanted = std::max(0.6 * thin, finest);
+  const double wanted = std::max({ 0.6 * thin, 0.5 * resolution, finest });
   if (wanted < 0.9 * options.EdgeLength)
   {
     options.EdgeLength = wanted;

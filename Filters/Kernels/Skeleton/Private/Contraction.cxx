@@ -21,6 +21,14 @@ constexpr double FixedWeight = 1e10;
 const double FlatCosine = std::cos(110.0 * M_PI / 180.0);
 /// The flow ends if the area changes by less than this share of the first area in an iteration.
 constexpr double SteadyShare = 1e-4;
+/// It also ends if the area is less than this share of the first area.
+constexpr double NoArea = 0.005;
+/// After this number of iterations, in which tubes have become thin and fixed, both weights fall by
+/// this factor in each further one: the balls would keep apart the sheets of flat parts.
+constexpr int ConstantIterations = 8;
+constexpr double Fall = 0.75;
+/// The smallest factor of the weights.
+constexpr double LeastFactor = 1e-3;
 
 using Eigen::Vector3d;
 
@@ -40,6 +48,8 @@ public:
     }
   }
 
+  void LowerWeights() { this->Factor = std::max(LeastFactor, Fall * this->Factor); }
+
   void Flow(const Progress& progress)
   {
     const EditableSurface::Compacted now = this->Edited.Compact();
@@ -55,8 +65,8 @@ public:
       const int point = now.Points[i];
       centres.push_back(this->Centres[point]);
       fixed.push_back(this->Fixed[point]);
-      const double stay = fixed.back() ? FixedWeight : this->Options.VelocityWeight;
-      const double attract = fixed.back() ? 0.0 : this->Options.MedialWeight;
+      const double stay = fixed.back() ? FixedWeight : this->Factor * this->Options.VelocityWeight;
+      const double attract = fixed.back() ? 0.0 : this->Factor * this->Options.MedialWeight;
       system.coeffRef(i, i) += stay + attract;
       right.row(i) = stay * mesh.Points.row(i) + attract * centres.back().transpose();
     }
@@ -227,6 +237,7 @@ private:
   }
 
   ContractionOptions Options;
+  double Factor = 1.0; ///< of both weights
   EditableSurface Edited;
   std::vector<Vector3d> Centres;
   std::vector<bool> Fixed;
@@ -248,11 +259,15 @@ Mesh ContractSurface(const Mesh& surface, const Eigen::MatrixXd& centres,
     contraction.Split();
     contraction.Fix();
     const double area = contraction.Area();
-    if (std::abs(before - area) < SteadyShare * first)
+    if (area < NoArea * first || std::abs(before - area) < SteadyShare * first)
     {
       break;
     }
     before = area;
+    if (i >= ConstantIterations)
+    {
+      contraction.LowerWeights();
+    }
   }
   progress(1.0);
   return contraction.Result();

@@ -13,6 +13,8 @@ namespace
 using Eigen::RowVector3d;
 using Path = std::vector<int>;
 
+/// Branches with an end are longer than this number of edges.
+constexpr double ShortestSpur = 3.0;
 /// Number of rounds in which the points of a branch move to the middle of their neighbours.
 constexpr int SmoothingRounds = 4;
 
@@ -36,13 +38,13 @@ double LengthOf(const CurveGraph& graph, const Path& path)
   return length;
 }
 
-/// Removes the shortest branch that ends within the ball around its junction. Returns false if
-/// there is none.
-bool RemoveShortestSpur(CurveGraph& graph, const SignedDistance& surface)
+/// Removes the shortest branch that ends within the ball around its junction or is shorter than
+/// `shortest`. Returns false if there is none.
+bool RemoveShortestSpur(CurveGraph& graph, const SignedDistance& surface, double shortest)
 {
   const std::vector<std::vector<int>> links = ListLinksOfNodes(graph);
   const Eigen::VectorXd radii = -surface.Evaluate(PositionsOf(graph)).Distances;
-  Path shortest;
+  Path spur;
   double least = 0.0;
   for (Path path : TracePaths(graph))
   {
@@ -52,19 +54,19 @@ bool RemoveShortestSpur(CurveGraph& graph, const SignedDistance& surface)
     }
     const double length = LengthOf(graph, path);
     if (links[path.back()].size() == 1 && links[path.front()].size() >= 3 &&
-      length < radii(path.front()) && (shortest.empty() || length < least))
+      length < std::max(shortest, radii(path.front())) && (spur.empty() || length < least))
     {
-      shortest = path;
+      spur = path;
       least = length;
     }
   }
   std::vector<bool> removed(graph.Size(), false);
-  for (std::size_t i = 1; i < shortest.size(); ++i)
+  for (std::size_t i = 1; i < spur.size(); ++i)
   {
-    removed[shortest[i]] = true;
+    removed[spur[i]] = true;
   }
   graph = RemoveNodes(graph, removed);
-  return !shortest.empty();
+  return !spur.empty();
 }
 
 /// Smooths the points of a branch; its ends stay, except those of a cycle without a junction.
@@ -160,7 +162,7 @@ struct Collector
 CurveSkeleton MakeBranches(const CurveGraph& curves, const SignedDistance& surface, double length)
 {
   CurveGraph graph = MergeShortLinks(curves, 0.5 * length);
-  while (RemoveShortestSpur(graph, surface))
+  while (RemoveShortestSpur(graph, surface, ShortestSpur * length))
   {
   }
   const std::vector<std::vector<int>> links = ListLinksOfNodes(graph);
