@@ -46,7 +46,7 @@ struct CurveSkeleton
  *
  * The skeleton has the topology of the solid: one component for each component of the surface, and
  * as many independent cycles as its genus. Both are checked. Branches that end within the ball
- * around their junction, or are shorter than three edges, are left out. The edges of a branch are equally long, and about as long as
+ * around a point of another branch, or are shorter than three edges, are left out. The edges of a branch are equally long, and about as long as
  * the Resolution.
  *
  * The result depends on the positions of points and on which of them make triangles, but not on

@@ -30,8 +30,8 @@ struct SkeletonMatchingOptions
 /// The branches of a skeleton matched with those of another.
 struct SkeletonMatching
 {
-  /// For each branch, the branch of the target; -1 for a branch within the ball of a junction, which
-  /// is matched together with that junction.
+  /// For each branch, the branch of the target; -1 for a branch between junctions whose balls
+  /// overlap, which are matched as one.
   std::vector<int> Branches;
   std::vector<bool> Reversed;      ///< for each branch, whether the target's begins at its end
   Eigen::MatrixXd TargetPositions; ///< n x 3: the places of the points on the target's skeleton
@@ -42,8 +42,8 @@ struct SkeletonMatching
 /**
  * Matches two skeletons as graphs: junctions with junctions of as many branches, ends with ends.
  * Every such isomorphism is compared (by branch and bound), and the one of least difference is
- * taken. A junction within the ball of another one first becomes one junction with it, because the
- * order in which branches leave a thick part is not reliable.
+ * taken. Junctions whose balls overlap first become one junction, because the order in which branches
+ * leave a thick part is not reliable.
  *
  * The difference is a sum. For each pair of branches it has the absolute logarithm of the ratio of
  * lengths, each as a share of the skeleton's length, and the mean absolute logarithm of the ratio

@@ -134,7 +134,7 @@ TEST(SkeletonMatching, FindsTheFingersOfABentHand)
                       bent = shape::ExtractCurveSkeleton(shapetest::Hand(0.9, 0.04));
   const shape::SkeletonMatching matching = shape::MatchSkeletons(flat, bent);
   // The tips of a finger have the same direction from the wrist in the plane z = 0.
-  const double angles[] = { 2.5, 1.9, 1.55, 1.2, 0.8 };
+  const double angles[] = { 2.7, 2.1, 1.6, 1.1, 0.5 };
   const auto finger = [&](const RowVector3d& tip)
   {
     const double angle = std::atan2(tip(1), tip(0));

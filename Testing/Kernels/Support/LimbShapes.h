@@ -94,15 +94,15 @@ inline std::vector<Limb> Star(const std::vector<double>& lengths, double radius)
 /// A palm and five fingers. bend: how far the tip of each finger is bent out of z = 0, in radians.
 inline shape::Mesh Hand(double bend, double spacing)
 {
-  const double lengths[] = { 0.75, 1.2, 1.5, 1.32, 0.95 }, angles[] = { 2.5, 1.9, 1.55, 1.2, 0.8 };
-  std::vector<Limb> limbs = { { { 0.0, -1.2, 0.0 }, { 0.0, 0.0, 0.0 }, 0.3, 0.42 } };
+  const double lengths[] = { 0.5, 1.1, 2.0, 1.5, 0.8 }, angles[] = { 2.7, 2.1, 1.6, 1.1, 0.5 };
+  std::vector<Limb> limbs = { { { 0.0, -1.2, 0.0 }, { 0.0, 0.0, 0.0 }, 0.3, 0.5 } };
   for (int i = 0; i < 5; ++i)
   {
     const Eigen::RowVector3d along(std::cos(angles[i]), std::sin(angles[i]), 0.0);
     const Eigen::RowVector3d root = 0.2 * along, middle = root + 0.6 * lengths[i] * along;
     const Eigen::RowVector3d tip = middle +
       0.7 * lengths[i] * (std::cos(bend) * along + std::sin(bend) * Eigen::RowVector3d::UnitZ());
-    limbs.push_back({ root, middle, 0.13, 0.12 });
+    limbs.push_back({ root, middle, 0.12, 0.12 });
     limbs.push_back({ middle, tip, 0.12, 0.1 });
   }
   return Union(limbs, spacing);

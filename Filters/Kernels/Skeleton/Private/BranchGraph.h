@@ -47,8 +47,8 @@ struct BranchGraph
 /// Returns the lengths from the begin of a branch to each of its points.
 Eigen::VectorXd MeasureAlong(const CurveSkeleton& skeleton, const std::vector<int>& branch);
 
-/// Makes the graph of a skeleton. Junctions that a branch joins which is shorter than the larger of
-/// their radii are merged, the shortest branches first, unless the branch closes a cycle.
+/// Makes the graph of a skeleton. Junctions whose balls overlap along the branch between them are
+/// merged, the shortest branches first, unless the branch closes a cycle.
 BranchGraph MakeBranchGraph(const CurveSkeleton& skeleton);
 
 } // namespace shape

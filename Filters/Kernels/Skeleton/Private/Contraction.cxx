@@ -71,8 +71,8 @@ public:
       right.row(i) = stay * mesh.Points.row(i) + attract * centres.back().transpose();
     }
     SparseCholesky cholesky;
-    cholesky.Factorize(system, progress);
-    this->Edited = EditableSurface({ cholesky.Solve(right, progress), mesh.Triangles });
+    cholesky.Factorize(system, progress.Part(0.0, 0.8));
+    this->Edited = EditableSurface({ cholesky.Solve(right, progress.Part(0.8, 1.0)), mesh.Triangles });
     this->Centres = std::move(centres);
     this->Fixed = std::move(fixed);
   }

@@ -28,45 +28,10 @@ Eigen::MatrixXd PositionsOf(const CurveGraph& graph)
   return positions;
 }
 
-double LengthOf(const CurveGraph& graph, const Path& path)
+double LengthOf(const Eigen::MatrixXd& polyline)
 {
-  double length = 0.0;
-  for (std::size_t i = 1; i < path.size(); ++i)
-  {
-    length += (graph.Positions[path[i]] - graph.Positions[path[i - 1]]).norm();
-  }
-  return length;
-}
-
-/// Removes the shortest branch that ends within the ball around its junction or is shorter than
-/// `shortest`. Returns false if there is none.
-bool RemoveShortestSpur(CurveGraph& graph, const SignedDistance& surface, double shortest)
-{
-  const std::vector<std::vector<int>> links = ListLinksOfNodes(graph);
-  const Eigen::VectorXd radii = -surface.Evaluate(PositionsOf(graph)).Distances;
-  Path spur;
-  double least = 0.0;
-  for (Path path : TracePaths(graph))
-  {
-    if (links[path.front()].size() == 1)
-    {
-      std::reverse(path.begin(), path.end());
-    }
-    const double length = LengthOf(graph, path);
-    if (links[path.back()].size() == 1 && links[path.front()].size() >= 3 &&
-      length < std::max(shortest, radii(path.front())) && (spur.empty() || length < least))
-    {
-      spur = path;
-      least = length;
-    }
-  }
-  std::vector<bool> removed(graph.Size(), false);
-  for (std::size_t i = 1; i < spur.size(); ++i)
-  {
-    removed[spur[i]] = true;
-  }
-  graph = RemoveNodes(graph, removed);
-  return !spur.empty();
+  const Eigen::Index edges = polyline.rows() - 1;
+  return (polyline.bottomRows(edges) - polyline.topRows(edges)).rowwise().norm().sum();
 }
 
 /// Smooths the points of a branch; its ends stay, except those of a cycle without a junction.
@@ -92,6 +57,61 @@ Eigen::MatrixXd SmoothPath(const CurveGraph& graph, const Path& path, bool cycle
     }
   }
   return points;
+}
+
+/// Whether the end of a branch lies within the ball around a node that is not on the branch, or
+/// around its junction.
+bool IsCovered(const CurveGraph& graph, const Eigen::VectorXd& radii, const Path& path)
+{
+  std::vector<bool> own(graph.Size(), false);
+  for (std::size_t i = 1; i < path.size(); ++i)
+  {
+    own[path[i]] = true;
+  }
+  const Eigen::Vector3d& tip = graph.Positions[path.back()];
+  for (int i = 0; i < graph.Size(); ++i)
+  {
+    if (!own[i] && (graph.Positions[i] - tip).norm() < radii(i))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Removes the shortest branch whose end is covered or which is shorter than `shortest`. Returns
+/// false if there is none.
+bool RemoveShortestSpur(CurveGraph& graph, const SignedDistance& surface, double shortest)
+{
+  const std::vector<std::vector<int>> links = ListLinksOfNodes(graph);
+  const Eigen::VectorXd radii = -surface.Evaluate(PositionsOf(graph)).Distances;
+  Path spur;
+  double least = 0.0;
+  for (Path path : TracePaths(graph))
+  {
+    if (links[path.front()].size() == 1)
+    {
+      std::reverse(path.begin(), path.end());
+    }
+    if (links[path.back()].size() != 1 || links[path.front()].size() < 3)
+    {
+      continue;
+    }
+    const double length = LengthOf(SmoothPath(graph, path, false));
+    if ((spur.empty() || length < least) &&
+      (length < shortest || IsCovered(graph, radii, path)))
+    {
+      spur = path;
+      least = length;
+    }
+  }
+  std::vector<bool> removed(graph.Size(), false);
+  for (std::size_t i = 1; i < spur.size(); ++i)
+  {
+    removed[spur[i]] = true;
+  }
+  graph = RemoveNodes(graph, removed);
+  return !spur.empty();
 }
 
 /// Returns positions at equal distances along a polyline, with both ends.
@@ -184,12 +204,8 @@ CurveSkeleton MakeBranches(const CurveGraph& curves, const SignedDistance& surfa
     const int least = closed ? 3 : between[std::minmax(path.front(), path.back())] > 1 ? 2 : 1;
     const Eigen::MatrixXd smooth =
       SmoothPath(graph, path, closed && links[path.front()].size() == 2);
-    double sum = 0.0;
-    for (Eigen::Index i = 1; i < smooth.rows(); ++i)
-    {
-      sum += (smooth.row(i) - smooth.row(i - 1)).norm();
-    }
-    const int edges = std::max(least, static_cast<int>(std::lround(sum / length)));
+    const int edges =
+      std::max(least, static_cast<int>(std::lround(LengthOf(smooth) / length)));
     collector.AddBranch(path, Resample(smooth, edges));
   }
   CurveSkeleton skeleton;
