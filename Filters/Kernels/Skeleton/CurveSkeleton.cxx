@@ -37,8 +37,9 @@ Mesh SortMesh(const Mesh& mesh)
 {
   std::vector<int> order(mesh.Points.rows());
   std::iota(order.begin(), order.end(), 0);
-  const auto key = [&](int i)
-  { return std::array<double, 3>{ mesh.Points(i, 0), mesh.Points(i, 1), mesh.Points(i, 2) }; };
+  const auto key = [&](int i) {
+    return std::array<double, 3>{ mesh.Points(i, 0), mesh.Points(i, 1), mesh.Points(i, 2) };
+  };
   std::sort(order.begin(), order.end(), [&](int a, int b) { return key(a) < key(b); });
   Mesh sorted{ Eigen::MatrixXd(mesh.Points.rows(), 3), mesh.Triangles };
   std::vector<int> number(order.size());
@@ -112,8 +113,8 @@ CurveSkeleton ExtractOne(const Mesh& solid, double resolution, const CurveSkelet
   flow.MedialWeight = options.MedialWeight;
   flow.ShortestEdge =
     ShortestShare * std::sqrt(ComputeArea(mesh) / (0.5 * std::sqrt(3.0) * mesh.Points.rows()));
-  const Mesh contracted = ContractSurface(
-    mesh, balls.Centres, flow, progress.Part(0.25, 0.9, "contracting the surface"));
+  const Mesh contracted =
+    ContractSurface(mesh, balls.Centres, flow, progress.Part(0.25, 0.9, "contracting the surface"));
   const CurveGraph graph =
     CollapseToCurves(contracted, progress.Part(0.9, 0.97, "collapsing to curves"));
   CurveSkeleton skeleton = MakeBranches(graph, SignedDistance(surface), resolution);

@@ -46,8 +46,8 @@ struct CurveSkeleton
  *
  * The skeleton has the topology of the solid: one component for each component of the surface, and
  * as many independent cycles as its genus. Both are checked. Branches that end within the ball
- * around a point of another branch, or are shorter than three edges, are left out. The edges of a branch are equally long, and about as long as
- * the Resolution.
+ * around a point of another branch, or are shorter than three edges, are left out. The edges of a
+ * branch are equally long, and about as long as the Resolution.
  *
  * The result depends on the positions of points and on which of them make triangles, but not on
  * their numbers: shuffled points and triangles give the same bits, unless points coincide.
@@ -57,7 +57,7 @@ struct CurveSkeleton
  * not a curve), or if an option is out of range; SolveFailure if the topology is not that of the
  * solid; Aborted.
  */
-CurveSkeleton ExtractCurveSkeleton(const Surface& surface,
-  const CurveSkeletonOptions& options = {}, const Progress& progress = {});
+CurveSkeleton ExtractCurveSkeleton(
+  const Surface& surface, const CurveSkeletonOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

@@ -65,8 +65,8 @@ std::vector<int> FindAmbiguous(const BranchGraph& graph, const GraphMatches& mat
   return { found.begin(), found.end() };
 }
 
-void RequireSimilar(const BranchGraph& graph, const BranchGraph& target, const GraphMatch& match,
-  double largest)
+void RequireSimilar(
+  const BranchGraph& graph, const BranchGraph& target, const GraphMatch& match, double largest)
 {
   for (std::size_t i = 0; i < graph.Branches.size(); ++i)
   {
@@ -88,9 +88,9 @@ void RequireSimilar(const BranchGraph& graph, const BranchGraph& target, const G
 void RequireClear(const SkeletonMatching& matching, const GraphMatches& matches,
   const SkeletonMatchingOptions& options)
 {
-  const std::string remedy = "; use shapes whose parts differ, or set Ambiguity to First and check "
+  const std::string remedy = "; use shapes whose parts differ, or set Ambiguous to First and check "
                              "the result";
-  if (options.Ambiguity == SkeletonMatchingOptions::AmbiguityType::First)
+  if (options.Ambiguous == SkeletonMatchingOptions::AmbiguityType::First)
   {
     return;
   }
@@ -107,8 +107,7 @@ void RequireClear(const SkeletonMatching& matching, const GraphMatches& matches,
 }
 
 /// Returns the position at a fraction of the length of a branch.
-RowVector3d PlaceAt(
-  const CurveSkeleton& skeleton, const std::vector<int>& branch, double fraction)
+RowVector3d PlaceAt(const CurveSkeleton& skeleton, const std::vector<int>& branch, double fraction)
 {
   const Eigen::VectorXd along = MeasureAlong(skeleton, branch);
   const double at = fraction * along.tail<1>()(0);

@@ -18,7 +18,7 @@ struct SkeletonMatchingOptions
     Refuse, ///< InvalidInput, which names the branches
     First   ///< the best one, of equal ones the first in the order of the branches' numbers
   };
-  AmbiguityType Ambiguity = AmbiguityType::Refuse;
+  AmbiguityType Ambiguous = AmbiguityType::Refuse;
   /// Another matching is as good if its difference exceeds the least by no more than this; > 0. 0.2
   /// is, for example, two branches exchanged whose lengths differ by a tenth.
   double Tolerance = 0.2;
@@ -42,8 +42,8 @@ struct SkeletonMatching
 /**
  * Matches two skeletons as graphs: junctions with junctions of as many branches, ends with ends.
  * Every such isomorphism is compared (by branch and bound), and the one of least difference is
- * taken. Junctions whose balls overlap first become one junction, because the order in which branches
- * leave a thick part is not reliable.
+ * taken. Junctions whose balls overlap first become one junction, because the order in which
+ * branches leave a thick part is not reliable.
  *
  * The difference is a sum. For each pair of branches it has the absolute logarithm of the ratio of
  * lengths, each as a share of the skeleton's length, and the mean absolute logarithm of the ratio
@@ -55,7 +55,7 @@ struct SkeletonMatching
  * The points of a branch go to the same fraction of the arc length of its counterpart.
  *
  * Throws InvalidInput if the graphs are not isomorphic, if two branches that match differ by more
- * than LargestDifference, if the matching is ambiguous and Ambiguity is Refuse, or if an option is
+ * than LargestDifference, if the matching is ambiguous and Ambiguous is Refuse, or if an option is
  * out of range; Aborted. A cycle without a junction is always ambiguous, because it has no
  * beginning.
  */

@@ -109,10 +109,10 @@ TEST(CurveSkeleton, OfATorusIsItsCircle)
 TEST(CurveSkeleton, HasTheGenusOfADoubleTorus)
 {
   // Two rings with a common bar.
-  std::vector<shapetest::Limb> limbs = shapetest::Chain(
-    { { 0, -1, 0 }, { -1.5, -1, 0 }, { -1.5, 1, 0 }, { 0, 1, 0 }, { 1.5, 1, 0 }, { 1.5, -1, 0 },
-      { 0, -1, 0 }, { 0, 1, 0 } },
-    0.25);
+  std::vector<shapetest::Limb> limbs =
+    shapetest::Chain({ { 0, -1, 0 }, { -1.5, -1, 0 }, { -1.5, 1, 0 }, { 0, 1, 0 }, { 1.5, 1, 0 },
+                       { 1.5, -1, 0 }, { 0, -1, 0 }, { 0, 1, 0 } },
+      0.25);
   const CurveSkeleton skeleton = shape::ExtractCurveSkeleton(shapetest::Union(limbs, 0.06));
   EXPECT_EQ(skeleton.Cycles, 2);
   EXPECT_EQ(skeleton.Branches.size(), 3U);
@@ -142,9 +142,9 @@ TEST(CurveSkeleton, OfAHandHasABranchForEachFinger)
 
 TEST(CurveSkeleton, HasAComponentForEachOfTheSurface)
 {
-  const CurveSkeleton skeleton = shape::ExtractCurveSkeleton(
-    shapetest::Joined({ shapetest::Torus(1.0, 0.3, 40, 16), shapetest::Sphere(3, 0.5, { 4, 0, 0 }),
-      shapetest::Shifted(Capsule(0.1), { 0, 3, 0 }) }));
+  const CurveSkeleton skeleton =
+    shape::ExtractCurveSkeleton(shapetest::Joined({ shapetest::Torus(1.0, 0.3, 40, 16),
+      shapetest::Sphere(3, 0.5, { 4, 0, 0 }), shapetest::Shifted(Capsule(0.1), { 0, 3, 0 }) }));
   EXPECT_EQ(skeleton.Components, 3);
   EXPECT_EQ(skeleton.Cycles, 1);
 }
@@ -181,9 +181,9 @@ TEST(CurveSkeleton, RefusesWhatHasNoCurveSkeleton)
 {
   const shape::Mesh ball = shapetest::Sphere(2, 1.0);
   EXPECT_REFUSED(shape::ExtractCurveSkeleton(shapetest::WithoutLast(ball)), "open", "close");
-  EXPECT_REFUSED(shape::ExtractCurveSkeleton(
-                   shapetest::Joined({ ball, shapetest::Sphere(2, 0.4) })),
-    "void", "remove the inner surface");
+  EXPECT_REFUSED(
+    shape::ExtractCurveSkeleton(shapetest::Joined({ ball, shapetest::Sphere(2, 0.4) })), "void",
+    "remove the inner surface");
   shapetest::ExpectRefused<shape::CurveSkeletonOptions>(
     [&](const auto& options) { shape::ExtractCurveSkeleton(ball, options); }, {},
     { { &shape::CurveSkeletonOptions::Resolution, -1.0, { "Resolution is -1" } },

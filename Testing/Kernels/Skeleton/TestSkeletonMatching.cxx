@@ -77,9 +77,9 @@ TEST(SkeletonMatching, DoesNotDependOnScaleAndPlace)
 TEST(SkeletonMatching, RefusesASymmetricStarAndNamesItsBranches)
 {
   const CurveSkeleton star = Spider({ { 2, 0, 0 }, { -1, 1.7321, 0 }, { -1, -1.7321, 0 } });
-  EXPECT_REFUSED(shape::MatchSkeletons(star, star), "ambiguous", "0, 1 and 2", "Ambiguity");
+  EXPECT_REFUSED(shape::MatchSkeletons(star, star), "ambiguous", "0, 1 and 2", "Ambiguous");
   SkeletonMatchingOptions options;
-  options.Ambiguity = SkeletonMatchingOptions::AmbiguityType::First;
+  options.Ambiguous = SkeletonMatchingOptions::AmbiguityType::First;
   const shape::SkeletonMatching first = shape::MatchSkeletons(star, star, options);
   EXPECT_EQ(first.Branches, (std::vector<int>{ 0, 1, 2 }));
   EXPECT_EQ(first.Ambiguous, (std::vector<int>{ 0, 1, 2 }));
@@ -138,8 +138,8 @@ TEST(SkeletonMatching, FindsTheFingersOfABentHand)
   const auto finger = [&](const RowVector3d& tip)
   {
     const double angle = std::atan2(tip(1), tip(0));
-    return std::min_element(std::begin(angles), std::end(angles), [&](double a, double b)
-             { return std::abs(a - angle) < std::abs(b - angle); }) -
+    return std::min_element(std::begin(angles), std::end(angles),
+             [&](double a, double b) { return std::abs(a - angle) < std::abs(b - angle); }) -
       std::begin(angles);
   };
   int tips = 0;

@@ -23,8 +23,7 @@ struct Limb
   double Distance(const Eigen::RowVector3d& point) const
   {
     const Eigen::RowVector3d axis = this->End - this->Begin;
-    const double t =
-      std::clamp((point - this->Begin).dot(axis) / axis.squaredNorm(), 0.0, 1.0);
+    const double t = std::clamp((point - this->Begin).dot(axis) / axis.squaredNorm(), 0.0, 1.0);
     return (point - this->Begin - t * axis).norm() - this->BeginRadius -
       t * (this->EndRadius - this->BeginRadius);
   }

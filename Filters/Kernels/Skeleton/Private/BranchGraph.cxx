@@ -28,8 +28,7 @@ Eigen::RowVectorXd Interpolate(
     ++piece;
   }
   const double length = along(piece) - along(piece - 1);
-  const double share =
-    length > 0.0 ? std::clamp((at - along(piece - 1)) / length, 0.0, 1.0) : 0.0;
+  const double share = length > 0.0 ? std::clamp((at - along(piece - 1)) / length, 0.0, 1.0) : 0.0;
   return (1.0 - share) * values.row(branch[piece - 1]) + share * values.row(branch[piece]);
 }
 
@@ -102,8 +101,7 @@ private:
       for (const int point : { branch.front(), branch.back() })
       {
         this->Graph.NodeOf[point] =
-          numbers.emplace(this->Merged.Find(point), static_cast<int>(numbers.size()))
-            .first->second;
+          numbers.emplace(this->Merged.Find(point), static_cast<int>(numbers.size())).first->second;
       }
     }
     this->Graph.Nodes.resize(numbers.size());
@@ -115,9 +113,9 @@ private:
     GraphBranch branch;
     branch.Number = number;
     const int begin = path.front(), end = path.back();
-    branch.Type = path.size() == 1 ? GraphBranch::Kind::Point
+    branch.Type = path.size() == 1                         ? GraphBranch::Kind::Point
       : begin == end && this->Skeleton.Degrees(begin) == 2 ? GraphBranch::Kind::Cycle
-                                                          : GraphBranch::Kind::Open;
+                                                           : GraphBranch::Kind::Open;
     branch.Nodes = { this->Graph.NodeOf[begin], this->Graph.NodeOf[end] };
     branch.Length =
       (this->LengthOf(number) + this->Skeleton.Radii(begin) + this->Skeleton.Radii(end)) / total;
@@ -184,8 +182,8 @@ Eigen::VectorXd MeasureAlong(const CurveSkeleton& skeleton, const std::vector<in
   Eigen::VectorXd along = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(branch.size()));
   for (Eigen::Index i = 1; i < along.size(); ++i)
   {
-    along(i) = along(i - 1) +
-      (skeleton.Points.row(branch[i]) - skeleton.Points.row(branch[i - 1])).norm();
+    along(i) =
+      along(i - 1) + (skeleton.Points.row(branch[i]) - skeleton.Points.row(branch[i - 1])).norm();
   }
   return along;
 }

@@ -40,8 +40,8 @@ struct BranchGraph
 {
   std::vector<GraphBranch> Branches;
   std::vector<GraphNode> Nodes;
-  Eigen::MatrixXd Directions;  ///< for each side, the unit vector from its node along the branch
-  std::vector<int> NodeOf;     ///< for each point of the skeleton, its node, or -1
+  Eigen::MatrixXd Directions; ///< for each side, the unit vector from its node along the branch
+  std::vector<int> NodeOf;    ///< for each point of the skeleton, its node, or -1
 };
 
 /// Returns the lengths from the begin of a branch to each of its points.

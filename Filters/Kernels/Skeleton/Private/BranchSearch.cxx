@@ -24,8 +24,8 @@ constexpr double LeastRadius = 1e-3;
 class Search
 {
 public:
-  Search(const BranchGraph& graph, const BranchGraph& target, double tolerance,
-    const Progress& progress)
+  Search(
+    const BranchGraph& graph, const BranchGraph& target, double tolerance, const Progress& progress)
     : Graph(graph)
     , Target(target)
     , Tolerance(tolerance)
@@ -61,7 +61,8 @@ private:
     {
       byLength[i] = static_cast<int>(i);
     }
-    std::stable_sort(byLength.begin(), byLength.end(), [&](int a, int b)
+    std::stable_sort(byLength.begin(), byLength.end(),
+      [&](int a, int b)
       { return this->Graph.Branches[a].Length > this->Graph.Branches[b].Length; });
     std::vector<bool> taken(byLength.size(), false), reached(this->Graph.Nodes.size(), false);
     while (this->Order.size() < byLength.size())
@@ -97,8 +98,8 @@ private:
       {
         for (const bool reversed : { false, true })
         {
-          least = std::min(
-            least, CompareBranches(this->Graph.Branches[this->Order[i]], other, reversed));
+          least =
+            std::min(least, CompareBranches(this->Graph.Branches[this->Order[i]], other, reversed));
         }
       }
       this->Rest[i] = this->Rest[i + 1] + least;
@@ -268,8 +269,8 @@ double CompareBranches(const GraphBranch& a, const GraphBranch& b, bool reversed
   return std::abs(std::log(a.Length / b.Length)) + radii / RadiusSamples;
 }
 
-GraphMatches FindMatches(const BranchGraph& graph, const BranchGraph& target, double tolerance,
-  const Progress& progress)
+GraphMatches FindMatches(
+  const BranchGraph& graph, const BranchGraph& target, double tolerance, const Progress& progress)
 {
   if (graph.Branches.size() != target.Branches.size() || graph.Nodes.size() != target.Nodes.size())
   {

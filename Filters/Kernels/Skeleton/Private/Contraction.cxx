@@ -72,7 +72,8 @@ public:
     }
     SparseCholesky cholesky;
     cholesky.Factorize(system, progress.Part(0.0, 0.8));
-    this->Edited = EditableSurface({ cholesky.Solve(right, progress.Part(0.8, 1.0)), mesh.Triangles });
+    this->Edited =
+      EditableSurface({ cholesky.Solve(right, progress.Part(0.8, 1.0)), mesh.Triangles });
     this->Centres = std::move(centres);
     this->Fixed = std::move(fixed);
   }
@@ -98,7 +99,7 @@ public:
       for (int k = 0; k < 3 && this->Edited.Corners(t)[0] >= 0; ++k)
       {
         const int a = this->Edited.Corners(t)[k], b = this->Edited.Corners(t)[(k + 1) % 3];
-        if (a < b && this->Edited.Length(a, b) > 2.0 * this->Options.ShortestEdge)
+        if (a<b&& this->Edited.Length(a, b)> 2.0 * this->Options.ShortestEdge)
         {
           this->TrySplit(a, b);
         }
@@ -228,8 +229,7 @@ private:
     }
     const Vector3d from = this->Edited.Position(a), edge = this->Edited.Position(b) - from;
     const Vector3d corner = this->Edited.Position(atC < atD ? c : d);
-    const double share =
-      std::clamp((corner - from).dot(edge) / edge.squaredNorm(), 0.1, 0.9);
+    const double share = std::clamp((corner - from).dot(edge) / edge.squaredNorm(), 0.1, 0.9);
     const int middle = this->Edited.Split(a, b);
     this->Edited.Move(middle, from + share * edge);
     this->Centres.emplace_back((1.0 - share) * this->Centres[a] + share * this->Centres[b]);

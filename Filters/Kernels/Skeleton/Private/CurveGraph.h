@@ -35,8 +35,8 @@ CurveGraph RemoveNodes(const CurveGraph& graph, const std::vector<bool>& removed
 /// Returns the links of each node, ascending. A link that joins a node to itself is there twice.
 std::vector<std::vector<int>> ListLinksOfNodes(const CurveGraph& graph);
 
-/// Returns the paths of nodes between nodes that have other than two links. A closed path begins and
-/// ends with the same node. A node without links is a path of one node.
+/// Returns the paths of nodes between nodes that have other than two links. A closed path begins
+/// and ends with the same node. A node without links is a path of one node.
 std::vector<std::vector<int>> TracePaths(const CurveGraph& graph);
 
 } // namespace shape

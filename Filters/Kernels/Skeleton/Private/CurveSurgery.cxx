@@ -83,8 +83,8 @@ private:
 
   bool HasEdge(int a, int b) const
   {
-    return std::any_of(this->Fans[a].begin(), this->Fans[a].end(),
-      [&](int t) { return this->CornerOf(t, b) >= 0; });
+    return std::any_of(
+      this->Fans[a].begin(), this->Fans[a].end(), [&](int t) { return this->CornerOf(t, b) >= 0; });
   }
 
   /// Returns the index of a point among the corners of a triangle, or -1.

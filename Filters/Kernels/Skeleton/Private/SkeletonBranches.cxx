@@ -98,8 +98,7 @@ bool RemoveShortestSpur(CurveGraph& graph, const SignedDistance& surface, double
       continue;
     }
     const double length = LengthOf(SmoothPath(graph, path, false));
-    if ((spur.empty() || length < least) &&
-      (length < shortest || IsCovered(graph, radii, path)))
+    if ((spur.empty() || length < least) && (length < shortest || IsCovered(graph, radii, path)))
     {
       spur = path;
       least = length;
@@ -204,8 +203,7 @@ CurveSkeleton MakeBranches(const CurveGraph& curves, const SignedDistance& surfa
     const int least = closed ? 3 : between[std::minmax(path.front(), path.back())] > 1 ? 2 : 1;
     const Eigen::MatrixXd smooth =
       SmoothPath(graph, path, closed && links[path.front()].size() == 2);
-    const int edges =
-      std::max(least, static_cast<int>(std::lround(LengthOf(smooth) / length)));
+    const int edges = std::max(least, static_cast<int>(std::lround(LengthOf(smooth) / length)));
     collector.AddBranch(path, Resample(smooth, edges));
   }
   CurveSkeleton skeleton;
