@@ -13,7 +13,7 @@ namespace shape
 namespace
 {
 
-constexpr long long MostSteps = 2000000;
+constexpr long long MostSearchSteps = 2000000;
 constexpr std::size_t MostMatches = 256;
 /// Triples of directions that span less are too close to a plane to tell left from right.
 constexpr double LeastVolume = 0.6;
@@ -121,8 +121,8 @@ private:
     }
     if (++this->Steps % 1024 == 0)
     {
-      this->Report(std::min(1.0, static_cast<double>(this->Steps) / MostSteps));
-      this->Matches.Complete = this->Steps < MostSteps;
+      this->Report(std::min(1.0, static_cast<double>(this->Steps) / MostSearchSteps));
+      this->Matches.Complete = this->Steps < MostSearchSteps;
     }
     const int branch = this->Order[depth];
     for (const auto& [own, other, reversed] : this->Candidates(branch))
