@@ -12,7 +12,7 @@
  * it.
  * - Point array `Radius` (double): the distance from the surface, in its units.
  * - Point array `Degree` (int): the number of edges at the point.
- * - Point array `TargetPosition` (double, 3), if there is a Target: the place on its skeleton.
+ * - Point array `TargetPosition` (double, 3), if there is a Target: the position on its skeleton.
  * - Cell array `BranchId` (int): the number of the branch, from 0.
  * - Cell array `TargetBranchId` (int), if there is a Target: the branch of its skeleton; -1 for a
  *   branch within a junction.
@@ -27,7 +27,7 @@
 
 #include "vtkShapeAlgorithm.h"
 
-#include "Skeleton/CurveSkeleton.h"    // for the options
+#include "Skeleton/Skeleton.h"         // for the options
 #include "Skeleton/SkeletonMatching.h" // for the options
 
 class VTKSHAPEFILTERS_EXPORT vtkShapeSkeleton : public vtkShapeAlgorithm

@@ -6,7 +6,7 @@
 
 #include "Mesh/Extent.h"
 #include "Mesh/Surface.h"
-#include "Skeleton/CurveSkeleton.h"
+#include "Skeleton/Skeleton.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/extract_mean_curvature_flow_skeleton.h>

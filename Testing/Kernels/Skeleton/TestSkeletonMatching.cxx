@@ -1,4 +1,6 @@
 #include "Skeleton/SkeletonMatching.h"
+
+#include "Skeleton/Skeleton.h"
 #include "Support/LimbShapes.h"
 #include "Support/Refusals.h"
 

@@ -1,4 +1,4 @@
-#include "Skeleton/CurveSkeleton.h"
+#include "Skeleton/Skeleton.h"
 #include "Support/LimbShapes.h"
 #include "Support/ProgressChecks.h"
 #include "Support/Refusals.h"
@@ -65,7 +65,7 @@ shape::Mesh Shuffled(const shape::Mesh& mesh)
 
 } // namespace
 
-TEST(CurveSkeleton, OfACapsuleIsItsAxis)
+TEST(Skeleton, OfACapsuleIsItsAxis)
 {
   const CurveSkeleton skeleton = shape::ExtractCurveSkeleton(Capsule());
   ASSERT_EQ(skeleton.Branches.size(), 1U);
@@ -80,7 +80,7 @@ TEST(CurveSkeleton, OfACapsuleIsItsAxis)
   EXPECT_NEAR(skeleton.Radii.maxCoeff(), 0.5, 0.01);
 }
 
-TEST(CurveSkeleton, HasEdgesAsLongAsTheResolution)
+TEST(Skeleton, HasEdgesAsLongAsTheResolution)
 {
   shape::CurveSkeletonOptions options;
   options.Resolution = 0.2;
@@ -93,7 +93,7 @@ TEST(CurveSkeleton, HasEdgesAsLongAsTheResolution)
   }
 }
 
-TEST(CurveSkeleton, OfATorusIsItsCircle)
+TEST(Skeleton, OfATorusIsItsCircle)
 {
   const CurveSkeleton skeleton = shape::ExtractCurveSkeleton(shapetest::Torus(1.0, 0.3, 60, 24));
   ASSERT_EQ(skeleton.Branches.size(), 1U);
@@ -106,7 +106,7 @@ TEST(CurveSkeleton, OfATorusIsItsCircle)
   EXPECT_LT(skeleton.Points.col(2).cwiseAbs().maxCoeff(), 0.01);
 }
 
-TEST(CurveSkeleton, HasTheGenusOfADoubleTorus)
+TEST(Skeleton, HasTheGenusOfADoubleTorus)
 {
   // Two rings with a common bar.
   std::vector<shapetest::Limb> limbs =
@@ -120,7 +120,7 @@ TEST(CurveSkeleton, HasTheGenusOfADoubleTorus)
   EXPECT_EQ(CountDegree(skeleton, 1), 0);
 }
 
-TEST(CurveSkeleton, OfThreeLimbsHasAJunctionOfThreeBranches)
+TEST(Skeleton, OfThreeLimbsHasAJunctionOfThreeBranches)
 {
   const CurveSkeleton skeleton =
     shape::ExtractCurveSkeleton(shapetest::Union(shapetest::Star({ 2, 2.5, 3 }, 0.3), 0.06));
@@ -132,7 +132,7 @@ TEST(CurveSkeleton, OfThreeLimbsHasAJunctionOfThreeBranches)
   EXPECT_LT(skeleton.Points.row(junction).norm(), 0.15);
 }
 
-TEST(CurveSkeleton, OfAHandHasABranchForEachFinger)
+TEST(Skeleton, OfAHandHasABranchForEachFinger)
 {
   const CurveSkeleton skeleton = shape::ExtractCurveSkeleton(shapetest::Hand(0.0, 0.04));
   EXPECT_EQ(CountDegree(skeleton, 1), 6); // five fingers and the wrist
@@ -140,7 +140,7 @@ TEST(CurveSkeleton, OfAHandHasABranchForEachFinger)
   EXPECT_EQ(skeleton.OutsidePoints, 0);
 }
 
-TEST(CurveSkeleton, HasAComponentForEachOfTheSurface)
+TEST(Skeleton, HasAComponentForEachOfTheSurface)
 {
   const CurveSkeleton skeleton =
     shape::ExtractCurveSkeleton(shapetest::Joined({ shapetest::Torus(1.0, 0.3, 40, 16),
@@ -149,7 +149,7 @@ TEST(CurveSkeleton, HasAComponentForEachOfTheSurface)
   EXPECT_EQ(skeleton.Cycles, 1);
 }
 
-TEST(CurveSkeleton, DoesNotDependOnNumbers)
+TEST(Skeleton, DoesNotDependOnNumbers)
 {
   const shape::Mesh mesh = shapetest::Union(shapetest::Star({ 2, 2.5, 3 }, 0.3), 0.08);
   const CurveSkeleton one = shape::ExtractCurveSkeleton(mesh),
@@ -158,7 +158,7 @@ TEST(CurveSkeleton, DoesNotDependOnNumbers)
   EXPECT_EQ(one.Points, two.Points); // the same bits
 }
 
-TEST(CurveSkeleton, TurnsAndGrowsWithTheShape)
+TEST(Skeleton, TurnsAndGrowsWithTheShape)
 {
   const shape::Mesh mesh = shapetest::Union(shapetest::Star({ 2, 2.5, 3 }, 0.3), 0.08);
   const Eigen::Matrix3d turn =
@@ -177,7 +177,7 @@ TEST(CurveSkeleton, TurnsAndGrowsWithTheShape)
   EXPECT_LT(Distance(two, expected), 0.06 * scale);
 }
 
-TEST(CurveSkeleton, RefusesWhatHasNoCurveSkeleton)
+TEST(Skeleton, RefusesWhatHasNoCurveSkeleton)
 {
   const shape::Mesh ball = shapetest::Sphere(2, 1.0);
   EXPECT_REFUSED(shape::ExtractCurveSkeleton(shapetest::WithoutLast(ball)), "open", "close");
@@ -191,7 +191,7 @@ TEST(CurveSkeleton, RefusesWhatHasNoCurveSkeleton)
       { &shape::CurveSkeletonOptions::MedialWeight, -1.0, { "Medial Weight is -1" } } });
 }
 
-TEST(CurveSkeleton, ReportsProgressAndStops)
+TEST(Skeleton, ReportsProgressAndStops)
 {
   const shape::Mesh mesh = Capsule(0.1);
   const auto call = [&](const shape::Progress& progress)

@@ -1,4 +1,4 @@
-#include "Skeleton/CurveSkeleton.h"
+#include "Skeleton/Skeleton.h"
 
 #include "Base/Errors.h"
 #include "Distance/SignedDistance.h"
