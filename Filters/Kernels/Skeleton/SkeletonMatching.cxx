@@ -188,13 +188,18 @@ void PlacePoints(const CurveSkeleton& skeleton, const CurveSkeleton& target,
 
 } // namespace
 
-SkeletonMatching MatchSkeletons(const CurveSkeleton& skeleton, const CurveSkeleton& target,
-  const SkeletonMatchingOptions& options, const Progress& progress)
+void RequireMatchingOptions(const SkeletonMatchingOptions& options)
 {
   RequireOption(std::isfinite(options.Tolerance) && options.Tolerance > 0.0, "Tolerance",
     options.Tolerance, "positive and finite");
   RequireOption(std::isfinite(options.LargestDifference) && options.LargestDifference > 0.0,
     "Largest Difference", options.LargestDifference, "positive and finite");
+}
+
+SkeletonMatching MatchSkeletons(const CurveSkeleton& skeleton, const CurveSkeleton& target,
+  const SkeletonMatchingOptions& options, const Progress& progress)
+{
+  RequireMatchingOptions(options);
   const BranchGraph graph = MakeBranchGraph(skeleton), other = MakeBranchGraph(target);
   const GraphMatches matches = FindMatches(graph, other, options.Tolerance, progress);
   if (matches.Found.empty())

@@ -27,6 +27,9 @@ struct SkeletonMatchingOptions
   double LargestDifference = 1.0;
 };
 
+/// Throws InvalidInput if an option is out of range.
+void RequireMatchingOptions(const SkeletonMatchingOptions& options);
+
 /// The branches of a skeleton matched with those of another.
 struct SkeletonMatching
 {

@@ -102,6 +102,7 @@ void vtkShapeSkeleton::Execute(const shape::Progress& progress)
   {
     return;
   }
+  shape::RequireMatchingOptions(this->Matching); // also without a Target
   const bool hasTarget = this->GetNumberOfInputConnections(1) > 0;
   const double share = hasTarget ? 0.48 : 1.0;
   const shape::Surface surface =
