@@ -393,6 +393,15 @@ def GeodesicDistance():
 
 
 @drawing
+def Skeleton():
+    surface = shape('FigureA.vtp')
+    skeleton = ShapeSkeleton(Input=surface)
+    show(Tube(Input=ExtractSurface(Input=skeleton), Radius=0.012), array='Radius', preset='Viridis (matplotlib)')
+    show(surface, opacity=0.25)
+    return FRONT
+
+
+@drawing
 def BoundaryDistance():
     surface = shape('FigureA.vtp')
     grid = Plane(Origin=[-0.7, 0.02, -0.1], Point1=[0.7, 0.02, -0.1], Point2=[-0.7, 0.02, 1.2],

@@ -3,7 +3,7 @@
 #include "Base/Errors.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
-#include "Remesh/Private/EditableSurface.h"
+#include "Remesh/EditableSurface.h"
 #include "Search/ClosestPoint.h"
 #include "Search/TriangleWalk.h"
 

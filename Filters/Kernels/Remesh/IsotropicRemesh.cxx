@@ -3,7 +3,7 @@
 #include "Base/DisjointSets.h"
 #include "Base/Errors.h"
 #include "Mesh/HalfEdges.h"
-#include "Remesh/Private/EditableSurface.h"
+#include "Remesh/EditableSurface.h"
 #include "Search/ClosestPoint.h"
 
 #include <Eigen/Geometry>

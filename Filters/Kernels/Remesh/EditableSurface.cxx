@@ -1,4 +1,4 @@
-#include "Remesh/Private/EditableSurface.h"
+#include "Remesh/EditableSurface.h"
 
 #include <algorithm>
 
