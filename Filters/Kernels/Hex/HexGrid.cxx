@@ -51,7 +51,8 @@ double FindFreeShift(const Box& box, const std::vector<Box>& others)
 
 /// Returns the positions, in cells, of the points of an image's cells. Each component begins near
 /// its hexahedra, and is moved until it is apart from those before.
-Eigen::MatrixXd PlaceCells(const Eigen::MatrixXi& cells, const HexMesh& solid, double cellSize)
+Eigen::MatrixXd PlaceCells(
+  const Eigen::MatrixXi& cells, const HexMesh& solid, double cellSize, const Progress& progress)
 {
   std::vector<std::vector<int>> cellsAt(solid.Points.rows());
   for (int cell = 0; cell < static_cast<int>(cells.rows()); ++cell)
@@ -84,6 +85,10 @@ Eigen::MatrixXd PlaceCells(const Eigen::MatrixXi& cells, const HexMesh& solid, d
     place(start, (solid.Points.row(cells(start, 0)) / cellSize).array().round().matrix());
     for (std::size_t i = 0; i < placed.size(); ++i)
     {
+      if (i % 4096 == 0)
+      {
+        progress(0.0);
+      }
       for (const int point : cells.row(placed[i]))
       {
         for (const int cell : cellsAt[point])
@@ -353,7 +358,7 @@ HexGrid FindHexGrid(
   }
   else
   {
-    grid.SourcePositions = cellSize * PlaceCells(fit.Core, fit.Solid, cellSize);
+    grid.SourcePositions = cellSize * PlaceCells(fit.Core, fit.Solid, cellSize, progress);
   }
   Eigen::MatrixXi first(grid.Cells.rows(), 3);
   for (Eigen::Index cell = 0; cell < grid.Cells.rows(); ++cell)
@@ -361,7 +366,9 @@ HexGrid FindHexGrid(
     const Eigen::MatrixXd corners = grid.SourcePositions(grid.Cells.row(cell), Eigen::all);
     first.row(cell) = (corners.colwise().minCoeff() / cellSize).array().round().cast<int>();
   }
+  progress(0.0);
   FindBlocks(first, grid);
+  progress(0.0);
   PlaceLayers(fit, grid.SourcePositions, progress);
   return grid;
 }

@@ -38,10 +38,10 @@ MethodOptions OfMethod(const HexMeshOptions& options)
   return own;
 }
 
-HexRemeshResult OfHexes(GridHexesResult result)
+HexRemeshResult OfHexes(GridHexesResult result, const Progress& progress)
 {
   HexRemeshResult hexes;
-  hexes.Grid = FindHexGrid(result.Fit, {}, result.CellSize);
+  hexes.Grid = FindHexGrid(result.Fit, {}, result.CellSize, progress);
   hexes.Fit = std::move(result.Fit);
   hexes.Features = std::move(result.Features);
   hexes.CellSize = result.CellSize;
@@ -57,12 +57,13 @@ HexRemeshResult ByGrid(const Surface& surface, const HexRemeshOptions& options,
   auto grid = OfMethod<GridHexesOptions>(options);
   if (guides.Sizes.size() == 0)
   {
-    return OfHexes(BuildGridHexahedra(surface, grid, progress, guides.InnerSurfaces));
+    return OfHexes(
+      BuildGridHexahedra(surface, grid, progress, guides.InnerSurfaces), progress.Part(1.0, 1.0));
   }
   grid.MaximumHexahedra = MaximumOfGivenSize;
   SizedHexesResult sized =
     BuildSizedHexahedra(surface, guides.Sizes, grid, progress, guides.InnerSurfaces);
-  HexRemeshResult result = OfHexes(std::move(sized.Hexes));
+  HexRemeshResult result = OfHexes(std::move(sized.Hexes), progress.Part(1.0, 1.0));
   result.SizeRatios = std::move(sized.Ratios);
   return result;
 }
@@ -131,7 +132,8 @@ HexRemeshResult ByPolycube(
     "taken from a grid in the solid deformed towards the axes, because no better polycube was found"
   };
   HexRemeshResult hexes;
-  hexes.Grid = FindHexGrid(result.Fit, result.CellSize * result.Positions, result.CellSize);
+  hexes.Grid = FindHexGrid(
+    result.Fit, result.CellSize * result.Positions, result.CellSize, progress.Part(1.0, 1.0));
   hexes.Fit = std::move(result.Fit);
   hexes.Features = std::move(result.Features);
   hexes.Method = MethodType::Polycube;
@@ -152,7 +154,7 @@ HexRemeshResult ByGivenPolycube(const Surface& surface, const HexRemeshOptions& 
   result.Features = FindFeatures(surface, options, cells.CellSize);
   result.Fit = FitHexahedra(
     cells.Solid, surface, result.Features, { options.PaddingLayers }, progress.Part(0.4, 0.9));
-  result.Grid = FindHexGrid(result.Fit, cells.Positions, cells.Spacing);
+  result.Grid = FindHexGrid(result.Fit, cells.Positions, cells.Spacing, progress.Part(0.9, 0.9));
   SnapIfFar(result.Fit, surface, progress.Part(0.9, 1.0, "moving the boundary onto the surface"));
   result.Reason =
     "the Polycube is given; its cells are mapped by the harmonic map of its SourcePosition";

@@ -74,7 +74,7 @@ HexRemeshResult RemeshRegions(
   }
   HexRemeshResult result;
   result.Fit = std::move(hexes.Fit);
-  result.Grid = FindHexGrid(result.Fit, {}, hexes.CellSize);
+  result.Grid = FindHexGrid(result.Fit, {}, hexes.CellSize, progress.Part(1.0, 1.0));
   result.CellSize = hexes.CellSize;
   result.Reason = "regions that touch need the cells of a grid";
   if (hexes.CellSize < grid.CellSize)
