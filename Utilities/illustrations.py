@@ -275,7 +275,7 @@ def StructuredBlocks():
     solid = ShapeHexRemesh(Surface=shape('TwistedBar.vtp'), Method='Polycube', CellsOnLongestSide=24)
     blocks = ShapeStructuredBlocks(Input=OutputPort(solid, 2))
     show(OutputPort(solid, 2), (-1.2, 0, 0), array='Block', kind='CELLS', preset='Turbo', edges=True)
-    show(OutputPort(blocks, 0), (3.6, 0, 0), array='SplineError', edges=True)
+    show(MergeBlocks(Input=OutputPort(blocks, 0)), (3.6, 0, 0), array='SplineError', edges=True)
     return (0.5, 0.6, 1.0), (0, 1, 0)
 
 
