@@ -181,8 +181,9 @@ for name, inputs, reference in references:
                        if fact.endswith('.Stale') or fact.startswith('Mesh ')]
             if 'SourcePosition' in arrays(output, POINT):
                 assert {'Study.Dose', 'Dose'} <= set(arrays(output, FIELD)), place
-                assert {'Temperature', 'Material', 'Shape'} <= set(arrays(output, POINT)), place
-                assert {'Temperature', 'Material', 'Batch'} <= set(arrays(output, CELL)), place
+                if name != 'ShapeHexRemesh':  # its hexahedra are new, and lead back into their own grid
+                    assert {'Temperature', 'Material', 'Shape'} <= set(arrays(output, POINT)), place
+                    assert {'Temperature', 'Material', 'Batch'} <= set(arrays(output, CELL)), place
     print(name, 'done')
 print('filters with outputs that have points of their own:', sorted(moving))
 print('measures of hexahedra computed again by:', sorted(renewed))

@@ -176,8 +176,8 @@ BlockSpline FitBlockSpline(
   const RowVector3i& counts, const MatrixXd& values, const BlockSplineOptions& options)
 {
   RequireOption(options.Degree >= 1 && options.Degree <= 9, "Degree", options.Degree, "1 to 9");
-  RequireOption(
-    options.NodesPerControl >= 1.0, "NodesPerControl", options.NodesPerControl, "at least 1");
+  RequireOption(options.NodesPerControl >= 1.0 && std::isfinite(options.NodesPerControl),
+    "NodesPerControl", options.NodesPerControl, "a finite number of at least 1");
   BlockSpline spline;
   RowVector3i now = counts;
   spline.Controls = values;

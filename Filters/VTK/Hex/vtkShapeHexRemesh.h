@@ -49,11 +49,11 @@
  *   the inner surface.
  *
  * Output 2: the regular grid whose cells became the hexahedra (vtkUnstructuredGrid), at their
- * positions in the polycube or grid. Its cells are cubes; those of a given Polycube are in it, others
- * have the edge length CellSize. The point array `TargetPosition` (double, 3) is the map onto the
- * solid: the position of point `OriginalPointId` of output 0. The cell array `Block` (int) numbers
- * structured blocks, and `BlockIndex` (int, 3) gives i, j, k of a cell in its block, from 0. Each
- * side of a block is a side of one other block or lies on the boundary.
+ * positions in the polycube or grid. Its cells are cubes; those of a given Polycube are in it,
+ * others have the edge length CellSize. The point array `TargetPosition` (double, 3) is the map
+ * onto the solid: the position of point `OriginalPointId` of output 0. The cell array `Block` (int)
+ * numbers structured blocks, and `BlockIndex` (int, 3) gives i, j, k of a cell in its block, from
+ * 0. Each side of a block is a side of one other block or lies on the boundary.
  *
  * In parallel, the first process has all outputs.
  *

@@ -133,6 +133,7 @@ void vtkShapeStructuredBlocks::Execute(const shape::Progress& progress)
   const Eigen::MatrixXd positions = vtkShapeConvert::ToPoints(input),
                         targets =
                           vtkShapeConvert::ToPointArray(input, this->MapArray, 3, "the Input");
+  shape::RequireFinite(positions, "the Input");
   shape::RequireFinite(targets, "the Input's " + this->MapArray);
   const Eigen::VectorXi blockOf = vtkShapeConvert::ToCellIntegers(
     input, "Block", "the Input", "give the third output of Shape Hex Remesh");
@@ -146,12 +147,18 @@ void vtkShapeStructuredBlocks::Execute(const shape::Progress& progress)
   Eigen::Index nodeCount = 0, controlCount = 0;
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    progress(static_cast<double>(i) / static_cast<double>(blocks.size()));
+    const auto all = static_cast<double>(blocks.size());
+    const shape::Progress part = progress.Part(
+      static_cast<double>(i) / all, (static_cast<double>(i) + 1.0) / all, "fitting splines");
+    part(0.0);
     const shape::GridBlock& block = blocks[i];
     const std::vector<int> rows(block.Nodes.begin(), block.Nodes.end());
     const Eigen::MatrixXd values = targets(rows, Eigen::all);
     const shape::BlockSpline spline = shape::FitBlockSpline(block.Counts, values, this->Options);
-    const Eigen::MatrixXd fitted = shape::Evaluate(spline, shape::NodeParameters(block.Counts));
+    part(0.3);
+    const Eigen::MatrixXd fitted =
+      shape::Evaluate(spline, shape::NodeParameters(block.Counts), part.Part(0.3, 0.7));
+    part(0.7);
     const Eigen::VectorXd errors = (fitted - values).rowwise().norm();
     const auto grid = MakeGrid(block.Counts, values);
     CopyRows(input->GetPointData(), rows, { this->MapArray }, grid->GetPointData());
