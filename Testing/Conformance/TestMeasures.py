@@ -20,7 +20,7 @@ FALSE = 12345.0
 CONTRACT = {'TargetPosition', 'TargetCell', 'TargetBarycentric', 'SourcePosition', 'OriginalPointId',
             'OriginalCellId', 'OutsideDomain', 'RegionId', 'Regions', 'SurfacePointId', 'Patch', 'Interface', 'Label',
             'Filled', 'Part', 'ExponentialMap', 'LoopCoordinates', 'LoopNormal', 'Charge', 'Name', 'Number',
-            'MapColors', 'FacePatch', 'Origin', 'Defect',
+            'MapColors', 'FacePatch', 'Origin', 'Defect', 'Block', 'BlockIndex', 'BranchId', 'TargetBranchId', 'Degree',
             'Grey', 'Coverage', 'Density', 'Modulus', 'MaterialId', 'MaterialDensity', 'MaterialModulus'}
 # Measures of hexahedra that Shape Hex Remesh writes, by Verdict.
 VERDICT = {name[len('SetHexQualityMeasureTo'):]

@@ -34,7 +34,7 @@ for name in ('ShapeUntangle', 'ShapeHarmonicVolumeMap', 'ShapeApplyVolumeMap'):
     check(proxies[name])
 w.open('DentedSphere600.vtp')
 for proxy in filters:
-    if proxy.get('name') not in ('ShapeUntangle', 'ShapeLabelSurfaces', 'ShapeImageValues'):
+    if proxy.get('name') not in ('ShapeUntangle', 'ShapeLabelSurfaces', 'ShapeImageValues', 'ShapeStructuredBlocks'):
         check(proxy)
 w.python('assert len(GetSources()) == 3, GetSources()')
 
@@ -59,4 +59,9 @@ w.python('Show(Wavelet())')
 w.wait(100)
 for name in ('ShapeLabelSurfaces', 'ShapeImageValues'):
     check(proxies[name])
+
+# What needs a solid with a map is offered when one is selected.
+w.python("Show(Calculator(Input=FindSource('BallSmall.vtu'), ResultArrayName='TargetPosition', Function='coords'))")
+w.wait(100)
+check(proxies['ShapeStructuredBlocks'])
 w.run()

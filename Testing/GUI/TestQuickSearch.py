@@ -9,8 +9,8 @@ import window
 
 DIALOG = 'QuickLaunchDialog'
 # What a solid without a map can be an input of, or a grid of polygons, which has the same type.
-SOLID = ['Shape Apply Volume Map', 'Shape Boundary Distance', 'Shape Deform', 'Shape Harmonic Volume Map',
-         'Shape Solidify', 'Shape Transfer Fields', 'Shape Untangle']
+SOLID = ['Shape Apply Volume Map', 'Shape Boundary Distance', 'Shape Cage Deform', 'Shape Deform',
+         'Shape Harmonic Volume Map', 'Shape Solidify', 'Shape Transfer Fields', 'Shape Untangle']
 # What needs an image, and the active source that offers it.
 OF_AN_IMAGE = {'Shape Label Surfaces': 'Wavelet1', 'Shape Image Values': 'BallSmall.vtu'}
 hints = {}
@@ -50,6 +50,10 @@ for label, active in OF_AN_IMAGE.items():
     w.wait(100)
     for word in hints.pop(label).get('keywords').split(', '):
         check(w, word, label)
+w.python("Show(Calculator(Input=FindSource('BallSmall.vtu'), ResultArrayName='TargetPosition', Function='coords'))")
+w.wait(100)
+for word in hints.pop('Shape Structured Blocks').get('keywords').split(', '):  # needs a solid with a map
+    check(w, word, 'Shape Structured Blocks')
 w.open('DentedSphere600.vtp')
 for label, hint in hints.items():
     for word in hint.get('keywords').split(', '):

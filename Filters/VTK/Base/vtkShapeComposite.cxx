@@ -80,6 +80,25 @@ void vtkShapeComposite::Move(vtkDataSet* input, const Eigen::MatrixXd& points, v
   moved->GetFieldData()->PassData(input->GetFieldData());
 }
 
+void vtkShapeComposite::RequireDataSets(vtkDataObject* data)
+{
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> it;
+    it.TakeReference(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      RequireDataSets(it->GetCurrentDataObject());
+    }
+  }
+  // Tables and other blocks without points cannot pass through a filter of points.
+  else if (!vtkDataSet::SafeDownCast(data))
+  {
+    throw shape::InvalidInput(std::string("a block is a ") + data->GetClassName() +
+      ", which has no points; remove it with Extract Block");
+  }
+}
+
 void vtkShapeComposite::ForEach(vtkDataObject* input, vtkDataObject* output, Points points,
   const std::function<void(vtkDataSet* input, vtkDataSet* output)>& fill)
 {
@@ -102,13 +121,7 @@ void vtkShapeComposite::ForEach(vtkDataObject* input, vtkDataObject* output, Poi
   for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
   {
     auto* leaf = vtkDataSet::SafeDownCast(it->GetCurrentDataObject());
-    // Tables and other blocks without points cannot pass through a filter of points.
-    if (!leaf)
-    {
-      throw shape::InvalidInput(std::string("a block is a ") +
-        it->GetCurrentDataObject()->GetClassName() +
-        ", which has no points; remove it with Extract Block");
-    }
+    RequireDataSets(it->GetCurrentDataObject());
     vtkSmartPointer<vtkDataSet> filled;
     filled.TakeReference(vtkDataSet::SafeDownCast(
       vtkDataObjectTypes::NewDataObject(FindOutputType(leaf, points).c_str())));

@@ -17,6 +17,9 @@ namespace vtkShapeComposite
 /// Returns the data set itself or, if it is composite, its non-empty blocks.
 std::vector<vtkDataSet*> Of(vtkDataObject* data);
 
+/// Throws shape::InvalidInput if a block is not a data set.
+void RequireDataSets(vtkDataObject* data);
+
 /// Whether an output keeps the points of its input.
 enum class Points
 {

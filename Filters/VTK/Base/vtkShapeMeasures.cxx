@@ -56,7 +56,7 @@ const std::set<std::string> RealMeasures = {
   "BoundaryDistance", "GeodesicDistance", "DeformationGradient", "JacobianDeterminant", "Dirichlet",
   "SymmetricDirichlet", "ConformalDistortion", "ARAP", "AreaDifference", "ConformalDifference",
   "AreaEigenfunctions", "ConformalEigenfunctions", "Eigenfunctions", "HeatKernelSignature",
-  "WaveKernelSignature", "Embedding"
+  "WaveKernelSignature", "Embedding", "ArrivalTime", "Radius", "SplineError"
 };
 
 /// Measures that are counts or Booleans.

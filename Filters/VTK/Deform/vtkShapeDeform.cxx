@@ -20,7 +20,7 @@ vtkShapeDeform::vtkShapeDeform()
   this->DeclareInput("Boundary", PortData::WholeGrid, PortUse::Required, { "vtkDataSet" });
   this->DeclareMovedOutput();
   this->DeclareFacts();
-  this->DeclareMeasures({ "Normals" });
+  this->DeclareMeasures({ "Normals", "ArrivalTime" });
 }
 
 vtkShapeDeform::~vtkShapeDeform() = default;

@@ -1,5 +1,6 @@
 #include "vtkShapeStructuredBlocks.h"
 
+#include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
 
 #include "vtkCellData.h"
@@ -33,6 +34,7 @@ vtkShapeStructuredBlocks::vtkShapeStructuredBlocks()
   this->DeclareOutput("vtkMultiBlockDataSet");
   this->DeclareFacts();
   this->DeclareShown(0, { "SplineError" });
+  this->DeclareMeasures({ "SplineError" });
 }
 
 namespace
@@ -124,6 +126,7 @@ std::vector<std::vector<int>> SortCells(const std::vector<shape::GridBlock>& blo
 
 void vtkShapeStructuredBlocks::Execute(const shape::Progress& progress)
 {
+  vtkShapeComposite::RequireDataSets(this->GetInputDataObject(0, 0));
   // Every process has the complete input, and one of them computes the result.
   if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
   {

@@ -28,6 +28,7 @@ vtkShapeSkeleton::vtkShapeSkeleton()
   this->DeclareOutput("vtkPolyData");
   this->DeclareFacts();
   this->DeclareShown(0, { "Radius" });
+  this->DeclareMeasures({ "Radius" });
 }
 
 namespace
