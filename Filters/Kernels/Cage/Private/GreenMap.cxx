@@ -1,7 +1,6 @@
 #include "Cage/Private/GreenMap.h"
 
 #include "Cage/Private/GreenWeights.h"
-#include "Cage/Private/PositionLoop.h"
 
 #include <Eigen/Geometry>
 
@@ -37,8 +36,7 @@ Eigen::Vector3d StretchNormal(const CageTriangle& triangle, const Eigen::MatrixX
 } // namespace
 
 GreenMap::GreenMap(const Mesh& cage, const Eigen::MatrixXd& moved)
-  : Triangles(MakeCageTriangles(cage))
-  , Steps((moved - cage.Points).transpose())
+  : TriangleSumMap(cage, moved - cage.Points)
   , NormalSteps(3, cage.Triangles.rows())
 {
   for (std::size_t t = 0; t < this->Triangles.size(); ++t)
@@ -53,7 +51,7 @@ Eigen::RowVector3d GreenMap::FindStep(const CagePositions& positions, Eigen::Ind
   // The solid angles sum to 1 inside. On the cage, those of the triangles around the point are
   // left out; what is missing belongs to the point (the jump of the double layer potential).
   const Eigen::Vector3d position = positions.Points.row(i);
-  const Eigen::Vector3d near = InterpolateOnCage(this->Triangles, this->Steps, positions, i);
+  const Eigen::Vector3d near = this->FindNearStep(positions, i);
   Eigen::Vector3d sum = near;
   for (std::size_t t = 0; t < this->Triangles.size(); ++t)
   {
@@ -87,19 +85,6 @@ Eigen::Matrix3d GreenMap::FindGradient(
     }
   }
   return slopes;
-}
-
-CageMotion GreenMap::Evaluate(const CagePositions& positions, const Progress& progress) const
-{
-  return MoveEach(
-    positions, static_cast<int>(this->Triangles.size()),
-    [&](Eigen::Index i) { return this->FindStep(positions, i); },
-    [&](Eigen::Index i)
-    {
-      return this->FindGradient(
-        positions.GradientAt.row(i), InterpolateOnCage(this->Triangles, this->Steps, positions, i));
-    },
-    progress);
 }
 
 } // namespace shape

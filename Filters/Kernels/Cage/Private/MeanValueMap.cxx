@@ -1,21 +1,18 @@
 #include "Cage/Private/MeanValueMap.h"
 
-#include "Base/Parallel.h"
 #include "Cage/Private/MeanValueWeights.h"
-#include "Cage/Private/PositionLoop.h"
 
 namespace shape
 {
 
 MeanValueMap::MeanValueMap(const Mesh& cage, const Eigen::MatrixXd& steps)
-  : Triangles(MakeCageTriangles(cage))
-  , Steps(steps.transpose())
+  : TriangleSumMap(cage, steps)
 {
 }
 
 Eigen::RowVector3d MeanValueMap::FindStep(const CagePositions& positions, Eigen::Index i) const
 {
-  const Eigen::Vector3d near = InterpolateOnCage(this->Triangles, this->Steps, positions, i);
+  const Eigen::Vector3d near = this->FindNearStep(positions, i);
   if (positions.IsOnCage(i))
   {
     return near;
@@ -57,19 +54,6 @@ Eigen::Matrix3d MeanValueMap::FindGradient(
     }
   }
   return (slopes - (sum / total) * totalSlope.transpose()) / total;
-}
-
-CageMotion MeanValueMap::Evaluate(const CagePositions& positions, const Progress& progress) const
-{
-  return MoveEach(
-    positions, static_cast<int>(this->Triangles.size()),
-    [&](Eigen::Index i) { return this->FindStep(positions, i); },
-    [&](Eigen::Index i)
-    {
-      return this->FindGradient(
-        positions.GradientAt.row(i), InterpolateOnCage(this->Triangles, this->Steps, positions, i));
-    },
-    progress);
 }
 
 } // namespace shape
