@@ -21,7 +21,9 @@ struct HarmonicVolumeMapOptions
     /// MultiLevel on top of this map.
     Accelerated = 0,
     MultiLevel = 1, ///< a sum of harmonic maps, each fitted to the residual of the previous maps
-    SingleShot = 2  ///< one map, from one decomposition of all sources and collocation points
+    SingleShot = 2, ///< one map, from one decomposition of all sources and collocation points
+    /// no charges: linear finite elements on tetrahedra (FiniteElementMap.h)
+    FiniteElements = 3
   };
   MethodType Method = MethodType::Accelerated;
   double Tolerance = 1e-4; ///< stop when RMSEInside is at most this; >= 0
@@ -48,6 +50,9 @@ struct HarmonicVolumeMapOptions
   double SingularValueThreshold = 1e-5; ///< for a boundary whose longest side is 1; > 0
   double MaximumMemory = 4.0;           ///< maximum memory of one decomposition in GiB; > 0
   unsigned int Seed = 1;                ///< seed of the random points of uniform sampling
+  /// FiniteElements: the approximate number of tetrahedra: 1,000 to 100,000,000. It is larger if
+  /// the boundary has many triangles.
+  int Tetrahedra = 200000;
 };
 
 /// Points inside the domain with prescribed images. The map fits them in the least-squares sense.

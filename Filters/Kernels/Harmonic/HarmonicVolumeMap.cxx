@@ -90,6 +90,11 @@ HarmonicVolumeMapResult ComputeHarmonicVolumeMap(const Surface& boundary,
   //    so is their sum.
   // 4. Accelerated has no rows for features: further levels of MultiLevel fit them.
   // 5. The sum is converted to the coordinates of the input.
+  if (given.Method == HarmonicVolumeMapOptions::MethodType::FiniteElements)
+  {
+    throw InvalidInput(
+      "FiniteElements makes no charges, which are needed here; choose Accelerated");
+  }
   RequireValidInput(features, given);
   // Step 1: unit size.
   const ScaledBoundary scaled = ScaleBoundary(boundary, targets);

@@ -45,9 +45,10 @@ struct AcceleratedSetup;
  * boundary has changed.
  *
  * Throws InvalidInput if the surface is not closed or bounds several solids, a value is not finite,
- * or an option is out of range. Throws InvalidInput, too, if a feature lies outside the domain or a
- * decomposition would exceed MaximumMemory. Throws SolveFailure if LAPACK's decomposition does not
- * converge, or if Accelerated has no room for any charge. Throws Aborted.
+ * an option is out of range, or the method is FiniteElements. Throws InvalidInput, too, if a
+ * feature lies outside the domain or a decomposition would exceed MaximumMemory. Throws
+ * SolveFailure if LAPACK's decomposition does not converge, or if Accelerated has no room for any
+ * charge. Throws Aborted.
  */
 HarmonicVolumeMapResult ComputeHarmonicVolumeMap(const Surface& boundary,
   const Eigen::MatrixXd& targets, const VolumeFeatures& features = {},

@@ -4,7 +4,13 @@
 #include "Distance/TargetDistance.h"
 #include "Harmonic/HarmonicVolumeMap.h"
 #include "Harmonic/Private/FreeBoundary.h"
+#include "Mesh/Extent.h"
+#include "Mesh/Topology.h"
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <string>
 #include <utility>
 
 namespace shape
@@ -27,6 +33,70 @@ PiecewiseVolumeMapResult AsOneRegion(HarmonicVolumeMapResult map, const Surface&
   return result;
 }
 
+void RequireFeasibleByElements(
+  const VolumeMapConditions& conditions, const VolumeMapOptions& options)
+{
+  const auto refuse = [](const std::string& what)
+  {
+    throw InvalidInput("FiniteElements " + what + "; choose the Method Accelerated, or do without");
+  };
+  if (options.Exact)
+  {
+    refuse("cannot be Exact on inner surfaces");
+  }
+  if (options.FreeBoundary)
+  {
+    refuse("cannot free the boundary");
+  }
+  if (conditions.Features.Points.rows() > 0)
+  {
+    refuse("cannot fit Features");
+  }
+  const int tetrahedra = options.Harmonic.Tetrahedra;
+  RequireOption(tetrahedra >= 1000 && tetrahedra <= 100000000, "Tetrahedra", tetrahedra,
+    "from 1,000 to 100,000,000");
+  if (conditions.Targets.rows() != conditions.Boundary.Points().rows() ||
+    conditions.Targets.cols() != 3)
+  {
+    throw InvalidInput("the boundary has " + std::to_string(conditions.Boundary.Points().rows()) +
+      " points and " + std::to_string(conditions.Targets.rows()) +
+      " images; give each point one image of three coordinates");
+  }
+  RequireFinite(conditions.Targets, "the list of images of the boundary");
+}
+
+/// One map of the whole solid by finite elements, with its errors.
+VolumeMapResult SolveByElements(
+  const VolumeMapConditions& conditions, int tetrahedra, const Progress& progress)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const Surface& boundary = conditions.Boundary;
+  VolumeMapResult result;
+  result.Targets = conditions.Targets;
+  result.Elements =
+    ComputeFiniteElements(boundary, conditions.Targets, tetrahedra, progress.Part(0.0, 0.9));
+  // The boundary is met up to rounding: this checks it.
+  const FiniteElementMap map(*result.Elements, progress.Part(0.9, 0.95));
+  const double size = ComputeLongestBoxEdge(Mesh{ conditions.Targets, boundary.Triangles() });
+  const auto misses = [&](const Eigen::MatrixXd& points, const Eigen::MatrixXd& targets)
+  { return Eigen::VectorXd((map.Evaluate(points).Images - targets).rowwise().norm() / size); };
+  const Eigen::VectorXd vertices = misses(boundary.Points(), conditions.Targets);
+  const Eigen::VectorXd inside =
+    misses(ComputeOffCentres(boundary), InterpolateAtOffCentres(boundary, conditions.Targets));
+  HarmonicVolumeMapResult::Level level;
+  level.Sources = level.Collocations = result.Elements->FreePoints;
+  level.RMSEVertices = std::sqrt(vertices.squaredNorm() / vertices.size());
+  level.RMSEInside = std::sqrt(inside.squaredNorm() / inside.size());
+  level.Maximum = std::max(vertices.maxCoeff(), inside.maxCoeff());
+  level.Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.Map.Charges.Surface = boundary;
+  result.Map.Borders.push_back({ level.RMSEVertices, level.RMSEInside, level.Maximum });
+  result.Map.Layers.resize(1);
+  result.Map.Layers.front().Levels.push_back(level);
+  progress(1.0);
+  return result;
+}
+
 } // namespace
 
 VolumeMapResult ComputeVolumeMap(const VolumeMapConditions& conditions,
@@ -37,6 +107,12 @@ VolumeMapResult ComputeVolumeMap(const VolumeMapConditions& conditions,
     throw InvalidInput("FreeBoundary needs the input 'Target', the surface that the boundary's "
                        "images slide on; connect it, or turn FreeBoundary off");
   }
+  const bool byElements =
+    options.Harmonic.Method == HarmonicVolumeMapOptions::MethodType::FiniteElements;
+  if (byElements)
+  {
+    RequireFeasibleByElements(conditions, options);
+  }
   const Surface& boundary = conditions.Boundary;
   VolumeMapResult result;
   result.Targets = conditions.Targets;
@@ -45,6 +121,13 @@ VolumeMapResult ComputeVolumeMap(const VolumeMapConditions& conditions,
   {
     result.TargetDistance = ComputeTargetDistance(
       boundary, conditions.Targets, *conditions.Target, progress.Part(0.0, 0.02));
+  }
+  if (byElements)
+  {
+    const double distance = result.TargetDistance;
+    result = SolveByElements(conditions, options.Harmonic.Tetrahedra, progress.Part(0.02, 1.0));
+    result.TargetDistance = distance;
+    return result;
   }
   // Step 2: one map of the whole solid.
   HarmonicVolumeMapResult one;

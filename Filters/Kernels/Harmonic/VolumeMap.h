@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
+#include "Harmonic/FiniteElementMap.h"
 #include "Harmonic/HarmonicMapTypes.h"
 #include "Harmonic/PiecewiseVolumeMap.h"
 #include "Mesh/Surface.h"
@@ -38,6 +39,8 @@ struct VolumeMapOptions
 struct VolumeMapResult
 {
   PiecewiseVolumeMapResult Map; ///< without Exact: a map of one region
+  /// With FiniteElements: the map. Map then has the errors, and no charges.
+  std::optional<FiniteElements> Elements;
   Eigen::MatrixXd Targets; ///< n x 3: images of the boundary's points, as given or after sliding
   /// Distance between the given Targets and the Target (ComputeTargetDistance); 0 without a Target.
   double TargetDistance = 0.0;
@@ -55,10 +58,13 @@ struct VolumeMapResult
  * 3. With FreeBoundary: SlideBoundary, which starts from that map.
  * 4. With Exact: ComputePiecewiseVolumeMap, with the boundary's images after step 3.
  *
+ * FiniteElements is one map of the whole solid (ComputeFiniteElements) and has step 1 only. It
+ * takes no features, and neither Exact nor FreeBoundary.
+ *
  * ComputeFoldFreeMap can then make a fold-free mesh from the points that the map has moved.
  *
  * setup: see ComputeHarmonicVolumeMap. Throws the exceptions of these functions, and InvalidInput
- * if FreeBoundary is set without a Target.
+ * if FreeBoundary is set without a Target, or if FiniteElements cannot meet a condition.
  */
 VolumeMapResult ComputeVolumeMap(const VolumeMapConditions& conditions,
   const VolumeMapOptions& options = {}, const Progress& progress = {},

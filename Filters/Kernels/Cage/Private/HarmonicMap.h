@@ -1,10 +1,8 @@
 #pragma once
 
 #include "Cage/Private/CageMap.h"
+#include "Harmonic/FiniteElementMap.h"
 #include "Mesh/Surface.h"
-#include "Search/CellLocator.h"
-
-#include <memory>
 
 namespace shape
 {
@@ -14,18 +12,15 @@ class HarmonicMap : public CageMap
 {
 public:
   /// cage: its longest side is 1. steps: the displacement of each point (n x 3). tetrahedra: their
-  /// approximate number. Throws what Tetrahedralize throws.
+  /// approximate number. Throws what ComputeFiniteElements throws.
   HarmonicMap(
     const Surface& cage, const Eigen::MatrixXd& steps, int tetrahedra, const Progress& progress);
   CageMotion Evaluate(const CagePositions& positions, const Progress& progress) const override;
 
-  int GetTetrahedra() const { return static_cast<int>(this->Tetrahedra.rows()); }
+  int GetTetrahedra() const { return static_cast<int>(this->Map.Elements().Tetrahedra.rows()); }
 
 private:
-  Eigen::MatrixXd Points;     ///< k x 3
-  Eigen::MatrixXi Tetrahedra; ///< m x 4
-  Eigen::MatrixXd Steps;      ///< k x 3: the solution
-  std::unique_ptr<CellLocator> Locator;
+  FiniteElementMap Map; ///< its images are displacements
 };
 
 } // namespace shape

@@ -84,6 +84,14 @@ void RequireOneSolid(const Surface& oriented)
 
 } // namespace
 
+SortedSurface SortByPosition(const Mesh& surface)
+{
+  std::vector<int> used = UsedPointsByPosition(surface);
+  Mesh sorted{ surface.Points(used, Eigen::all),
+    SortTriangles(RenumberPoints(surface.Triangles, used, surface.Points.rows())) };
+  return { std::move(sorted), std::move(used) };
+}
+
 ScaledBoundary ScaleBoundary(const Surface& boundary, const Eigen::MatrixXd& targets)
 {
   RequireClosedSurface(boundary, "the boundary");
@@ -97,11 +105,8 @@ ScaledBoundary ScaleBoundary(const Surface& boundary, const Eigen::MatrixXd& tar
 
   // Orientation and numbering come first. Then all further sums have the same order for any
   // numbering of the input.
-  const Mesh outward = OrientByNesting(boundary, "the boundary");
-  const std::vector<int> used = UsedPointsByPosition(outward);
+  auto [surface, used] = SortByPosition(OrientByNesting(boundary, "the boundary"));
   ScaledBoundary scaled;
-  Mesh surface{ outward.Points(used, Eigen::all),
-    SortTriangles(RenumberPoints(outward.Triangles, used, outward.Points.rows())) };
   scaled.Origin = surface.Points.colwise().minCoeff();
   scaled.Size = ComputeLongestBoxEdge(surface.Points);
   surface.Points = (surface.Points.rowwise() - scaled.Origin) / scaled.Size;

@@ -4,13 +4,23 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace shape
 {
 
+/// A surface whose points and triangles are sorted by position, without unused points: what is
+/// computed from it does not depend on the numbering, or on the distribution over processes.
+struct SortedSurface
+{
+  Mesh Surface;
+  std::vector<int> Points; ///< for each of its points, the given one
+};
+SortedSurface SortByPosition(const Mesh& surface);
+
 /// Boundary and targets of a harmonic volume map. Each is moved to the origin and scaled so that
 /// the longest side of its box is 1, because the method's thresholds are absolute. Points and
-/// triangles are sorted, so the map does not depend on the input's numbering or its distribution
-/// over processes.
+/// triangles are sorted (SortByPosition).
 struct ScaledBoundary
 {
   shape::Surface Surface;  ///< without unused points, facing outwards, sorted by position

@@ -1,0 +1,263 @@
+#include "Harmonic/FiniteElementMap.h"
+
+#include "Base/Errors.h"
+#include "Base/Parallel.h"
+#include "Harmonic/Private/ScaledBoundary.h"
+#include "Linear/DirichletProblem.h"
+#include "Mesh/CellFaces.h"
+#include "Search/ClosestPoint.h"
+#include "Solids/Nesting.h"
+#include "Tetrahedra/Tetrahedralize.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// The gradients of the hat functions of a tetrahedron's four corners, in rows.
+struct Hats
+{
+  Eigen::Matrix<double, 4, 3> Gradients;
+  double Volume = 0.0;
+};
+
+Hats ComputeHats(const Eigen::MatrixXd& points, const Eigen::RowVector4i& corners)
+{
+  Eigen::Matrix3d edges;
+  for (int k = 0; k < 3; ++k)
+  {
+    edges.row(k) = points.row(corners(k + 1)) - points.row(corners(0));
+  }
+  Hats hats;
+  hats.Volume = edges.determinant() / 6.0;
+  hats.Gradients.bottomRows<3>() = edges.inverse().transpose();
+  hats.Gradients.row(0) = -hats.Gradients.bottomRows<3>().colwise().sum();
+  return hats;
+}
+
+/// The stiffness matrix: the integrals of the products of the hat functions' gradients. Off the
+/// diagonal these are the negative cotangent weights.
+Eigen::SparseMatrix<double> BuildStiffness(
+  const Eigen::MatrixXd& points, const Eigen::MatrixXi& tetrahedra)
+{
+  std::vector<Eigen::Triplet<double>> entries(16 * tetrahedra.rows());
+  ParallelFor(static_cast<int>(tetrahedra.rows()), 10000,
+    [&](int begin, int end)
+    {
+      for (int t = begin; t < end; ++t)
+      {
+        const Hats hats = ComputeHats(points, tetrahedra.row(t));
+        const Eigen::Matrix4d products = hats.Volume * hats.Gradients * hats.Gradients.transpose();
+        for (int i = 0; i < 4; ++i)
+        {
+          for (int k = 0; k < 4; ++k)
+          {
+            entries[16 * static_cast<std::size_t>(t) + 4 * i + k] = { tetrahedra(t, i),
+              tetrahedra(t, k), products(i, k) };
+          }
+        }
+      }
+    });
+  Eigen::SparseMatrix<double> stiffness(points.rows(), points.rows());
+  stiffness.setFromTriplets(entries.begin(), entries.end());
+  return stiffness;
+}
+
+Cells ToCells(const FiniteElements& elements)
+{
+  const Eigen::Index count = elements.Tetrahedra.rows();
+  const Eigen::MatrixXi byCell = elements.Tetrahedra.transpose();
+  return { elements.Points, Eigen::VectorXi::Constant(count, cell_kind::Tetrahedron),
+    Eigen::VectorXi::LinSpaced(count + 1, 0, static_cast<int>(4 * count)), byCell.reshaped() };
+}
+
+/// Returns the faces of only one tetrahedron, facing outwards.
+Eigen::MatrixXi FindBoundary(const FiniteElements& elements)
+{
+  const std::vector<CellFace> faces = SortFaces(ToCells(elements));
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    if (IsBoundaryFace(faces, i))
+    {
+      found.push_back(i);
+    }
+  }
+  Eigen::MatrixXi boundary(found.size(), 3);
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    const CellFace& face = faces[found[i]];
+    const std::vector<int>& corners = GetFaces(cell_kind::Tetrahedron)[face.Face];
+    for (int k = 0; k < 3; ++k)
+    {
+      boundary(static_cast<Eigen::Index>(i), k) = elements.Tetrahedra(face.Cell, corners[k]);
+    }
+  }
+  return boundary;
+}
+
+FiniteElements RequireComplete(FiniteElements elements)
+{
+  const Eigen::Index points = elements.Points.rows();
+  if (elements.Tetrahedra.rows() == 0 || elements.Tetrahedra.cols() != 4)
+  {
+    throw InvalidInput("the map has no tetrahedra");
+  }
+  if (elements.Images.rows() != points)
+  {
+    throw InvalidInput("the map has " + std::to_string(points) + " points and " +
+      std::to_string(elements.Images.rows()) + " images; give each point one image");
+  }
+  if (elements.Tetrahedra.minCoeff() < 0 || elements.Tetrahedra.maxCoeff() >= points)
+  {
+    throw InvalidInput("a tetrahedron of the map has a corner that is no point of the map");
+  }
+  return elements;
+}
+
+} // namespace
+
+FiniteElements ComputeFiniteElements(const Surface& given, const Eigen::MatrixXd& givenValues,
+  int tetrahedra, const Progress& progress)
+{
+  RequireOption(tetrahedra > 0, "Tetrahedra", tetrahedra, "positive");
+  if (givenValues.rows() != given.Points().rows())
+  {
+    throw InvalidInput("the boundary has " + std::to_string(given.Points().rows()) +
+      " points and " + std::to_string(givenValues.rows()) + " values; give each point one value");
+  }
+  // TetGen's result depends on the numbering.
+  SortedSurface sorted =
+    SortByPosition(OrientByNesting(given, "the boundary", progress.Part(0.0, 0.05)));
+  const Surface boundary = std::move(sorted.Surface);
+  const Eigen::MatrixXd values = givenValues(sorted.Points, Eigen::all);
+  TetrahedralizeOptions options;
+  // Tetrahedra have on average about half of the largest volume.
+  options.MaximumVolume = 2.0 * ComputeEnclosedVolume(boundary) / tetrahedra;
+  // Large triangles would have large tetrahedra if no points could be added on them.
+  options.PreserveBoundary = false;
+  TetrahedralizeResult solid = Tetrahedralize(
+    boundary, {}, options, progress.Part(0.05, 0.6, "filling the solid with tetrahedra"));
+  FiniteElements elements{ std::move(solid.Points), std::move(solid.Tetrahedra), {}, {}, 0 };
+  elements.Boundary = FindBoundary(elements);
+
+  // The values at the boundary: given, or linear in its triangles.
+  std::vector<int> fixed(
+    elements.Boundary.data(), elements.Boundary.data() + elements.Boundary.size());
+  std::sort(fixed.begin(), fixed.end());
+  fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
+  const ClosestPoints closest =
+    SurfaceLocator(boundary).Find(elements.Points(fixed, Eigen::all), progress.Part(0.6, 0.65));
+  const Eigen::MatrixXd interpolated = PullBack(closest, boundary.Triangles(), values);
+  elements.Images = Eigen::MatrixXd::Zero(elements.Points.rows(), values.cols());
+  for (std::size_t i = 0; i < fixed.size(); ++i)
+  {
+    const int source = solid.Provenance.Points(fixed[i]);
+    elements.Images.row(fixed[i]) =
+      source >= 0 ? values.row(source) : interpolated.row(static_cast<Eigen::Index>(i));
+  }
+  elements.FreePoints =
+    static_cast<int>(elements.Points.rows() - static_cast<Eigen::Index>(fixed.size()));
+
+  const Eigen::SparseMatrix<double> stiffness =
+    BuildStiffness(elements.Points, elements.Tetrahedra);
+  const DirichletProblem problem(
+    stiffness, fixed, progress.Part(0.65, 0.95, "solving Laplace's equation"));
+  problem.Solve(elements.Images, Eigen::MatrixXd::Zero(elements.Points.rows(), values.cols()),
+    progress.Part(0.95, 1.0));
+  progress(1.0);
+  return elements;
+}
+
+FiniteElementMap::FiniteElementMap(FiniteElements elements, const Progress& progress)
+  : Data(RequireComplete(std::move(elements)))
+  , Locator(ToCells(this->Data), progress)
+{
+}
+
+FiniteElementMap::Values FiniteElementMap::Evaluate(
+  const Eigen::MatrixXd& points, const Progress& progress) const
+{
+  CellPoints found = this->Locator.Find(points, progress);
+  return { found.Weights * this->Data.Images, std::move(found.Ids), std::move(found.Distances) };
+}
+
+Eigen::MatrixXd FiniteElementMap::Jacobians(
+  const Eigen::VectorXi& cells, const Progress& progress) const
+{
+  const Eigen::Index dimensions = this->Data.Images.cols();
+  Eigen::MatrixXd jacobians(cells.size(), 3 * dimensions);
+  ParallelFor(
+    static_cast<int>(cells.size()), 10000,
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        const Eigen::RowVector4i corners = this->Data.Tetrahedra.row(cells(i));
+        const Hats hats = ComputeHats(this->Data.Points, corners);
+        for (Eigen::Index r = 0; r < dimensions; ++r)
+        {
+          Eigen::RowVector3d gradient = Eigen::RowVector3d::Zero();
+          for (int k = 0; k < 4; ++k)
+          {
+            gradient += this->Data.Images(corners(k), r) * hats.Gradients.row(k);
+          }
+          jacobians.block<1, 3>(i, 3 * r) = gradient;
+        }
+      }
+    },
+    progress);
+  return jacobians;
+}
+
+FiniteElementMap FiniteElementMap::Inverse(const Progress& progress) const
+{
+  FiniteElements inverse = this->Data;
+  inverse.Points.swap(inverse.Images);
+  return FiniteElementMap(std::move(inverse), progress);
+}
+
+MovedPoints ApplyVolumeMap(
+  const FiniteElementMap& map, const Eigen::MatrixXd& points, const Progress& progress)
+{
+  // Points outside the box are outside the solid: the search for their closest tetrahedron, which
+  // takes longest, is saved.
+  constexpr double tolerance = 1e-6;
+  const Eigen::MatrixXd& nodes = map.Elements().Points;
+  Eigen::AlignedBox3d box(Eigen::Vector3d(nodes.colwise().minCoeff().transpose()),
+    Eigen::Vector3d(nodes.colwise().maxCoeff().transpose()));
+  const double farthest = tolerance * box.sizes().maxCoeff();
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(farthest);
+  box = { box.min() - margin, box.max() + margin };
+  MovedPoints moved{ points, Eigen::VectorXi::Ones(points.rows()) };
+  std::vector<int> candidates;
+  for (int i = 0; i < static_cast<int>(points.rows()); ++i)
+  {
+    if (box.contains(points.row(i).transpose()))
+    {
+      candidates.push_back(i);
+    }
+  }
+  const FiniteElementMap::Values values = map.Evaluate(points(candidates, Eigen::all), progress);
+  for (std::size_t c = 0; c < candidates.size(); ++c)
+  {
+    const auto row = static_cast<Eigen::Index>(c);
+    if (values.Distances(row) <= farthest)
+    {
+      moved.Points.row(candidates[c]) = values.Images.row(row);
+      moved.OutsideDomain(candidates[c]) = 0;
+    }
+  }
+  progress(1.0);
+  return moved;
+}
+
+} // namespace shape
