@@ -235,6 +235,24 @@ def HarmonicVolumeMap():
 
 
 @drawing
+def HarmonicVolumeMapElements():
+    # A harmonic motion of a ball with smaller and smaller triangles and tetrahedra: how far the map is from it.
+    motion = ('({0}X + 0.3*({0}Y^2 - {0}Z^2))*iHat + ({0}Y + 0.3*{0}X*{0}Z)*jHat'
+              ' + ({0}Z + 0.15*({0}X^3 - 3*{0}X*{0}Y^2))*kHat')
+    disk = Disk(InnerRadius=0.0, OuterRadius=0.97, RadialResolution=100, CircumferentialResolution=200)
+    for level, x in ((1, -2.2), (2, 0.0), (3, 2.2)):
+        box = Subdivide(Input=Triangulate(Input=Clean(Input=Box())), NumberofSubdivisions=level + 1)
+        ball = Calculator(Input=box, CoordinateResults=1, Function='norm(coords)')
+        boundary = Calculator(Input=ball, ResultArrayName='TargetPosition', Function=motion.format('coords'))
+        moved = ShapeHarmonicVolumeMap(Domain=disk, Boundary=boundary, Method='FiniteElements',
+                                       Tetrahedra=2000 * 8 ** (level - 1))
+        error = Calculator(Input=moved, ResultArrayName='Error', Function='log10(mag(coords - (%s)) + 1e-7)'
+                           % motion.format('SourcePosition_'))
+        show(error, (x, 0, 0), array='Error', limits=(-4.5, -1.5))
+    return (0, 0, 1), (0, 1, 0)
+
+
+@drawing
 def ApplyVolumeMap():
     grid = Wavelet(WholeExtent=[-9, 9, -9, 9, 0, 0])
     inside = Transform(Input=grid)

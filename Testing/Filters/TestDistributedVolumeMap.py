@@ -122,6 +122,18 @@ assert not shapetesting.run(back)
 if rank in workers:
     assert abs(points(back.GetOutputDataObject(0)) - points(domain)).max() < 1e-9
 
+# Finite elements: the first process makes them, and all have them.
+volume.SetMethod(3)
+volume.SetTetrahedra(5000)
+assert not shapetesting.run(volume)
+number('Tetrahedra', fact(volume.GetOutputDataObject(0), 'HarmonicVolumeMap.Tetrahedra'))
+assert not shapetesting.run(applied)
+for algorithm in (volume, applied):
+    if rank in workers:
+        output = algorithm.GetOutputDataObject(0)
+        compare('Elements', array(output, 'SourcePosition'), points(output))
+volume.SetMethod(0)
+
 # A layer of ghost cells around each slab: they are carried along, stay marked and count once. Points
 # far outside keep their place and are counted.
 share = numpy.searchsorted(numpy.quantile(centres[:, 0], numpy.linspace(0.0, 1.0, processes + 1)[1:-1]),

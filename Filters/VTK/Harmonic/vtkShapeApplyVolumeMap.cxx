@@ -3,6 +3,7 @@
 #include "vtkShapeChargeSet.h"
 #include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
+#include "vtkShapeFiniteElements.h"
 
 #include "vtkDataSet.h"
 #include "vtkObjectFactory.h"
@@ -10,11 +11,13 @@
 
 #include "Base/Errors.h"
 #include "Harmonic/ApplyVolumeMap.h"
+#include "Harmonic/FiniteElementMap.h"
 #include "Harmonic/PiecewiseInverseMap.h"
 #include "Mesh/Topology.h"
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -29,6 +32,46 @@ vtkShapeApplyVolumeMap::vtkShapeApplyVolumeMap()
   this->DeclareMovedOutput();
   this->DeclareFacts();
 }
+
+namespace
+{
+
+/// Moves the points of one data set.
+using Position =
+  std::function<shape::MovedPoints(const Eigen::MatrixXd& points, const shape::Progress& progress)>;
+
+Position PrepareElements(vtkPolyData* data, bool inverse, const shape::Progress& progress)
+{
+  shape::FiniteElements elements = vtkShapeFiniteElements::Read(data, "the Map");
+  if (inverse)
+  {
+    // The inverse of a map that is linear in tetrahedra is linear in their images.
+    elements.Points.swap(elements.Images);
+  }
+  const auto map = std::make_shared<const shape::FiniteElementMap>(std::move(elements), progress);
+  return [map](const Eigen::MatrixXd& points, const shape::Progress& part)
+  { return shape::ApplyVolumeMap(*map, points, part); };
+}
+
+Position PrepareCharges(vtkPolyData* data, bool inverse, const shape::Progress& progress)
+{
+  const auto map = std::make_shared<const shape::PiecewiseHarmonicMap>(
+    vtkShapeChargeSet::Read(data, "the Map"), progress.Part(0.0, 0.3));
+  if (!inverse)
+  {
+    return [map](const Eigen::MatrixXd& points, const shape::Progress& part)
+    { return shape::ApplyVolumeMap(*map, points, part); };
+  }
+  const auto inverted = std::make_shared<const shape::PiecewiseInverseMap>(
+    map, shape::InverseMapOptions(), progress.Part(0.3, 1.0, "preparing the inverse map"));
+  return [inverted](const Eigen::MatrixXd& points, const shape::Progress& part)
+  {
+    const shape::InverseMap::Result result = inverted->Find(points, part);
+    return shape::MovedPoints{ result.Points, result.States };
+  };
+}
+
+} // namespace
 
 void vtkShapeApplyVolumeMap::Execute(const shape::Progress& progress)
 {
@@ -45,31 +88,13 @@ void vtkShapeApplyVolumeMap::Execute(const shape::Progress& progress)
     throw shape::InvalidInput("the Map has " + std::to_string(count) +
       " blocks; extract one charge set with Extract Block");
   }
-  const auto map = std::make_shared<const shape::PiecewiseHarmonicMap>(
-    vtkShapeChargeSet::Read(this->GetGatheredInput(1).Data, "the Map"),
-    progress.Part(0.05, 0.1, "preparing the map"));
-
-  std::array<std::vector<Eigen::RowVector3d>, 2> found;
-  vtkDataObject* moved = this->GetOutputDataObject(0);
-  if (this->Inverse)
-  {
-    const shape::PiecewiseInverseMap inverse(
-      map, {}, progress.Part(0.1, 0.2, "preparing the inverse map"));
-    const auto position = [&](const Eigen::MatrixXd& points, const shape::Progress& part)
-    {
-      const shape::InverseMap::Result result = inverse.Find(points, part);
-      return shape::MovedPoints{ result.Points, result.States };
-    };
-    found = vtkShapeChargeSet::Move(
-      domain, moved, position, progress.Part(0.2, 1.0, "inverting the map"));
-  }
-  else
-  {
-    const auto position = [&](const Eigen::MatrixXd& points, const shape::Progress& part)
-    { return shape::ApplyVolumeMap(*map, points, part); };
-    found = vtkShapeChargeSet::Move(
-      domain, moved, position, progress.Part(0.1, 1.0, "moving the points"));
-  }
+  vtkPolyData* data = this->GetGatheredInput(1).Data;
+  const Position position = vtkShapeFiniteElements::Has(data)
+    ? PrepareElements(data, this->Inverse, progress.Part(0.05, 0.2, "preparing the map"))
+    : PrepareCharges(data, this->Inverse, progress.Part(0.05, 0.2, "preparing the map"));
+  std::array<std::vector<Eigen::RowVector3d>, 2> found =
+    vtkShapeChargeSet::Move(domain, this->GetOutputDataObject(0), position,
+      progress.Part(0.2, 1.0, this->Inverse ? "inverting the map" : "moving the points"));
   this->AddCount(0, "ApplyVolumeMap.OutsidePoints", std::move(found[0]));
   this->AddCount(0, "ApplyVolumeMap.NotInverted", std::move(found[1]));
 }

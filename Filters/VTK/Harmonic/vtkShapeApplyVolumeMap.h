@@ -16,6 +16,9 @@
  *   vtkShapeHarmonicVolumeMap), it also has the point array `RegionId` (int), and `Affine` has one
  *   tuple of 12 components for each region. A point is then moved by the charges and the affine
  *   part of the region that contains it.
+ *   A map of finite elements (vtkShapeFiniteElements) has the field data array `Tetrahedra` instead
+ *   of `Affine`, and is linear in each tetrahedron. So is its inverse in the images of the
+ *   tetrahedra, which needs no search by Newton's method.
  *
  * Output: the input moved, without point normals, with the point arrays
  * - `SourcePosition` (double, 3).
@@ -26,7 +29,7 @@
  * Facts: ApplyVolumeMap.OutsidePoints and ApplyVolumeMap.NotInverted, the numbers of points
  * with the values 1 and 2 (over all processes, without ghosts).
  *
- * The mathematics: shape::ApplyVolumeMap, shape::PiecewiseInverseMap.
+ * The mathematics: shape::ApplyVolumeMap, shape::PiecewiseInverseMap, shape::FiniteElementMap.
  */
 #ifndef vtkShapeApplyVolumeMap_h
 #define vtkShapeApplyVolumeMap_h

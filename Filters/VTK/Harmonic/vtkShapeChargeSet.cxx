@@ -2,6 +2,7 @@
 
 #include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
+#include "vtkShapeFiniteElements.h"
 #include "vtkShapeGather.h"
 
 #include "vtkCellData.h"
@@ -109,6 +110,12 @@ std::vector<int> ChargedRows(const Eigen::MatrixXd& charges)
 
 shape::PiecewiseCharges vtkShapeChargeSet::Read(vtkPolyData* data, const std::string& name)
 {
+  if (vtkShapeFiniteElements::Has(data))
+  {
+    throw shape::InvalidInput(name +
+      " is a map of finite elements, which has no charges; use Shape Apply Volume Map, or compute "
+      "the map with the Method Accelerated");
+  }
   const std::vector<Affine> affines = ReadAffines(data, name);
   const auto count = static_cast<int>(affines.size());
   const Eigen::MatrixXd charges = vtkShapeConvert::ToPointArray(data, "Charge", 3, name);

@@ -4,6 +4,7 @@
 #include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeFeatures.h"
+#include "vtkShapeFiniteElements.h"
 #include "vtkShapeGather.h"
 #include "vtkShapeRegions.h"
 #include "vtkShapeSolid.h"
@@ -19,10 +20,13 @@
 
 #include "Base/Errors.h"
 #include "Harmonic/ApplyVolumeMap.h"
+#include "Harmonic/FiniteElementMap.h"
 #include "Harmonic/NearSurfaceCharges.h"
 #include "Mesh/Extent.h"
 #include "Mesh/Topology.h"
 
+#include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -122,6 +126,8 @@ shape::VolumeMapResult vtkShapeHarmonicVolumeMap::Solve(
   vtkShapeVolumeMapFacts::AddFacts(result.Map, this->Options.Method, this->Exact, facts);
   vtkShapeConvert::AddFact(
     facts, Facts + "FeaturePoints", static_cast<double>(conditions.Features.Points.rows()));
+  vtkShapeConvert::AddFact(facts, Facts + "Tetrahedra",
+    result.Elements ? static_cast<double>(result.Elements->Tetrahedra.rows()) : 0.0);
   if (hasTarget)
   {
     vtkShapeConvert::AddFact(facts, Facts + "TargetDistance", result.TargetDistance);
@@ -135,9 +141,40 @@ shape::VolumeMapResult vtkShapeHarmonicVolumeMap::Solve(
   return result;
 }
 
+namespace
+{
+
+/// Moves the points of one data set.
+using Position =
+  std::function<shape::MovedPoints(const Eigen::MatrixXd& points, const shape::Progress& progress)>;
+
+/// Sends a map from the first process to all, and prepares it.
+Position ShareMap(vtkMultiProcessController* controller, shape::VolumeMapResult& result,
+  bool byElements, const shape::Progress& progress)
+{
+  if (byElements)
+  {
+    if (!result.Elements)
+    {
+      result.Elements.emplace();
+    }
+    vtkShapeFiniteElements::Share(controller, *result.Elements);
+    const auto map = std::make_shared<const shape::FiniteElementMap>(*result.Elements, progress);
+    return [map](const Eigen::MatrixXd& points, const shape::Progress& part)
+    { return shape::ApplyVolumeMap(*map, points, part); };
+  }
+  vtkShapeChargeSet::Share(controller, result.Map.Charges);
+  const auto map =
+    std::make_shared<const shape::PiecewiseHarmonicMap>(result.Map.Charges, progress);
+  return [map](const Eigen::MatrixXd& points, const shape::Progress& part)
+  { return shape::ApplyVolumeMap(*map, points, part); };
+}
+
+} // namespace
+
 // 1. Check the domain on every process, and solve for the map on the first one.
-// 2. Send the charges and the facts to all processes.
-// 3. Each process moves its own pieces by them.
+// 2. Send the map and the facts to all processes.
+// 3. Each process moves its own pieces by it.
 // 4. With FoldFree, untangle the moved solid.
 void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
 {
@@ -165,13 +202,12 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
       }
     });
   vtkShapeGather::Share(controller, holder);
-  vtkShapeChargeSet::Share(controller, result.Map.Charges);
   vtkShapeGather::Share(controller, result.Targets);
-  const shape::PiecewiseHarmonicMap map(result.Map.Charges, progress.Part(solved, solved + 0.01));
-  const auto found = vtkShapeChargeSet::Move(
-    domain, moved,
-    [&](const Eigen::MatrixXd& points, const shape::Progress& part)
-    { return shape::ApplyVolumeMap(map, points, part); },
+  const bool byElements =
+    this->Options.Method == shape::HarmonicVolumeMapOptions::MethodType::FiniteElements;
+  const Position position =
+    ShareMap(controller, result, byElements, progress.Part(solved, solved + 0.01));
+  const auto found = vtkShapeChargeSet::Move(domain, moved, position,
     progress.Part(solved + 0.01, this->FoldFree ? 0.95 : 1.0, "moving the points"));
   if (this->FoldFree)
   {
@@ -182,11 +218,18 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
     vtkShapeConvert::AddFact(moved, Facts + "InvertedAfter", inverted.second);
   }
 
-  // One process outputs the charges; the others output the same facts about them.
+  // One process outputs the map; the others output the same facts about it.
   auto* charges = vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
   if (first)
   {
-    vtkShapeChargeSet::Write(result.Map.Charges, charges);
+    if (byElements)
+    {
+      vtkShapeFiniteElements::Write(*result.Elements, charges);
+    }
+    else
+    {
+      vtkShapeChargeSet::Write(result.Map.Charges, charges);
+    }
     vtkShapeVolumeMapFacts::WriteLevels(
       result.Map.Layers, vtkTable::SafeDownCast(this->GetOutputDataObject(2)));
   }

@@ -4,7 +4,8 @@
  *
  * Each coordinate of the map is a harmonic function inside the boundary surface. On the boundary,
  * the map equals the map array. The map is the sum of an affine map and the potentials of point
- * charges outside the solid (the method of fundamental solutions).
+ * charges outside the solid (the method of fundamental solutions). With the method FiniteElements,
+ * it is linear in each of the tetrahedra that fill the solid.
  *
  * Inputs
  * - Domain: any data set, which may be composite or distributed.
@@ -25,6 +26,8 @@
  *   their position.
  * - 1: the charge set, which stores the map (vtkShapeApplyVolumeMap). It has the point array
  *   `Charge` (double, 3 components) and the field data array `Affine` (3 tuples of 4 components).
+ *   With FiniteElements, it is the map of finite elements instead (vtkShapeFiniteElements): the
+ *   points of the tetrahedra with `TargetPosition`, and the field data array `Tetrahedra`.
  * - 2: a table of levels: Level, Sources, Collocations, RMSEVertices, RMSEInside, Maximum, Seconds,
  *   Kept, RegionId. Kept is 0 if the level did not reduce the error and was discarded. The errors
  *   refer to the complete boundary, at its points and inside its triangles. They are divided by the
@@ -43,6 +46,7 @@
  *   otherwise 0.
  * - .PointsWithoutCharge: only for Accelerated, otherwise 0. It is the number of boundary points
  *   that have no normal or lie in gaps too narrow for a charge.
+ * - .Tetrahedra: only for FiniteElements, otherwise 0.
  * - .Method (a string): the method that was used.
  * - .Stop (a string): why no further level was fitted. "Tolerance": the error reached this
  *   parameter. "Levels": all levels were fitted. "NoImprovement": the last levels gained less than
@@ -82,7 +86,11 @@
  * also have .InvertedBefore and .InvertedAfter, the numbers of inverted cells. The charge set still
  * stores the harmonic map, which may fold.
  *
- * The mathematics: shape::ComputeVolumeMap, shape::ComputeHarmonicVolumeMap.
+ * FiniteElements takes no Features, and neither Exact nor FreeBoundary. Its table has one level
+ * with the number of unknowns as Sources and Collocations.
+ *
+ * The mathematics: shape::ComputeVolumeMap, shape::ComputeHarmonicVolumeMap,
+ * shape::ComputeFiniteElements.
  */
 #ifndef vtkShapeHarmonicVolumeMap_h
 #define vtkShapeHarmonicVolumeMap_h
@@ -116,7 +124,7 @@ public:
   vtkGetCharFromStdStringMacro(MapArray);
   vtkShapeEnumOption(Method, shape::HarmonicVolumeMapOptions::MethodType,
     shape::HarmonicVolumeMapOptions::MethodType::Accelerated,
-    shape::HarmonicVolumeMapOptions::MethodType::SingleShot);
+    shape::HarmonicVolumeMapOptions::MethodType::FiniteElements);
   vtkShapeOption(Tolerance, double);
   vtkShapeOption(MaximumLevels, int);
   vtkShapeOption(SourceSubsets, int);
@@ -139,6 +147,7 @@ public:
   vtkSetMacro(FoldFree, bool);
   vtkGetMacro(FoldFree, bool);
   vtkShapeOption(MaximumMemory, double);
+  vtkShapeOption(Tetrahedra, int);
   ///@}
 
 protected:

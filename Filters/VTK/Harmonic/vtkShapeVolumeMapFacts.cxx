@@ -27,6 +27,8 @@ const char* Word(shape::HarmonicVolumeMapOptions::MethodType method)
       return "SingleShot";
     case shape::HarmonicVolumeMapOptions::MethodType::MultiLevel:
       return "MultiLevel";
+    case shape::HarmonicVolumeMapOptions::MethodType::FiniteElements:
+      return "FiniteElements";
     case shape::HarmonicVolumeMapOptions::MethodType::Accelerated:
       break;
   }
