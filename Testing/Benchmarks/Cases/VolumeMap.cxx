@@ -3,6 +3,7 @@
 #include "Driver/BenchmarkData.h"
 #include "Driver/Case.h"
 
+#include "Harmonic/FiniteElementMap.h"
 #include "Harmonic/HarmonicVolumeMap.h"
 #include "Search/CellLocator.h"
 #include "Solids/Nesting.h"
@@ -13,7 +14,9 @@
 #include <fstream>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
+#include <utility>
 
 namespace
 {
@@ -26,7 +29,8 @@ DATA    A a harmonic field that is known everywhere; B the sphere map of the mod
         triangles (kept in the folder Cache=, the working folder by default); C a smooth map that is
         not harmonic. Every method is given the values at the points of the surface.
 METHOD  Accelerated, MultiLevel, SingleShot (OffsetDistance=, CollocationRatio=, SourceRatio=,
-        Tolerance=) or FEM (Refine=, RadiusEdgeRatio=, Solver=, Ordering=, Threads=)
+        Tolerance=), FiniteElements (Tetrahedra=, for each point of the surface; 20), or FEM: a peer
+        that keeps the surface's triangles (Refine=, RadiusEdgeRatio=, Solver=, Ordering=, Threads=)
 Reference=FILE  for data B and C: where the values of refined finite elements at the random points
         inside are kept
 Weld=1  joins points at the same position first
@@ -91,6 +95,18 @@ Solution RunFiniteElements(const shape::Mesh& mesh, const Eigen::MatrixXd& value
   };
 }
 
+Solution RunElementsOfKernel(const shape::Mesh& mesh, const Eigen::MatrixXd& values, double each,
+  benchmark::Cost& cost, benchmark::Row& facts)
+{
+  const int tetrahedra = static_cast<int>(each * static_cast<double>(mesh.Points.rows()));
+  shape::FiniteElements result;
+  cost =
+    benchmark::Measure([&] { result = shape::ComputeFiniteElements(mesh, values, tetrahedra); });
+  facts.Add("nodes", result.Points.rows()).Add("tetrahedra", result.Tetrahedra.rows());
+  const auto map = std::make_shared<const shape::FiniteElementMap>(std::move(result));
+  return [map](const Eigen::MatrixXd& points) { return map->Evaluate(points).Images; };
+}
+
 /// Reads the settings of a method; returns what computes its solution.
 using Method = std::function<Solution(
   const shape::Mesh&, const Eigen::MatrixXd&, benchmark::Cost&, benchmark::Row&)>;
@@ -107,6 +123,12 @@ Method ReadMethod(const std::string& name, benchmark::Arguments& arguments)
     openblas_set_num_threads(arguments.Setting("Threads", 1));
     return [options](const auto& mesh, const auto& values, auto& cost, auto& facts)
     { return RunFiniteElements(mesh, values, options, cost, facts); };
+  }
+  if (name == "FiniteElements")
+  {
+    const double each = arguments.Setting("Tetrahedra", 20.0);
+    return [each](const auto& mesh, const auto& values, auto& cost, auto& facts)
+    { return RunElementsOfKernel(mesh, values, each, cost, facts); };
   }
   using Type = shape::HarmonicVolumeMapOptions::MethodType;
   const std::map<std::string, Type> methods = { { "Accelerated", Type::Accelerated },
