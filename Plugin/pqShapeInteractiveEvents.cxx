@@ -59,7 +59,8 @@ bool pqShapeInteractiveWidget::OnMove()
     this->StepTimer.start(0);
     return true;
   }
-  if (this->UpdateHovered())
+  const bool isOtherPart = this->UpdateHovered();
+  if (this->Hover(this->Pixel) || isOtherPart)
   {
     this->RequestRender();
   }

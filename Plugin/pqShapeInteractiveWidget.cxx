@@ -13,6 +13,7 @@
 #include "pqProxy.h"
 #include "pqProxyWidget.h"
 #include "pqServerManagerModel.h"
+#include "pqUndoStack.h"
 #include "pqView.h"
 
 #include <QCheckBox>

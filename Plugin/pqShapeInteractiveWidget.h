@@ -77,6 +77,8 @@ protected:
   /// Called if the mouse was pressed and released without a drag, away from all parts.
   virtual bool Click(const Eigen::Vector2d& /*pixel*/) { return false; }
   virtual bool DoubleClick() { return false; }
+  /// Called if the mouse moved without a drag. Returns whether the handle looks different now.
+  virtual bool Hover(const Eigen::Vector2d& /*pixel*/) { return false; }
   /// Called before the filter has first been applied: when the handle appears, and when there is
   /// another surface. What the user has placed must stay.
   virtual void Place() {}
