@@ -174,8 +174,8 @@ int pqShapeBrushWidget::FindPart(const Eigen::Vector2d& pixel)
 bool pqShapeBrushWidget::Hover(const Eigen::Vector2d& pixel)
 {
   const bool wasOver = this->IsOver;
-  this->IsOver = this->IsPainting() &&
-    this->GetSurface().FindUnder(this->GetRenderer(), pixel, this->Centre);
+  this->IsOver =
+    this->IsPainting() && this->GetSurface().FindUnder(this->GetRenderer(), pixel, this->Centre);
   return this->IsOver || wasOver;
 }
 

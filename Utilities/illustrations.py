@@ -356,6 +356,23 @@ def CageDeform():
 
 
 @drawing
+def PaintArray():
+    plane = Plane(Origin=[-1, -1, 0], Point1=[1, -1, 0], Point2=[-1, 1, 0], XResolution=100, YResolution=100)
+    border = FeatureEdges(Input=plane, BoundaryEdges=1, FeatureEdges=0, NonManifoldEdges=0, ManifoldEdges=0)
+    old = Calculator(Input=border, ResultArrayName='SourcePosition', Function='coords')
+    saddle = Calculator(Input=old, CoordinateResults=1, Function='coords + 0.5*(coordsX^2 - coordsY^2)*kHat')
+    # Two strokes that cross; the second one is less stiff.
+    first = [(0.55 * math.cos(t), 0.55 * math.sin(t), 0.0) for t in numpy.linspace(0.0, 2.0 * math.pi, 120)]
+    second = [(-0.75 + 0.0125 * k, 0.0, 0.0) for k in range(120)]
+    painted = ShapePaintArray(Input=plane, ArrayName='Rigidity', InitialValue=1.0,
+                              Strokes=[0, 0.25, 1.0, 8.0, 120, 0, 0.25, 1.0, 4.0, 120],
+                              StrokePoints=numpy.ravel(first + second).tolist())
+    for surface, x in ((painted, -1.2), (ShapeDeform(Input=painted, Boundary=saddle, RigidityArray='Rigidity'), 1.2)):
+        show(surface, (x, 0, 0), array='Rigidity', preset='Viridis (matplotlib)')
+    return (0.0, -1.0, 1.1), FRONT[1]
+
+
+@drawing
 def Morph():
     both = ShapeMorph(Input=shape('FigureA.vtp'))
     for time, x in ((0.0, -1.15), (0.5, 0.0), (1.0, 1.15)):

@@ -21,7 +21,7 @@
 
 #include "vtkShapeAlgorithm.h"
 
-#include "Transfer/PaintStrokes.h" // for the strokes
+#include "Transfer/PaintArray.h" // for the strokes
 
 #include <memory> // for what is kept
 #include <string> // for the name

@@ -1,4 +1,4 @@
-#include "Transfer/PaintStrokes.h"
+#include "Transfer/PaintArray.h"
 
 #include "Base/Errors.h"
 #include "Mesh/CoincidentPoints.h"
@@ -261,7 +261,7 @@ const Eigen::VectorXd& SurfacePainter::Paint(
   return canvas.Values;
 }
 
-Eigen::VectorXd PaintStrokes(const Surface& surface, Eigen::VectorXd initial,
+Eigen::VectorXd PaintArray(const Surface& surface, Eigen::VectorXd initial,
   const std::vector<BrushStroke>& strokes, const Progress& progress)
 {
   return SurfacePainter(surface, std::move(initial)).Paint(strokes, progress);

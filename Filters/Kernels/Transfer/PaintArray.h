@@ -70,7 +70,7 @@ private:
 };
 
 /// Returns SurfacePainter(surface, initial).Paint(strokes, progress).
-Eigen::VectorXd PaintStrokes(const Surface& surface, Eigen::VectorXd initial,
+Eigen::VectorXd PaintArray(const Surface& surface, Eigen::VectorXd initial,
   const std::vector<BrushStroke>& strokes, const Progress& progress = {});
 
 } // namespace shape

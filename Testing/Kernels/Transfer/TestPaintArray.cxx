@@ -1,6 +1,6 @@
 #include "Support/Refusals.h"
 #include "Support/TestShapes.h"
-#include "Transfer/PaintStrokes.h"
+#include "Transfer/PaintArray.h"
 
 #include <gtest/gtest.h>
 
@@ -38,8 +38,8 @@ Eigen::MatrixXd Equator(int count)
 }
 
 /// The weight of a point by its definition.
-double Weight(
-  const Eigen::RowVector3d& point, const Eigen::MatrixXd& positions, Eigen::Index row, double radius)
+double Weight(const Eigen::RowVector3d& point, const Eigen::MatrixXd& positions, Eigen::Index row,
+  double radius)
 {
   const double share = (point - positions.row(row)).norm() / radius;
   return share < 1.0 ? std::pow(1.0 - share * share, 2) : 0.0;
@@ -74,7 +74,7 @@ shape::Mesh Sheets(int n, double gap)
 
 } // namespace
 
-TEST(PaintStrokes, SetAndAddActByTheDistanceToTheNearestPosition)
+TEST(PaintArray, SetAndAddActByTheDistanceToTheNearestPosition)
 {
   const shape::Mesh sphere = shapetest::Icosphere(4);
   const Eigen::MatrixXd positions = Equator(25);
@@ -82,7 +82,7 @@ TEST(PaintStrokes, SetAndAddActByTheDistanceToTheNearestPosition)
   for (const Mode mode : { Mode::Set, Mode::Add })
   {
     const Eigen::VectorXd values =
-      shape::PaintStrokes(sphere, initial, { Stroke(mode, 0.3, 0.7, 5.0, positions) });
+      shape::PaintArray(sphere, initial, { Stroke(mode, 0.3, 0.7, 5.0, positions) });
     int painted = 0;
     for (Eigen::Index i = 0; i < values.size(); ++i)
     {
@@ -100,17 +100,18 @@ TEST(PaintStrokes, SetAndAddActByTheDistanceToTheNearestPosition)
   }
 }
 
-// However slowly the brush moves, a stroke acts once: more positions between the same change little.
-TEST(PaintStrokes, SpeedOfTheBrushDoesNotMatter)
+// However slowly the brush moves, a stroke acts once: more positions between the same change
+// little.
+TEST(PaintArray, SpeedOfTheBrushDoesNotMatter)
 {
   const shape::Mesh sphere = shapetest::Icosphere(4);
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(sphere.Points.rows());
   const double radius = 0.3;
   const int fast = static_cast<int>(M_PI / 2.0 / (radius / 8.0)) + 1;
   const Eigen::VectorXd one =
-    shape::PaintStrokes(sphere, zero, { Stroke(Mode::Add, radius, 1.0, 1.0, Equator(fast)) });
+    shape::PaintArray(sphere, zero, { Stroke(Mode::Add, radius, 1.0, 1.0, Equator(fast)) });
   const Eigen::VectorXd other =
-    shape::PaintStrokes(sphere, zero, { Stroke(Mode::Add, radius, 1.0, 1.0, Equator(8 * fast)) });
+    shape::PaintArray(sphere, zero, { Stroke(Mode::Add, radius, 1.0, 1.0, Equator(8 * fast)) });
   // A point at the distance d from the path is at most (1 / 16) radius farther along it.
   const Eigen::MatrixXd end = Equator(8 * fast).bottomRows(1);
   for (Eigen::Index i = 0; i < one.size(); ++i)
@@ -122,7 +123,7 @@ TEST(PaintStrokes, SpeedOfTheBrushDoesNotMatter)
   }
 }
 
-TEST(PaintStrokes, SmoothKeepsTheIntegralAndReachesTheMean)
+TEST(PaintArray, SmoothKeepsTheIntegralAndReachesTheMean)
 {
   const shape::Mesh sphere = shapetest::Icosphere(3);
   const Eigen::VectorXd areas = shape::ComputePointAreas(sphere);
@@ -131,13 +132,13 @@ TEST(PaintStrokes, SmoothKeepsTheIntegralAndReachesTheMean)
   // The whole sphere is in the ball, whose radius makes nearly equal weights.
   const Eigen::MatrixXd top = Eigen::RowVector3d(0.0, 0.0, 1.0);
   const shape::BrushStroke all = Stroke(Mode::Smooth, 2.5, 1.0, 0.0, top.replicate(400, 1));
-  const Eigen::VectorXd flat = shape::PaintStrokes(sphere, initial, { all });
+  const Eigen::VectorXd flat = shape::PaintArray(sphere, initial, { all });
   const double mean = areas.dot(initial) / areas.sum();
   EXPECT_LT((flat.array() - mean).abs().maxCoeff(), 1e-12);
 
   // A part of it: the integral stays, points outside the ball do, and the variation decreases.
-  const Eigen::VectorXd part = shape::PaintStrokes(
-    sphere, initial, { Stroke(Mode::Smooth, 0.8, 0.5, 0.0, Equator(20)) });
+  const Eigen::VectorXd part =
+    shape::PaintArray(sphere, initial, { Stroke(Mode::Smooth, 0.8, 0.5, 0.0, Equator(20)) });
   EXPECT_NEAR(areas.dot(part), areas.dot(initial), 1e-13);
   EXPECT_LT((areas.array() * part.array().square()).sum(),
     (areas.array() * initial.array().square()).sum() - 0.1);
@@ -150,20 +151,20 @@ TEST(PaintStrokes, SmoothKeepsTheIntegralAndReachesTheMean)
   }
 }
 
-TEST(PaintStrokes, OtherSideOfAThinPartStays)
+TEST(PaintArray, OtherSideOfAThinPartStays)
 {
   const int n = 40;
   const Eigen::Index sheet = (n + 1) * (n + 1);
   const shape::Mesh sheets = Sheets(n, 0.01);
   const Eigen::MatrixXd centre = Eigen::RowVector3d(0.0, 0.0, -0.001);
-  const Eigen::VectorXd values = shape::PaintStrokes(
+  const Eigen::VectorXd values = shape::PaintArray(
     sheets, Eigen::VectorXd::Zero(2 * sheet), { Stroke(Mode::Set, 0.5, 1.0, 1.0, centre) });
   EXPECT_GT(values.head(sheet).maxCoeff(), 0.9);
   EXPECT_EQ(values.tail(sheet).maxCoeff(), 0.0);
 }
 
 // A soup of triangles is painted as the surface that it represents.
-TEST(PaintStrokes, SeamsAreCrossed)
+TEST(PaintArray, SeamsAreCrossed)
 {
   const shape::Mesh sphere = shapetest::Icosphere(3);
   shape::Mesh soup;
@@ -182,13 +183,13 @@ TEST(PaintStrokes, SeamsAreCrossed)
   const std::vector<shape::BrushStroke> strokes{ Stroke(Mode::Add, 0.5, 1.0, 2.0, Equator(9)),
     Stroke(Mode::Smooth, 0.7, 0.6, 0.0, Equator(5)) };
   const Eigen::VectorXd one =
-    shape::PaintStrokes(sphere, Eigen::VectorXd::Ones(sphere.Points.rows()), strokes);
+    shape::PaintArray(sphere, Eigen::VectorXd::Ones(sphere.Points.rows()), strokes);
   const Eigen::VectorXd other =
-    shape::PaintStrokes(soup, Eigen::VectorXd::Ones(soup.Points.rows()), strokes);
+    shape::PaintArray(soup, Eigen::VectorXd::Ones(soup.Points.rows()), strokes);
   EXPECT_LT((other - one(of)).cwiseAbs().maxCoeff(), 1e-13);
 }
 
-TEST(PaintStrokes, AppendedStrokesGiveTheSameBits)
+TEST(PaintArray, AppendedStrokesGiveTheSameBits)
 {
   const shape::Mesh sphere = shapetest::Icosphere(3);
   const Eigen::VectorXd initial = sphere.Points.col(0);
@@ -197,7 +198,7 @@ TEST(PaintStrokes, AppendedStrokesGiveTheSameBits)
   const shape::BrushStroke second = Stroke(Mode::Smooth, 0.5, 0.5, 0.0, path);
   shape::SurfacePainter painter(sphere, initial);
   const auto check = [&](const std::vector<shape::BrushStroke>& strokes)
-  { EXPECT_EQ(painter.Paint(strokes), shape::PaintStrokes(sphere, initial, strokes)); };
+  { EXPECT_EQ(painter.Paint(strokes), shape::PaintArray(sphere, initial, strokes)); };
   check({});
   check({ first });
   for (const int rows : { 1, 2, 7, 30 })
@@ -211,24 +212,25 @@ TEST(PaintStrokes, AppendedStrokesGiveTheSameBits)
   check({});
 }
 
-TEST(PaintStrokes, InvalidStrokesAreRefused)
+TEST(PaintArray, InvalidStrokesAreRefused)
 {
   const shape::Mesh sphere = shapetest::Icosphere(1);
   const Eigen::VectorXd initial = Eigen::VectorXd::Zero(sphere.Points.rows());
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Eigen::MatrixXd path = Equator(2);
   const shape::BrushStroke good = Stroke(Mode::Set, 1.0, 1.0, 1.0, path);
-  const auto paint = [&](const shape::BrushStroke& stroke)
-  { shape::PaintStrokes(sphere, initial, { good, stroke }); };
+  const auto paint = [&](const shape::BrushStroke& stroke) {
+    shape::PaintArray(sphere, initial, { good, stroke });
+  };
   EXPECT_REFUSED(paint(Stroke(Mode::Set, 0.0, 1.0, 1.0, path)), "Radius of stroke 1 is 0");
   EXPECT_REFUSED(paint(Stroke(Mode::Set, 1.0, 1.5, 1.0, path)), "Strength of stroke 1 is 1.5");
   EXPECT_REFUSED(paint(Stroke(Mode::Set, 1.0, 1.0, nan, path)), "Value of stroke 1 is nan");
   EXPECT_REFUSED(
     paint(Stroke(Mode::Set, 1.0, 1.0, 1.0, nan * path)), "position of stroke 1", "not finite");
-  EXPECT_REFUSED(shape::PaintStrokes(sphere, initial.head(3), { good }), "3 initial values");
+  EXPECT_REFUSED(shape::PaintArray(sphere, initial.head(3), { good }), "3 initial values");
   EXPECT_REFUSED(
-    shape::PaintStrokes(sphere, nan * Eigen::VectorXd::Ones(initial.size()), {}), "not finite");
+    shape::PaintArray(sphere, nan * Eigen::VectorXd::Ones(initial.size()), {}), "not finite");
   EXPECT_REFUSED(
-    shape::PaintStrokes(shape::Mesh{ sphere.Points, Eigen::MatrixXi(0, 3) }, initial, {}),
+    shape::PaintArray(shape::Mesh{ sphere.Points, Eigen::MatrixXi(0, 3) }, initial, {}),
     "triangle");
 }
