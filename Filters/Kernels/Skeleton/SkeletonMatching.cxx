@@ -2,11 +2,11 @@
 
 #include "Base/Errors.h"
 #include "Base/FormatNumber.h"
-#include "Skeleton/Private/BranchGraph.h"
-#include "Skeleton/Private/BranchSearch.h"
+#include "Skeleton/Private/VariantSearch.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 
@@ -40,43 +40,95 @@ std::string List(const std::vector<int>& numbers)
   return words;
 }
 
-/// Returns the branches that any of the matches maps otherwise than the first, and cycles.
-std::vector<int> FindAmbiguous(const BranchGraph& graph, const GraphMatches& matches)
+/// Returns the sides that are ends, by the point of the whole skeleton.
+std::map<int, int> ListTips(const GraphVariant& variant)
 {
-  std::set<int> found;
-  for (const GraphBranch& branch : graph.Branches)
+  std::map<int, int> tips;
+  for (const GraphNode& node : variant.Graph.Nodes)
   {
-    if (branch.Type == GraphBranch::Kind::Cycle)
+    if (node.Sides.size() == 1)
     {
-      found.insert(branch.Number);
+      const int side = node.Sides[0];
+      const std::vector<int>& branch =
+        variant.Skeleton.Branches[variant.Graph.Branches[side / 2].Number];
+      tips.emplace(variant.Points[side % 2 ? branch.back() : branch.front()], side);
     }
   }
-  const std::vector<int>& best = matches.Found.front().Sides;
-  for (const GraphMatch& match : matches.Found)
+  return tips;
+}
+
+/// Where a match takes each end: from points to points of the whole skeletons.
+std::map<int, int> MapTips(const VariantMatches& pair, const GraphMatch& match)
+{
+  std::map<int, int> pointOf, result;
+  for (const auto& [point, side] : ListTips(*pair.Target))
   {
-    for (std::size_t side = 0; side < best.size(); ++side)
+    pointOf.emplace(side, point);
+  }
+  for (const auto& [point, side] : ListTips(*pair.Own))
+  {
+    result.emplace(point, pointOf.at(match.Sides[side]));
+  }
+  return result;
+}
+
+/// Returns the branches (numbers of the whole skeleton) that any of the matches maps otherwise than
+/// the best one, and cycles. Matches of other variants are compared by their ends.
+std::vector<int> FindAmbiguous(const std::vector<VariantMatches>& pairs)
+{
+  const VariantMatches& first = pairs.front();
+  const GraphVariant& own = *first.Own;
+  std::set<int> found;
+  const auto insert = [&](int branch)
+  { found.insert(own.Numbers[own.Graph.Branches[branch].Number]); };
+  for (int i = 0; i < static_cast<int>(own.Graph.Branches.size()); ++i)
+  {
+    if (own.Graph.Branches[i].Type == GraphBranch::Kind::Cycle)
+    {
+      insert(i);
+    }
+  }
+  const std::vector<int>& best = first.Found.front().Sides;
+  for (const GraphMatch& match : first.Found)
+  {
+    for (int side = 0; side < static_cast<int>(best.size()); ++side)
     {
       if (match.Sides[side] != best[side])
       {
-        found.insert(graph.Branches[side / 2].Number);
+        insert(side / 2);
+      }
+    }
+  }
+  const std::map<int, int> tips = ListTips(own), places = MapTips(first, first.Found.front());
+  for (std::size_t i = 1; i < pairs.size(); ++i)
+  {
+    for (const GraphMatch& match : pairs[i].Found)
+    {
+      for (const auto& [point, place] : MapTips(pairs[i], match))
+      {
+        const auto known = places.find(point);
+        if (known != places.end() && known->second != place)
+        {
+          insert(tips.at(point) / 2);
+        }
       }
     }
   }
   return { found.begin(), found.end() };
 }
 
-void RequireSimilar(
-  const BranchGraph& graph, const BranchGraph& target, const GraphMatch& match, double largest)
+void RequireSimilar(const VariantMatches& pair, double largest)
 {
-  for (std::size_t i = 0; i < graph.Branches.size(); ++i)
+  const GraphVariant &own = *pair.Own, &target = *pair.Target;
+  for (std::size_t i = 0; i < own.Graph.Branches.size(); ++i)
   {
-    const int side = match.Sides[2 * i];
-    const GraphBranch& other = target.Branches[side / 2];
-    const double difference = CompareBranches(graph.Branches[i], other, side % 2 == 1);
+    const int side = pair.Found.front().Sides[2 * i];
+    const GraphBranch &branch = own.Graph.Branches[i], &other = target.Graph.Branches[side / 2];
+    const double difference = CompareBranches(branch, other, side % 2 == 1);
     if (difference > largest)
     {
-      throw InvalidInput("branch " + std::to_string(graph.Branches[i].Number) +
-        " of the skeleton and branch " + std::to_string(other.Number) +
+      throw InvalidInput("branch " + std::to_string(own.Numbers[branch.Number]) +
+        " of the skeleton and branch " + std::to_string(target.Numbers[other.Number]) +
         " of the target's would match, but they differ by " + FormatNumber(difference) +
         " in length and radius, more than " + FormatNumber(largest) +
         "; choose another target, or a Resolution with which both skeletons have the same "
@@ -85,8 +137,8 @@ void RequireSimilar(
   }
 }
 
-void RequireClear(const SkeletonMatching& matching, const GraphMatches& matches,
-  const SkeletonMatchingOptions& options)
+void RequireClear(
+  const SkeletonMatching& matching, bool complete, const SkeletonMatchingOptions& options)
 {
   const std::string remedy = "; use shapes whose parts differ, or set Ambiguous to First and check "
                              "the result";
@@ -100,7 +152,7 @@ void RequireClear(const SkeletonMatching& matching, const GraphMatches& matches,
       " of the skeleton match the target as well in another way" + remedy +
       " (without Target, the output shows the numbers of the branches in BranchId)");
   }
-  if (!matches.Complete)
+  if (!complete)
   {
     throw InvalidInput("there are too many ways to match the branches to compare all" + remedy);
   }
@@ -140,9 +192,10 @@ struct PlaceSum
 };
 
 /// Fills in TargetPositions. A junction goes to the mean of where the branches at it begin.
-void PlacePoints(const CurveSkeleton& skeleton, const CurveSkeleton& target,
-  const BranchGraph& graph, SkeletonMatching& matching)
+void PlacePoints(
+  const CurveSkeleton& target, const BranchGraph& graph, SkeletonMatching& matching)
 {
+  const CurveSkeleton& skeleton = matching.Skeleton;
   std::vector<PlaceSum> points(skeleton.Points.rows()), nodes(graph.Nodes.size());
   const auto fractions = [&](const std::vector<int>& branch)
   {
@@ -194,36 +247,50 @@ void RequireMatchingOptions(const SkeletonMatchingOptions& options)
     options.Tolerance, "positive and finite");
   RequireOption(std::isfinite(options.LargestDifference) && options.LargestDifference > 0.0,
     "Largest Difference", options.LargestDifference, "positive and finite");
+  RequireOption(options.LargestOmission >= 0.0 && options.LargestOmission <= 0.5,
+    "Largest Omission", options.LargestOmission, "between 0 and 0.5");
 }
 
 SkeletonMatching MatchSkeletons(const CurveSkeleton& skeleton, const CurveSkeleton& target,
   const SkeletonMatchingOptions& options, const Progress& progress)
 {
   RequireMatchingOptions(options);
-  const BranchGraph graph = MakeBranchGraph(skeleton), other = MakeBranchGraph(target);
-  const GraphMatches matches = FindMatches(graph, other, options.Tolerance, progress);
-  if (matches.Found.empty())
+  const std::vector<GraphVariant> variants = MakeVariants(skeleton, options.LargestOmission),
+                                  targets = MakeVariants(target, options.LargestOmission);
+  const VariantSearchResult search =
+    FindVariantMatches(variants, targets, options.Tolerance, progress);
+  if (search.Pairs.empty())
   {
-    throw InvalidInput("the skeletons are different graphs: one has " + Describe(graph) +
-      ", the target's has " + Describe(other) +
+    throw InvalidInput("the skeletons are different graphs: one has " +
+      Describe(variants.front().Graph) + ", the target's has " + Describe(targets.front().Graph) +
       "; choose a target with the same parts, or a Resolution with which both skeletons have the "
       "same branches");
   }
-  const GraphMatch& best = matches.Found.front();
-  RequireSimilar(graph, other, best, options.LargestDifference);
+  const VariantMatches& best = search.Pairs.front();
+  RequireSimilar(best, options.LargestDifference);
   SkeletonMatching matching;
+  matching.Skeleton = best.Own->Skeleton;
+  matching.Numbers = best.Own->Numbers;
+  matching.LeftOut = best.Own->LeftOut;
+  matching.TargetLeftOut = best.Target->LeftOut;
   matching.Difference = best.Difference;
-  matching.Ambiguous = FindAmbiguous(graph, matches);
-  RequireClear(matching, matches, options);
-  matching.Branches.assign(skeleton.Branches.size(), -1);
-  matching.Reversed.assign(skeleton.Branches.size(), false);
+  matching.Ambiguous = FindAmbiguous(search.Pairs);
+  RequireClear(matching, search.Complete, options);
+  const BranchGraph &graph = best.Own->Graph, &other = best.Target->Graph;
+  std::vector<int> partner(matching.Skeleton.Branches.size(), -1);
+  matching.Reversed.assign(partner.size(), false);
   for (std::size_t i = 0; i < graph.Branches.size(); ++i)
   {
-    const int side = best.Sides[2 * i];
-    matching.Branches[graph.Branches[i].Number] = other.Branches[side / 2].Number;
+    const int side = best.Found.front().Sides[2 * i];
+    partner[graph.Branches[i].Number] = other.Branches[side / 2].Number;
     matching.Reversed[graph.Branches[i].Number] = side % 2 == 1;
   }
-  PlacePoints(skeleton, target, graph, matching);
+  matching.Branches = partner; // of the variant, until the points have their places
+  PlacePoints(best.Target->Skeleton, graph, matching);
+  for (int& branch : matching.Branches)
+  {
+    branch = branch < 0 ? -1 : best.Target->Numbers[branch];
+  }
   progress(1.0);
   return matching;
 }

@@ -25,6 +25,9 @@ struct SkeletonMatchingOptions
   /// The largest difference between two branches that match, > 0. 1 is a factor of 2.7 in length
   /// or radius.
   double LargestDifference = 1.0;
+  /// The largest share of a skeleton's length in short branches that may be left out, between 0 and
+  /// 0.5, if the graphs then match better. With 0, the graphs must be isomorphic as they are.
+  double LargestOmission = 0.1;
 };
 
 /// Throws InvalidInput if an option is out of range.
@@ -33,13 +36,17 @@ void RequireMatchingOptions(const SkeletonMatchingOptions& options);
 /// The branches of a skeleton matched with those of another.
 struct SkeletonMatching
 {
-  /// For each branch, the branch of the target; -1 for a branch between junctions whose balls
-  /// overlap, which are matched as one.
+  CurveSkeleton Skeleton;         ///< what is matched: the skeleton without what is left out
+  std::vector<int> Numbers;       ///< for each of its branches, the first that it was made of
+  std::vector<int> LeftOut;       ///< the branches that are left out
+  std::vector<int> TargetLeftOut; ///< the target's branches that are left out
+  /// For each branch of Skeleton, the branch of the target, or the first that its counterpart was
+  /// made of; -1 for a branch between junctions that are matched as one.
   std::vector<int> Branches;
   std::vector<bool> Reversed;      ///< for each branch, whether the target's begins at its end
-  Eigen::MatrixXd TargetPositions; ///< n x 3: the places of the points on the target's skeleton
+  Eigen::MatrixXd TargetPositions; ///< places of Skeleton's points on the target's skeleton
   std::vector<int> Ambiguous;      ///< branches that equally good matchings match in another way
-  double Difference = 0.0;         ///< the sum over branches and junctions
+  double Difference = 0.0;         ///< the sum over branches, junctions and changes
 };
 
 /**
@@ -47,6 +54,13 @@ struct SkeletonMatching
  * Every such isomorphism is compared (by branch and bound), and the one of least difference is
  * taken. Junctions whose balls overlap first become one junction, because the order in which
  * branches leave a thick part is not reliable.
+ *
+ * Two poses of a shape may differ by a short branch or by how near junctions are. So up to three
+ * short branches of each skeleton may be left out, and junctions whose balls nearly overlap may be
+ * merged, where that is better. Each change costs 0.05, and besides ten times the share of the
+ * length that a branch reaches beyond the ball around its junction, or half of the gap between two
+ * balls in parts of their radii. A matching is ambiguous, too, if another one with other changes is
+ * as good and takes an end elsewhere.
  *
  * The difference is a sum. For each pair of branches it has the absolute logarithm of the ratio of
  * lengths, each as a share of the skeleton's length, and the mean absolute logarithm of the ratio

@@ -4,6 +4,7 @@
 #include "Driver/Case.h"
 #include "Driver/Cost.h"
 
+#include "Distance/SignedDistance.h"
 #include "Mesh/Extent.h"
 #include "Mesh/Surface.h"
 #include "Remesh/IsotropicRemesh.h"
@@ -28,7 +29,7 @@ extract_mean_curvature_flow_skeleton, with their defaults. Both get the same eve
 of a hundredth of the diagonal, because CGAL's skeletons of coarse meshes are poor.
 
 Figures: method, points, branches, cycles (links - points + components), genus of the surface,
-components, outside (points not inside the surface; ours), distance (the mean distance of the
+components, outside (points not inside the surface), distance (the mean distance of the
 other skeleton's points from the nearest point of this one, divided by the diagonal of the box),
 cost.)";
 
@@ -45,6 +46,12 @@ double MeanDistance(const Eigen::MatrixXd& points, const Eigen::MatrixXd& others
     sum += (others.rowwise() - point).rowwise().norm().minCoeff();
   }
   return sum / static_cast<double>(points.rows());
+}
+
+int CountOutside(const shape::Surface& surface, const Eigen::MatrixXd& points)
+{
+  const Eigen::VectorXd distances = shape::SignedDistance(surface).Evaluate(points).Distances;
+  return static_cast<int>((distances.array() > 0.0).count());
 }
 
 int CountCgalBranches(const CgalSkeleton& skeleton)
@@ -116,7 +123,7 @@ void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
                     .Add("cycles", cycles)
                     .Add("genus", genus)
                     .Add("components", components)
-                    .Add("outside", 0)
+                    .Add("outside", CountOutside(surface, peerPoints))
                     .Add("distance", MeanDistance(own.Points, peerPoints) / diagonal)
                     .Add(peerCost));
   }

@@ -35,8 +35,9 @@ Eigen::RowVectorXd Interpolate(
 class GraphMaker
 {
 public:
-  explicit GraphMaker(const CurveSkeleton& skeleton)
+  GraphMaker(const CurveSkeleton& skeleton, double overlap)
     : Skeleton(skeleton)
+    , Overlap(overlap)
     , Merged(static_cast<int>(skeleton.Points.rows()))
     , Inner(skeleton.Branches.size(), false)
   {
@@ -78,7 +79,8 @@ private:
     {
       const int a = this->Skeleton.Branches[i].front(), b = this->Skeleton.Branches[i].back();
       if (this->Skeleton.Degrees(a) > 2 && this->Skeleton.Degrees(b) > 2 &&
-        this->LengthOf(i) < this->Skeleton.Radii(a) + this->Skeleton.Radii(b))
+        this->LengthOf(i) <
+          this->Overlap * (this->Skeleton.Radii(a) + this->Skeleton.Radii(b)))
       {
         close.emplace_back(this->LengthOf(i), static_cast<int>(i));
       }
@@ -169,6 +171,7 @@ private:
   }
 
   const CurveSkeleton& Skeleton;
+  double Overlap;
   DisjointSets Merged;
   std::vector<bool> Inner; ///< whether a branch is within a node
   std::vector<Eigen::VectorXd> Along;
@@ -188,9 +191,9 @@ Eigen::VectorXd MeasureAlong(const CurveSkeleton& skeleton, const std::vector<in
   return along;
 }
 
-BranchGraph MakeBranchGraph(const CurveSkeleton& skeleton)
+BranchGraph MakeBranchGraph(const CurveSkeleton& skeleton, double overlap)
 {
-  return GraphMaker(skeleton).Make();
+  return GraphMaker(skeleton, overlap).Make();
 }
 
 } // namespace shape

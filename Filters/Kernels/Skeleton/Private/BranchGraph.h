@@ -47,8 +47,9 @@ struct BranchGraph
 /// Returns the lengths from the begin of a branch to each of its points.
 Eigen::VectorXd MeasureAlong(const CurveSkeleton& skeleton, const std::vector<int>& branch);
 
-/// Makes the graph of a skeleton. Junctions whose balls overlap along the branch between them are
-/// merged, the shortest branches first, unless the branch closes a cycle.
-BranchGraph MakeBranchGraph(const CurveSkeleton& skeleton);
+/// Makes the graph of a skeleton. Junctions are merged if the branch between them is shorter than
+/// `overlap` times the sum of their radii (1: their balls overlap), the shortest branches first,
+/// unless the branch closes a cycle.
+BranchGraph MakeBranchGraph(const CurveSkeleton& skeleton, double overlap = 1.0);
 
 } // namespace shape

@@ -13,7 +13,6 @@ namespace shape
 namespace
 {
 
-constexpr long long MostSearchSteps = 2000000;
 constexpr std::size_t MostMatches = 256;
 /// Triples of directions that span less are too close to a plane to tell left from right.
 constexpr double LeastVolume = 0.6;
@@ -24,11 +23,12 @@ constexpr double LeastRadius = 1e-3;
 class Search
 {
 public:
-  Search(
-    const BranchGraph& graph, const BranchGraph& target, double tolerance, const Progress& progress)
+  Search(const BranchGraph& graph, const BranchGraph& target, double tolerance,
+    SearchBudget& budget, const Progress& progress)
     : Graph(graph)
     , Target(target)
     , Tolerance(tolerance)
+    , Budget(budget)
     , Report(progress)
     , SideTo(2 * graph.Branches.size(), -1)
     , NodeTo(graph.Nodes.size(), -1)
@@ -108,7 +108,8 @@ private:
 
   void Extend(std::size_t depth, double difference)
   {
-    if (difference + this->Rest[depth] > this->Best + this->Tolerance || !this->Matches.Complete)
+    const double most = std::min(this->Best + this->Tolerance, this->Budget.AtMost);
+    if (difference + this->Rest[depth] > most || !this->Matches.Complete)
     {
       return;
     }
@@ -119,11 +120,11 @@ private:
       this->Matches.Complete = this->Matches.Found.size() < MostMatches;
       return;
     }
-    if (++this->Steps % 1024 == 0)
+    if (--this->Budget.Steps % 1024 == 0)
     {
-      this->Report(std::min(1.0, static_cast<double>(this->Steps) / MostSearchSteps));
-      this->Matches.Complete = this->Steps < MostSearchSteps;
+      this->Report(1.0 - std::max(0.0, this->Budget.Steps / (1.0 * SearchBudget().Steps)));
     }
+    this->Matches.Complete = this->Budget.Steps > 0;
     const int branch = this->Order[depth];
     for (const auto& [own, other, reversed] : this->Candidates(branch))
     {
@@ -242,13 +243,13 @@ private:
   const BranchGraph& Graph;
   const BranchGraph& Target;
   double Tolerance;
+  SearchBudget& Budget;
   const Progress& Report;
   std::vector<int> Order;
   std::vector<double> Rest;
   std::vector<int> SideTo, NodeTo, NodeFrom;
   std::vector<bool> Used;
   double Best = std::numeric_limits<double>::infinity();
-  long long Steps = 0;
   GraphMatches Matches;
 };
 
@@ -269,14 +270,14 @@ double CompareBranches(const GraphBranch& a, const GraphBranch& b, bool reversed
   return std::abs(std::log(a.Length / b.Length)) + radii / RadiusSamples;
 }
 
-GraphMatches FindMatches(
-  const BranchGraph& graph, const BranchGraph& target, double tolerance, const Progress& progress)
+GraphMatches FindMatches(const BranchGraph& graph, const BranchGraph& target, double tolerance,
+  SearchBudget& budget, const Progress& progress)
 {
   if (graph.Branches.size() != target.Branches.size() || graph.Nodes.size() != target.Nodes.size())
   {
     return {};
   }
-  return Search(graph, target, tolerance, progress).Run();
+  return Search(graph, target, tolerance, budget, progress).Run();
 }
 
 } // namespace shape

@@ -3,6 +3,7 @@
 #include "Base/Progress.h"
 #include "Skeleton/Private/BranchGraph.h"
 
+#include <limits>
 #include <vector>
 
 namespace shape
@@ -24,9 +25,16 @@ struct GraphMatches
 /// The difference between branch `a` and branch `b`, from its begin or from its end.
 double CompareBranches(const GraphBranch& a, const GraphBranch& b, bool reversed);
 
+/// What searches may still do.
+struct SearchBudget
+{
+  double AtMost = std::numeric_limits<double>::infinity(); ///< the greatest difference of interest
+  long long Steps = 2000000; ///< that all searches together have left
+};
+
 /// Finds the isomorphisms of two graphs whose difference is at most `tolerance` above the least, by
-/// branch and bound. After some million steps the search ends, incomplete. Throws Aborted.
+/// branch and bound. If the budget has no steps left, the search ends, incomplete. Throws Aborted.
 GraphMatches FindMatches(const BranchGraph& graph, const BranchGraph& target, double tolerance,
-  const Progress& progress = {});
+  SearchBudget& budget, const Progress& progress = {});
 
 } // namespace shape

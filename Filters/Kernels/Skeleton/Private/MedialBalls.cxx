@@ -1,11 +1,13 @@
 #include "Skeleton/Private/MedialBalls.h"
 
 #include "Base/Parallel.h"
+#include "Distance/SignedDistance.h"
 #include "Geometry/VertexNormals.h"
 #include "Mesh/Extent.h"
 #include "Search/PointTree.h"
 
 #include <cmath>
+#include <vector>
 
 namespace shape
 {
@@ -54,6 +56,37 @@ struct Shrinking
   }
 };
 
+/// Gives points whose ball has its centre outside the surface the ball of the nearest other point.
+/// A ball at a sharp tip stops at once, because it touches points that its centre sees at a small
+/// angle.
+void ReplaceOutsideBalls(const Mesh& surface, MedialBalls& balls, const Progress& progress)
+{
+  const Eigen::VectorXd distances =
+    SignedDistance(surface).Evaluate(balls.Centres, progress).Distances;
+  std::vector<int> inside;
+  for (int p = 0; p < static_cast<int>(distances.size()); ++p)
+  {
+    if (distances(p) <= 0.0)
+    {
+      inside.push_back(p);
+    }
+  }
+  if (inside.empty())
+  {
+    return;
+  }
+  const PointTree tree(surface.Points(inside, Eigen::all));
+  for (int p = 0; p < static_cast<int>(distances.size()); ++p)
+  {
+    if (distances(p) > 0.0)
+    {
+      const int other = inside[tree.Nearest(surface.Points.row(p), 1)[0]];
+      balls.Radii(p) = balls.Radii(other);
+      balls.Centres.row(p) = balls.Centres.row(other);
+    }
+  }
+}
+
 } // namespace
 
 MedialBalls ShrinkMedialBalls(const Mesh& surface, const Progress& progress)
@@ -73,7 +106,8 @@ MedialBalls ShrinkMedialBalls(const Mesh& surface, const Progress& progress)
         balls.Centres.row(p) -= balls.Radii(p) * normals.row(p);
       }
     },
-    progress);
+    progress.Part(0.0, 0.5));
+  ReplaceOutsideBalls(surface, balls, progress.Part(0.5, 1.0));
   return balls;
 }
 
