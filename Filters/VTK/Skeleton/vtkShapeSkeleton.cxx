@@ -15,6 +15,7 @@
 
 #include "Mesh/Extent.h"
 
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,7 +52,9 @@ std::vector<int> OrderCells(const shape::CurveSkeleton& skeleton)
   return order;
 }
 
-void WriteSkeleton(const shape::CurveSkeleton& skeleton, vtkPolyData* output)
+/// numbers: what BranchId says of each branch.
+void WriteSkeleton(
+  const shape::CurveSkeleton& skeleton, const std::vector<int>& numbers, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
   points->SetData(vtkShapeConvert::ToArray(skeleton.Points, "Points"));
@@ -67,7 +70,7 @@ void WriteSkeleton(const shape::CurveSkeleton& skeleton, vtkPolyData* output)
     {
       cells->InsertCellPoint(point);
     }
-    ids->InsertNextValue(number);
+    ids->InsertNextValue(numbers[number]);
   }
   output->SetPoints(points);
   output->SetVerts(vertices);
@@ -77,14 +80,13 @@ void WriteSkeleton(const shape::CurveSkeleton& skeleton, vtkPolyData* output)
   output->GetPointData()->AddArray(vtkShapeConvert::ToIntegers(skeleton.Degrees, "Degree"));
 }
 
-void WriteMatching(const shape::CurveSkeleton& skeleton, const shape::SkeletonMatching& matching,
-  vtkPolyData* output)
+void WriteMatching(const shape::SkeletonMatching& matching, vtkPolyData* output)
 {
   output->GetPointData()->AddArray(
     vtkShapeConvert::ToArray(matching.TargetPositions, "TargetPosition"));
   vtkNew<vtkIntArray> ids;
   ids->SetName("TargetBranchId");
-  for (const int number : OrderCells(skeleton))
+  for (const int number : OrderCells(matching.Skeleton))
   {
     ids->InsertNextValue(matching.Branches[number]);
   }
@@ -92,6 +94,10 @@ void WriteMatching(const shape::CurveSkeleton& skeleton, const shape::SkeletonMa
   vtkShapeConvert::AddFact(output, "Skeleton.Difference", matching.Difference);
   vtkShapeConvert::AddFact(
     output, "Skeleton.AmbiguousBranches", static_cast<double>(matching.Ambiguous.size()));
+  vtkShapeConvert::AddFact(
+    output, "Skeleton.LeftOut", static_cast<double>(matching.LeftOut.size()));
+  vtkShapeConvert::AddFact(
+    output, "Skeleton.TargetLeftOut", static_cast<double>(matching.TargetLeftOut.size()));
 }
 
 } // namespace
@@ -108,7 +114,7 @@ void vtkShapeSkeleton::Execute(const shape::Progress& progress)
   const double share = hasTarget ? 0.48 : 1.0;
   const shape::Surface surface =
     vtkShapeConvert::ToMesh(this->GetGatheredInput(0).Data, "the Input");
-  const shape::CurveSkeleton skeleton =
+  shape::CurveSkeleton skeleton =
     shape::ExtractCurveSkeleton(surface, this->Options, progress.Part(0.0, share));
   auto* output = vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
   if (hasTarget)
@@ -123,12 +129,15 @@ void vtkShapeSkeleton::Execute(const shape::Progress& progress)
       shape::ExtractCurveSkeleton(target, options, progress.Part(share, 2.0 * share));
     const shape::SkeletonMatching matching = shape::MatchSkeletons(
       skeleton, other, this->Matching, progress.Part(2.0 * share, 1.0, "matching the branches"));
-    WriteSkeleton(skeleton, output);
-    WriteMatching(skeleton, matching, output);
+    skeleton = matching.Skeleton;
+    WriteSkeleton(skeleton, matching.Numbers, output);
+    WriteMatching(matching, output);
   }
   else
   {
-    WriteSkeleton(skeleton, output);
+    std::vector<int> numbers(skeleton.Branches.size());
+    std::iota(numbers.begin(), numbers.end(), 0);
+    WriteSkeleton(skeleton, numbers, output);
   }
   if (skeleton.OutsidePoints > 0)
   {

@@ -16,9 +16,11 @@
  * - Cell array `BranchId` (int): the number of the branch, from 0.
  * - Cell array `TargetBranchId` (int), if there is a Target: the branch of its skeleton; -1 for a
  *   branch within a junction.
+ * With a Target, short branches may be left out (LargestOmission). Two branches that are one without
+ * them have the number of the first.
  *
  * Facts: Skeleton.Points, .Branches, .Junctions, .Ends, .Cycles, .Components, .OutsidePoints;
- * with a Target also .Difference, .AmbiguousBranches.
+ * with a Target also .Difference, .AmbiguousBranches, .LeftOut, .TargetLeftOut.
  *
  * The mathematics: shape::ExtractCurveSkeleton, shape::MatchSkeletons.
  */
@@ -47,6 +49,7 @@ public:
     shape::SkeletonMatchingOptions::AmbiguityType::First);
   vtkShapeOptionOf(Matching, Tolerance, double);
   vtkShapeOptionOf(Matching, LargestDifference, double);
+  vtkShapeOptionOf(Matching, LargestOmission, double);
   ///@}
 
 protected:

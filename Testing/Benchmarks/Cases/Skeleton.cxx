@@ -31,7 +31,7 @@ of a hundredth of the diagonal, because CGAL's skeletons of coarse meshes are po
 Figures: method, points, branches, cycles (links - points + components), genus of the surface,
 components, outside (points not inside the surface), distance (the mean distance of the
 other skeleton's points from the nearest point of this one, divided by the diagonal of the box),
-cost.)";
+inradii (the same, divided by this skeleton's radius at the nearest point; ours), cost.)";
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using CgalSurface = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -44,6 +44,20 @@ double MeanDistance(const Eigen::MatrixXd& points, const Eigen::MatrixXd& others
   for (const auto& point : points.rowwise())
   {
     sum += (others.rowwise() - point).rowwise().norm().minCoeff();
+  }
+  return sum / static_cast<double>(points.rows());
+}
+
+/// The mean distance of points from the nearest of a skeleton, in parts of its radius there.
+double MeanDistanceInRadii(const Eigen::MatrixXd& points, const shape::CurveSkeleton& skeleton)
+{
+  double sum = 0.0;
+  for (const auto& point : points.rowwise())
+  {
+    Eigen::Index nearest = 0;
+    const double distance =
+      (skeleton.Points.rowwise() - point).rowwise().norm().minCoeff(&nearest);
+    sum += distance / skeleton.Radii(nearest);
   }
   return sum / static_cast<double>(points.rows());
 }
@@ -108,6 +122,7 @@ void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
     .Add("components", own.Components)
     .Add("outside", own.OutsidePoints)
     .Add("distance", hasPeer ? MeanDistance(peerPoints, own.Points) / diagonal : 0.0)
+    .Add("inradii", hasPeer ? MeanDistanceInRadii(peerPoints, own) : 0.0)
     .Add(ownCost);
   figures.Print(first);
   if (hasPeer)

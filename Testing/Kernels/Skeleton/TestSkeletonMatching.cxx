@@ -118,6 +118,54 @@ TEST(SkeletonMatching, TellsLeftFromRightWhereBranchesTurn)
   EXPECT_EQ(shape::MatchSkeletons(a, mirrored).Branches, (std::vector<int>{ 1, 3, 0, 2 }));
 }
 
+TEST(SkeletonMatching, LeavesOutAShortBranchThatOneSkeletonHas)
+{
+  const std::vector<RowVector3d> ends = { { 2, 0, 0 }, { 0, 3, 0 }, { -4, 0, 1 } };
+  std::vector<RowVector3d> more = ends;
+  more.emplace_back(0, 0, 0.6);
+  const CurveSkeleton three = Spider(ends), four = Spider(more);
+  const shape::SkeletonMatching matching = shape::MatchSkeletons(four, three);
+  EXPECT_EQ(matching.LeftOut, (std::vector<int>{ 3 }));
+  EXPECT_EQ(matching.Branches, (std::vector<int>{ 0, 1, 2 }));
+  EXPECT_EQ(matching.Skeleton.Points.rows(), three.Points.rows());
+  EXPECT_LT((matching.TargetPositions - three.Points).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_EQ(
+    shape::MatchSkeletons(three, four).TargetLeftOut, (std::vector<int>{ 3 }));
+  SkeletonMatchingOptions options;
+  options.LargestOmission = 0.0;
+  EXPECT_REFUSED(shape::MatchSkeletons(four, three, options), "different graphs", "4 branch");
+}
+
+TEST(SkeletonMatching, JoinsTheBranchesWhereOneIsLeftOut)
+{
+  // A line of 10 with radii that fall, and a short branch in its middle.
+  CurveSkeleton cross = Spider({ { 4, 0, 0 }, { -6, 0, 0 }, { 0, 0.5, 0 } });
+  CurveSkeleton line = Spider({ { 10, 0, 0 } });
+  line.Degrees(0) = 1;
+  line.Points.col(0).array() -= 6.0;
+  for (CurveSkeleton* skeleton : { &cross, &line })
+  {
+    skeleton->Radii = 0.3 + 0.02 * skeleton->Points.col(0).array();
+  }
+  const shape::SkeletonMatching matching = shape::MatchSkeletons(cross, line);
+  EXPECT_EQ(matching.LeftOut, (std::vector<int>{ 2 }));
+  EXPECT_EQ(matching.Skeleton.Branches.size(), 1U);
+  EXPECT_EQ(matching.Skeleton.Points.rows(), 21);
+  EXPECT_EQ(matching.Skeleton.Degrees.maxCoeff(), 2);
+  EXPECT_LT((matching.TargetPositions - matching.Skeleton.Points).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(SkeletonMatching, NumbersAndDirectionsDoNotMatter)
+{
+  const CurveSkeleton bent = shape::ExtractCurveSkeleton(shapetest::Hand(0.9, 0.05)),
+                      flat = shape::ExtractCurveSkeleton(shapetest::Hand(0.0, 0.05));
+  const shape::SkeletonMatching matching = shape::MatchSkeletons(flat, bent),
+                                other = shape::MatchSkeletons(Renumbered(flat), Renumbered(bent));
+  ASSERT_EQ(matching.TargetPositions.rows(), other.TargetPositions.rows());
+  EXPECT_LT((matching.TargetPositions - other.TargetPositions).cwiseAbs().maxCoeff(), 1e-10);
+  EXPECT_NEAR(matching.Difference, other.Difference, 1e-10);
+}
+
 TEST(SkeletonMatching, RefusesOtherGraphsAndOtherProportions)
 {
   const CurveSkeleton three = Spider({ { 2, 0, 0 }, { 0, 3, 0 }, { -4, 0, 1 } }),
