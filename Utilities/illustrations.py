@@ -437,6 +437,27 @@ def Skeleton():
 
 
 @drawing
+def SkeletonMatched():
+    """Left: without features; right: with the skeleton as a feature."""
+    a, b = figures()
+    bones = ShapeSkeleton(Input=a, Target=b, Ambiguous='First')
+    wanted = Tube(Input=ExtractSurface(Input=ShapeSkeleton(Input=b)), Radius=0.008)
+    points = MaskPoints(Input=bones, OnRatio=1, MaximumNumberofPoints=100000, GenerateVertices=1,
+                        SingleVertexPerCell=1)
+    ends = Threshold(Input=points, Scalars=['POINTS', 'Degree'], LowerThreshold=1, UpperThreshold=1)
+    match = ShapeCorrespondence(SurfaceA=a, SurfaceB=b, Landmarks=ExtractSurface(Input=ends),
+                                Method='ReversibleHarmonic')
+    for shift, features in ((-0.75, []), (0.75, [bones])):
+        mapped = ShapeHarmonicVolumeMap(Domain=bones, Boundary=match, MapArray='TargetPosition',
+                                        Features=features)
+        show(wanted, (shift, 0, 0), [0.2, 0.65, 0.3])
+        show(Glyph(Input=mapped, GlyphType='Sphere', GlyphMode='All Points', ScaleFactor=0.026,
+                   ScaleArray=['POINTS', 'No scale array']), (shift, 0, 0), [0.85, 0.15, 0.12])
+        show(b, (shift, 0, 0), opacity=0.2)
+    return FRONT
+
+
+@drawing
 def BoundaryDistance():
     surface = shape('FigureA.vtp')
     grid = Plane(Origin=[-0.7, 0.02, -0.1], Point1=[0.7, 0.02, -0.1], Point2=[-0.7, 0.02, 1.2],
