@@ -450,10 +450,10 @@ def SkeletonMatched():
     for shift, features in ((-0.75, []), (0.75, [bones])):
         mapped = ShapeHarmonicVolumeMap(Domain=bones, Boundary=match, MapArray='TargetPosition',
                                         Features=features)
-        show(wanted, (shift, 0, 0), [0.2, 0.65, 0.3])
+        show(place(wanted, (shift, 0, 0)), colour=[0.2, 0.65, 0.3])
         show(Glyph(Input=mapped, GlyphType='Sphere', GlyphMode='All Points', ScaleFactor=0.026,
                    ScaleArray=['POINTS', 'No scale array']), (shift, 0, 0), [0.85, 0.15, 0.12])
-        show(b, (shift, 0, 0), opacity=0.2)
+        show(place(b, (shift, 0, 0)), opacity=0.2)
     return FRONT
 
 

@@ -192,8 +192,7 @@ struct PlaceSum
 };
 
 /// Fills in TargetPositions. A junction goes to the mean of where the branches at it begin.
-void PlacePoints(
-  const CurveSkeleton& target, const BranchGraph& graph, SkeletonMatching& matching)
+void PlacePoints(const CurveSkeleton& target, const BranchGraph& graph, SkeletonMatching& matching)
 {
   const CurveSkeleton& skeleton = matching.Skeleton;
   std::vector<PlaceSum> points(skeleton.Points.rows()), nodes(graph.Nodes.size());

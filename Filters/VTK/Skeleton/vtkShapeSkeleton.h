@@ -16,8 +16,8 @@
  * - Cell array `BranchId` (int): the number of the branch, from 0.
  * - Cell array `TargetBranchId` (int), if there is a Target: the branch of its skeleton; -1 for a
  *   branch within a junction.
- * With a Target, short branches may be left out (LargestOmission). Two branches that are one without
- * them have the number of the first.
+ * With a Target, short branches may be left out (LargestOmission). Two branches that are one
+ * without them have the number of the first.
  *
  * Facts: Skeleton.Points, .Branches, .Junctions, .Ends, .Cycles, .Components, .OutsidePoints;
  * with a Target also .Difference, .AmbiguousBranches, .LeftOut, .TargetLeftOut.

@@ -55,8 +55,7 @@ double MeanDistanceInRadii(const Eigen::MatrixXd& points, const shape::CurveSkel
   for (const auto& point : points.rowwise())
   {
     Eigen::Index nearest = 0;
-    const double distance =
-      (skeleton.Points.rowwise() - point).rowwise().norm().minCoeff(&nearest);
+    const double distance = (skeleton.Points.rowwise() - point).rowwise().norm().minCoeff(&nearest);
     sum += distance / skeleton.Radii(nearest);
   }
   return sum / static_cast<double>(points.rows());

@@ -16,7 +16,8 @@
 namespace
 {
 
-constexpr const char* Usage = R"(MODEL TARGET [renumberings=10] [Tolerance=] [LargestDifference=] [LargestOmission=]
+constexpr const char* Usage =
+  R"(MODEL TARGET [renumberings=10] [Tolerance=] [LargestDifference=] [LargestOmission=]
 
 Extracts the curve skeletons of two closed surfaces and matches them by the kernel. Then matches them
 again with the branches of both in other orders, half of them reversed, and their points renumbered.

@@ -129,8 +129,7 @@ TEST(SkeletonMatching, LeavesOutAShortBranchThatOneSkeletonHas)
   EXPECT_EQ(matching.Branches, (std::vector<int>{ 0, 1, 2 }));
   EXPECT_EQ(matching.Skeleton.Points.rows(), three.Points.rows());
   EXPECT_LT((matching.TargetPositions - three.Points).cwiseAbs().maxCoeff(), 1e-12);
-  EXPECT_EQ(
-    shape::MatchSkeletons(three, four).TargetLeftOut, (std::vector<int>{ 3 }));
+  EXPECT_EQ(shape::MatchSkeletons(three, four).TargetLeftOut, (std::vector<int>{ 3 }));
   SkeletonMatchingOptions options;
   options.LargestOmission = 0.0;
   EXPECT_REFUSED(shape::MatchSkeletons(four, three, options), "different graphs", "4 branch");

@@ -79,8 +79,7 @@ private:
     {
       const int a = this->Skeleton.Branches[i].front(), b = this->Skeleton.Branches[i].back();
       if (this->Skeleton.Degrees(a) > 2 && this->Skeleton.Degrees(b) > 2 &&
-        this->LengthOf(i) <
-          this->Overlap * (this->Skeleton.Radii(a) + this->Skeleton.Radii(b)))
+        this->LengthOf(i) < this->Overlap * (this->Skeleton.Radii(a) + this->Skeleton.Radii(b)))
       {
         close.emplace_back(this->LengthOf(i), static_cast<int>(i));
       }

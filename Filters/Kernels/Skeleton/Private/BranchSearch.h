@@ -29,7 +29,7 @@ double CompareBranches(const GraphBranch& a, const GraphBranch& b, bool reversed
 struct SearchBudget
 {
   double AtMost = std::numeric_limits<double>::infinity(); ///< the greatest difference of interest
-  long long Steps = 2000000; ///< that all searches together have left
+  long long Steps = 2000000;                               ///< that all searches together have left
 };
 
 /// Finds the isomorphisms of two graphs whose difference is at most `tolerance` above the least, by

@@ -177,8 +177,7 @@ std::vector<double> FindOverlaps(const CurveSkeleton& skeleton)
     const int a = branch.front(), b = branch.back();
     if (a != b && skeleton.Degrees(a) > 2 && skeleton.Degrees(b) > 2)
     {
-      const double overlap =
-        LengthOf(skeleton, branch) / (skeleton.Radii(a) + skeleton.Radii(b));
+      const double overlap = LengthOf(skeleton, branch) / (skeleton.Radii(a) + skeleton.Radii(b));
       if (overlap >= 1.0 && overlap < LargestOverlap)
       {
         overlaps.push_back(overlap);
