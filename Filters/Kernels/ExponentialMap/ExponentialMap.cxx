@@ -58,6 +58,16 @@ std::vector<char> NodesOnLoop(const Surface& welded)
   return onLoop;
 }
 
+std::vector<char> NodesOnRim(const SampledSurface& samples, const std::vector<int>& pointOf)
+{
+  std::vector<char> onRim;
+  for (const int point : pointOf)
+  {
+    onRim.push_back(samples.OnRim[point]);
+  }
+  return onRim;
+}
+
 /// Returns the squared length of a triangle's longest edge.
 template <typename Corners>
 double LongestEdge2(const Corners& a, const Corners& b, const Corners& c)
@@ -104,6 +114,7 @@ struct ExponentialMap::Target
   ExponentialFront Front;
   std::vector<char> OnLoop; ///< for each node
   PointsOfNodes Copies;
+  Eigen::VectorXd Shares; ///< of the triangles of a sampled surface, or empty
   std::vector<int> Rows; ///< row of each point in the last patch, if it is in it
 };
 
@@ -163,10 +174,27 @@ void ExponentialMap::Target::AddTriangles(ExponentialPatch& patch)
       patch.Flipped.push_back(row);
     }
   }
+  if (this->Shares.size() > 0)
+  {
+    patch.Shares = this->Shares(patch.Triangles);
+  }
 }
 
 ExponentialMap::ExponentialMap(
   const shape::Surface& surface, const ExponentialMapOptions& options, const Progress& progress)
+{
+  this->Build(surface, nullptr, options, progress);
+}
+
+ExponentialMap::ExponentialMap(
+  const SampledSurface& samples, const ExponentialMapOptions& options, const Progress& progress)
+{
+  this->Build(samples.Surface, &samples, options, progress);
+}
+
+/// samples: the points of which `surface` has the local triangles, or nullptr for a mesh.
+void ExponentialMap::Build(const shape::Surface& surface, const SampledSurface* samples,
+  const ExponentialMapOptions& options, const Progress& progress)
 {
   RequireTriangles(surface, options);
   PointGraphOptions linked;
@@ -180,17 +208,19 @@ ExponentialMap::ExponentialMap(
         surface.Triangles().unaryExpr([&](int point) { return graph.NodeOf(point); }))
     : surface;
   const Eigen::MatrixXi& nodes = welded.Triangles();
-  Eigen::MatrixXd normals = SmoothNormals(
-    graph, GetVertexNormals(welded), options.NormalSmoothing, progress.Part(0.4, 0.6));
+  Eigen::MatrixXd normals = SmoothNormals(graph,
+    samples ? Eigen::MatrixXd(samples->Normals(graph.PointOf, Eigen::all))
+            : GetVertexNormals(welded),
+    options.NormalSmoothing, progress.Part(0.4, 0.6));
   ExponentialFront front(graph, nodes, normals, options.UpwindAverage);
   progress(0.7);
   SurfaceLocator locator(surface);
   progress(0.9);
-  std::vector<char> onLoop = NodesOnLoop(welded);
+  std::vector<char> onLoop = samples ? NodesOnRim(*samples, graph.PointOf) : NodesOnLoop(welded);
   PointsOfNodes copies(graph.NodeOf, graph.Size());
   this->Impl.reset(new Target{ std::move(locator), std::move(graph.NodeOf), welded,
     std::move(normals), std::move(front), std::move(onLoop), std::move(copies),
-    std::vector<int>(surface.Points().rows()) });
+    samples ? samples->Shares : Eigen::VectorXd(), std::vector<int>(surface.Points().rows()) });
   progress(1.0);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
+#include "Geometry/SampledSurface.h"
 #include "Geometry/TangentFrame.h"
 #include "Mesh/Surface.h"
 #include "Search/ClosestPoint.h"
@@ -39,7 +40,10 @@ struct ExponentialPatch
   /// triangle. There the map is cut open, because the front meets itself behind a protrusion or a
   /// hole.
   std::vector<int> Torn;
-  bool ReachesBoundary = false; ///< whether a point is on an edge with one triangle
+  /// Whether a point is on an edge with one triangle, or on the rim of a sampled surface.
+  bool ReachesBoundary = false;
+  /// t values: SampledSurface::Shares of Triangles; empty if the surface is a mesh.
+  Eigen::VectorXd Shares;
 };
 
 /**
@@ -80,6 +84,11 @@ public:
   /// coordinate is not finite; Aborted.
   explicit ExponentialMap(const shape::Surface& surface, const ExponentialMapOptions& options = {},
     const Progress& progress = {});
+  /// The map of a surface given by points: the front spreads over their local triangles, with their
+  /// normals. Schmidt and Singh use point samples only, connected to their nearest points; local
+  /// triangles add straight distances across them.
+  explicit ExponentialMap(const SampledSurface& samples, const ExponentialMapOptions& options = {},
+    const Progress& progress = {});
   ~ExponentialMap();
   ExponentialMap(ExponentialMap&&) noexcept;
   ExponentialMap& operator=(ExponentialMap&&) noexcept;
@@ -108,6 +117,9 @@ public:
 
 private:
   struct Target;
+  void Build(const shape::Surface& surface, const SampledSurface* samples,
+    const ExponentialMapOptions& options, const Progress& progress);
+
   std::unique_ptr<Target> Impl;
 };
 

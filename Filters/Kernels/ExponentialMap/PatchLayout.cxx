@@ -8,6 +8,7 @@
 #include "Parameterize/FlipRepair.h"
 #include "Planar/PlanarLocator.h"
 #include "Quality/MapQuality.h"
+#include "Search/PointTree.h"
 
 #include <algorithm>
 #include <array>
@@ -99,6 +100,11 @@ PatchLayout FlattenPatch(ExponentialMap& map, const Eigen::RowVector3d& seed,
     Eigen::Map<const Eigen::VectorXi>(layout.Patch.Triangles.data(), layout.Patch.Corners.rows()));
   if (options.MendFlips)
   {
+    if (layout.Patch.Shares.size() > 0)
+    {
+      throw InvalidInput("MendFlips needs a surface of triangles, and these are points; turn it "
+                         "off, or connect the points with a surface reconstruction first");
+    }
     layout.Mended =
       Mend(map.Surface(), layout.Patch, progress.Part(0.4, 0.8, "unfolding the patch"));
   }
@@ -154,6 +160,40 @@ bool IsOverlappingItself(const ExponentialPatch& patch)
   return false;
 }
 
+bool AreSamplesOverlapping(const Surface& surface, const ExponentialPatch& patch)
+{
+  const auto count = static_cast<int>(patch.Points.size());
+  const Eigen::VectorXi sound = FindSoundTriangles(patch);
+  Eigen::VectorXd longest = Eigen::VectorXd::Zero(count);
+  const auto distance = [&](int i, int j)
+  {
+    return (surface.Points().row(patch.Points[i]) - surface.Points().row(patch.Points[j])).norm();
+  };
+  for (Eigen::Index row = 0; row < patch.Corners.rows(); ++row)
+  {
+    for (int k = 0; k < 3 && sound(row) != 0; ++k)
+    {
+      const int i = patch.Corners(row, k), j = patch.Corners(row, (k + 1) % 3);
+      longest(i) = std::max(longest(i), distance(i, j));
+      longest(j) = std::max(longest(j), distance(i, j));
+    }
+  }
+  Eigen::MatrixXd images = Eigen::MatrixXd::Zero(count, 3);
+  images.leftCols(2) = patch.Positions;
+  const PointTree tree(images);
+  for (int i = 0; i < count; ++i)
+  {
+    for (const int j : tree.Within(images.row(i), 0.5 * longest(i)))
+    {
+      if (distance(i, j) > 2.0 * longest(i))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 ExponentialFacts ComputeExponentialFacts(
   const Surface& surface, const ExponentialPatch& patch, double radius, const Progress& progress)
 {
@@ -177,8 +217,14 @@ ExponentialFacts ComputeExponentialFacts(
   facts.SymmetricDirichlets =
     quality.Measures.col(static_cast<int>(MapMeasure::SymmetricDirichlet));
 
+  const bool isSampled = patch.Shares.size() > 0;
   const Eigen::VectorXi sound = FindSoundTriangles(patch);
-  const Eigen::VectorXd areas = quality.Sizes.cwiseProduct(sound.cast<double>());
+  Eigen::VectorXd shares = sound.cast<double>();
+  if (isSampled)
+  {
+    shares = shares.cwiseProduct(patch.Shares).eval();
+  }
+  const Eigen::VectorXd areas = quality.Sizes.cwiseProduct(shares);
   facts.ConformalDistortion = ComputeQuantiles(facts.ConformalDistortions, areas);
   facts.SymmetricDirichlet = ComputeQuantiles(facts.SymmetricDirichlets, areas);
   double area = 0.0;
@@ -188,10 +234,11 @@ ExponentialFacts ComputeExponentialFacts(
     const RowVector2d u = patch.Positions.row(patch.Corners(row, 1)) - a,
                       v = patch.Positions.row(patch.Corners(row, 2)) - a;
     // Positive, since sound triangles are counter-clockwise.
-    area += sound(row) ? 0.5 * (u(0) * v(1) - u(1) * v(0)) : 0.0;
+    area += shares(row) * 0.5 * (u(0) * v(1) - u(1) * v(0));
   }
   facts.Coverage = area / (M_PI * radius * radius);
-  facts.Overlaps = IsOverlappingItself(patch);
+  facts.Overlaps =
+    isSampled ? AreSamplesOverlapping(surface, patch) : IsOverlappingItself(patch);
   progress(1.0);
   return facts;
 }

@@ -1,7 +1,8 @@
 #include "Geometry/VertexNormals.h"
 
+#include "Geometry/Private/ParaboloidFit.h"
+
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -134,26 +135,6 @@ private:
   std::map<int, RowVector3d> Vectors;
 };
 
-/// Returns the slopes (x, y) at the origin of the paraboloid that best fits positions (n x 3): it
-/// minimises the weighted differences in z.
-Eigen::RowVector2d SlopesOfParaboloid(
-  const Eigen::MatrixXd& positions, const Eigen::VectorXd& weights)
-{
-  const double size = positions.leftCols<2>().rowwise().norm().mean();
-  if (!(size > 0.0))
-  {
-    return Eigen::RowVector2d::Zero();
-  }
-  const Eigen::ArrayXd x = positions.col(0) / size, y = positions.col(1) / size;
-  Eigen::MatrixXd terms(positions.rows(), 6);
-  terms << x, y, 0.5 * x * x, x * y, 0.5 * y * y, Eigen::ArrayXd::Ones(positions.rows());
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> fit;
-  // If the points lie nearly on a line, the solution of minimum norm is taken: no slope across it.
-  fit.setThreshold(1e-3);
-  fit.compute(weights.asDiagonal() * terms);
-  return fit.solve(weights.cwiseProduct(positions.col(2)) / size).head<2>().transpose();
-}
-
 /// A normal on the boundary: that of a paraboloid fitted to the points around (Cazals and Pouget
 /// 2005).
 RowVector3d LoopNormal(const Mesh& surface, Neighbourhoods& around, int point)
@@ -191,7 +172,7 @@ RowVector3d LoopNormal(const Mesh& surface, Neighbourhoods& around, int point)
     frame.col(2) = normal;
     frame.col(0) = normal.unitOrthogonal();
     frame.col(1) = frame.col(2).cross(frame.col(0));
-    const Eigen::RowVector2d slopes = SlopesOfParaboloid(ways * frame, areas);
+    const Eigen::RowVector2d slopes = FitSlopesOfParaboloid(ways * frame, areas);
     normal = (normal - slopes * frame.leftCols<2>().transpose()).normalized();
   }
   constexpr double turned = 0.5; // cosine

@@ -1,6 +1,7 @@
 #include "vtkShapeExponentialMap.h"
 
 #include "vtkShapeCarry.h"
+#include "vtkShapeConvert.h"
 #include "vtkShapeLargeSize.h"
 #include "vtkShapePatch.h"
 #include "vtkShapePreciseMap.h"
@@ -10,6 +11,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+
+#include "Geometry/SampledSurface.h"
 
 #include <utility>
 
@@ -22,7 +25,20 @@ struct vtkShapeExponentialMap::Kept
   vtkSmartPointer<vtkPolyData> Surface;
   Eigen::VectorXi Cells; ///< the surface's cell that each triangle is a part of
   std::unique_ptr<shape::ExponentialMap> Map;
+  bool IsSampled = false;           ///< whether the surface consists of points
+  Eigen::MatrixXd EstimatedNormals; ///< of its points, if it has none
 };
+
+namespace
+{
+
+/// Whether the data are points alone. Lines are no samples of a surface, and are refused as before.
+bool IsPointCloud(vtkPolyData* data)
+{
+  return data->GetNumberOfPolys() + data->GetNumberOfStrips() + data->GetNumberOfLines() == 0;
+}
+
+} // namespace
 
 vtkShapeExponentialMap::vtkShapeExponentialMap()
   : Cache(std::make_unique<Kept>())
@@ -48,11 +64,33 @@ vtkShapeExponentialMap::Kept& vtkShapeExponentialMap::Update(const shape::Progre
     kept.Map.reset();
     kept.Options = this->Options;
     kept.Surface = this->GetGatheredInput(0).Data;
+    kept.IsSampled = IsPointCloud(kept.Surface);
+    kept.EstimatedNormals.resize(0, 3);
+    if (kept.IsSampled)
+    {
+      this->ConnectPoints(progress);
+      return kept;
+    }
     shape::NumberedSurface numbered = vtkShapePreciseMap::ToSurface(kept.Surface, "the Input");
     kept.Cells = std::move(numbered.Cells);
     kept.Map = std::make_unique<shape::ExponentialMap>(numbered.Surface, this->Options, progress);
   }
   return kept;
+}
+
+void vtkShapeExponentialMap::ConnectPoints(const shape::Progress& progress)
+{
+  Kept& kept = *this->Cache;
+  vtkDataArray* normals = vtkShapeCarry::GetNormals(kept.Surface->GetPointData());
+  shape::SampledSurface samples = shape::ConnectSamples(vtkShapeConvert::ToPoints(kept.Surface),
+    normals ? vtkShapeCarry::GetTuples(normals) : Eigen::MatrixXd(0, 3), {},
+    progress.Part(0.0, 0.8, "connecting the points"));
+  kept.Cells = Eigen::VectorXi::Constant(samples.Shares.size(), -1);
+  kept.Map = std::make_unique<shape::ExponentialMap>(samples, this->Options, progress.Part(0.8, 1.0));
+  if (!normals)
+  {
+    kept.EstimatedNormals = std::move(samples.Normals);
+  }
 }
 
 void vtkShapeExponentialMap::Execute(const shape::Progress& progress)
@@ -73,6 +111,13 @@ void vtkShapeExponentialMap::Execute(const shape::Progress& progress)
     Eigen::Map<const Eigen::RowVector3d>(this->Seed),
     Eigen::Map<const Eigen::RowVector3d>(this->XDirection), this->Options, progress.Part(0.7, 1.0));
   auto* output = vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
-  vtkShapePatch::Write(layout, kept.Map->Surface(), kept.Surface, kept.Cells, output);
+  if (kept.IsSampled)
+  {
+    vtkShapePatch::WritePoints(layout, kept.Surface, kept.EstimatedNormals, output);
+  }
+  else
+  {
+    vtkShapePatch::Write(layout, kept.Map->Surface(), kept.Surface, kept.Cells, output);
+  }
   vtkShapeCarry::RenumberOriginals(this->GetGatheredInput(0).GivenPoints, output->GetPointData());
 }

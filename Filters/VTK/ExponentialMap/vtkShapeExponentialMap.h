@@ -4,7 +4,9 @@
  *
  * Input: a surface, open or closed, which may be non-manifold. Polygons are triangulated
  * internally, and coincident points are treated as one. Blocks and distributed pieces are joined
- * first. In parallel, the first process has the patch.
+ * first. In parallel, the first process has the patch. The input may also be a point cloud: data
+ * without polygons and lines, whose points sample a surface. Its point normals are used if it has
+ * any, and are estimated otherwise (shape::ConnectSamples).
  *
  * Output: the patch, which consists of the triangles whose points are all within the distance
  * Radius of the seed. The patch has the point and cell data of the input, and the point arrays
@@ -18,6 +20,9 @@
  * - `Flipped`, `Torn` (int, 0 or 1). A triangle is torn if the longest edge of its image is more
  *   than twice as long as its own longest edge. There the front met itself behind a protrusion.
  * - `ConformalDistortion`, `SymmetricDirichlet`: as defined in vtkShapeMapQuality.
+ * The patch of a point cloud has a vertex for each point within the distance Radius. It has no cell
+ * arrays but those of the input's vertices, and the point array `Normals` if they were estimated.
+ * The facts then describe the triangles between neighbouring points.
  *
  * Facts, with the prefix ExponentialMap
  * - .Seed, .SeedNormal, .XAxis (3 numbers each): origin of the patch, its normal, and the direction
@@ -29,12 +34,13 @@
  *   weighted by area, over the triangles that are neither flipped nor torn. .Coverage: the area of
  *   the images of these triangles divided by the area of the disk.
  * - .Overlaps: 1 if parts of the image overlap. .ReachesRim: 1 if the patch ends at a boundary of
- *   the surface.
+ *   the surface. .LocalTriangles: the number of triangles between the points of a cloud; 0 for a
+ *   surface. .EstimatedNormals: 1 if the normals of a point cloud were estimated.
  *
  * Intermediate results are reused until the surface, NormalSmoothing or UpwindAverage changes. The
  * time for a new seed or radius depends only on the size of the patch.
  *
- * The mathematics: shape::ExponentialMap, shape::FlattenPatch.
+ * The mathematics: shape::ExponentialMap, shape::FlattenPatch, shape::ConnectSamples.
  */
 #ifndef vtkShapeExponentialMap_h
 #define vtkShapeExponentialMap_h
@@ -77,6 +83,7 @@ private:
   /// Returns the map of the current surface, which is built only if the surface or an option has
   /// changed.
   Kept& Update(const shape::Progress& progress);
+  void ConnectPoints(const shape::Progress& progress); ///< makes the map of a point cloud
 
   double Seed[3] = { 0.0, 0.0, 0.0 };
   double XDirection[3] = { 0.0, 0.0, 0.0 };

@@ -3,10 +3,13 @@
 #include "vtkShapeCarry.h"
 #include "vtkShapeConvert.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkIntArray.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -53,7 +56,7 @@ void AddCellData(const shape::PatchLayout& layout, vtkCellData* fields)
     vtkShapeConvert::ToArray(layout.Facts.SymmetricDirichlets, "SymmetricDirichlet"));
 }
 
-void WriteFacts(const shape::PatchLayout& layout, vtkPolyData* output)
+void WriteFacts(const shape::PatchLayout& layout, bool hasEstimatedNormals, vtkPolyData* output)
 {
   const shape::ExponentialPatch& patch = layout.Patch;
   const shape::ExponentialFacts& facts = layout.Facts;
@@ -78,11 +81,30 @@ void WriteFacts(const shape::PatchLayout& layout, vtkPolyData* output)
     { "Torn", static_cast<double>(patch.Torn.size()) }, { "FlipRate", facts.FlipRate },
     { "Mended", layout.Mended }, { "Coverage", facts.Coverage },
     { "Overlaps", facts.Overlaps ? 1.0 : 0.0 },
-    { "ReachesRim", patch.ReachesBoundary ? 1.0 : 0.0 } };
+    { "ReachesRim", patch.ReachesBoundary ? 1.0 : 0.0 },
+    { "LocalTriangles", static_cast<double>(patch.Shares.size()) },
+    { "EstimatedNormals", hasEstimatedNormals ? 1.0 : 0.0 } };
   for (const auto& [name, number] : numbers)
   {
     vtkShapeConvert::AddFact(output, prefix + name, number);
   }
+}
+
+/// Returns, for each point, the first vertex cell at it, or -1.
+Eigen::VectorXi VerticesAt(vtkPolyData* cloud)
+{
+  Eigen::VectorXi vertices =
+    Eigen::VectorXi::Constant(static_cast<Eigen::Index>(cloud->GetNumberOfPoints()), -1);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < cloud->GetNumberOfVerts(); ++cell)
+  {
+    cloud->GetVerts()->GetCellAtId(cell, corners);
+    for (const vtkIdType point : *corners)
+    {
+      vertices(point) = vertices(point) < 0 ? static_cast<int>(cell) : vertices(point);
+    }
+  }
+  return vertices;
 }
 
 } // namespace
@@ -96,5 +118,30 @@ void vtkShapePatch::Write(const shape::PatchLayout& layout, const shape::Mesh& m
   vtkShapeCarry::Carry({ { surface, provenance } }, output);
   AddPointData(layout, output->GetPointData());
   AddCellData(layout, output->GetCellData());
-  WriteFacts(layout, output);
+  WriteFacts(layout, false, output);
+}
+
+void vtkShapePatch::WritePoints(const shape::PatchLayout& layout, vtkPolyData* cloud,
+  const Eigen::MatrixXd& estimatedNormals, vtkPolyData* output)
+{
+  const std::vector<int>& points = layout.Patch.Points;
+  vtkShapeConvert::FromMesh(
+    { vtkShapeConvert::Rows(vtkShapeConvert::ToPoints(cloud), points), Eigen::MatrixXi(0, 3) },
+    output);
+  vtkNew<vtkCellArray> vertices;
+  for (vtkIdType point = 0; point < output->GetNumberOfPoints(); ++point)
+  {
+    vertices->InsertNextCell(1, &point);
+  }
+  output->SetVerts(vertices);
+  shape::Provenance provenance = layout.Provenance;
+  provenance.Cells = VerticesAt(cloud)(points);
+  vtkShapeCarry::Carry({ { cloud, provenance } }, output);
+  AddPointData(layout, output->GetPointData());
+  if (estimatedNormals.rows() > 0)
+  {
+    output->GetPointData()->SetNormals(
+      vtkShapeConvert::ToArray(vtkShapeConvert::Rows(estimatedNormals, points), "Normals"));
+  }
+  WriteFacts(layout, estimatedNormals.rows() > 0, output);
 }
