@@ -4,7 +4,8 @@ As an example: a checkered texture around a place of a sphere; the patch is a di
 import numpy
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
 import shapemap
 
 import shapetesting
@@ -179,3 +180,78 @@ seed = points(ball)[3]
 shapetesting.check_refused(new(ball, seed, 1e-300), 'Radius is 1e-300; it must be 0, or at least 1e-09 of the diagonal')
 shapetesting.check_refused(new(ball, seed, 0.3, NormalSmoothing=2147483647), 'NormalSmoothing is 2.14748e+09',
                            'at most 1000')
+
+# Points alone: the samples of a surface, connected by triangles in their tangent planes.
+
+
+def cloud_of(places, normals=None, vertices=True):
+    cloud = vtkPolyData()
+    positions = vtkPoints()
+    positions.SetDataTypeToDouble()
+    cells = vtkCellArray()
+    for number, place in enumerate(places):
+        positions.InsertNextPoint(place)
+        cells.InsertNextCell(1, [number])
+    cloud.SetPoints(positions)
+    if vertices:
+        cloud.SetVerts(cells)
+    if normals is not None:
+        add_array(cloud, normals, 'Normals')
+    return cloud
+
+
+golden = numpy.pi * (1.0 + 5.0 ** 0.5)
+
+
+def ball_of(count):
+    number = numpy.arange(count) + 0.5
+    height = 1.0 - 2.0 * number / count
+    flat = numpy.sqrt(1.0 - height ** 2)
+    return numpy.stack([flat * numpy.cos(golden * number), flat * numpy.sin(golden * number), height], axis=1)
+
+
+def error_of(cloud):
+    result = patch_of(cloud, [0.0, 0.0, 1.0], 1.0, XDirection=[1.0, 0.0, 0.0])
+    place = points(result)
+    away = numpy.maximum(numpy.linalg.norm(place[:, :2], axis=1), 1e-300)
+    exact = place[:, :2] * (numpy.arctan2(away, place[:, 2]) / away)[:, None]
+    return result, numpy.linalg.norm(array(result, 'TargetPosition')[:, :2] - exact, axis=1).max()
+
+
+errors = []
+for count in (500, 2000, 8000):
+    result, error = error_of(cloud_of(ball_of(count)))
+    errors.append(error)
+    assert fact(result, 'ExponentialMap.EstimatedNormals') == 1 and fact(result, 'ExponentialMap.LocalTriangles') > 0
+    assert fact(result, 'ExponentialMap.Flipped') == fact(result, 'ExponentialMap.ReachesRim') == 0
+    assert result.GetNumberOfCells() == result.GetNumberOfVerts() == result.GetNumberOfPoints()
+    # All points within the distance, up to its error, and outward normals.
+    angles = numpy.arccos(ball_of(count)[:, 2])
+    assert (angles < 0.97).sum() <= result.GetNumberOfPoints() <= (angles < 1.03).sum()
+    assert ((array(result, 'Normals') * points(result)).sum(axis=1) > 0.99).all()
+assert errors[2] < 0.3 * errors[0] and errors[2] < 5e-3, errors
+print('points of a ball: largest errors', errors)
+
+# Normals that are there are used: turned inside out, the image is a mirror image. Data are carried.
+places = ball_of(2000)
+given = cloud_of(places, places)
+add_array(given, numpy.arange(2000.0), 'Number')
+outward, inward = (patch_of(data, [0.0, 0.0, 1.0], 1.0, XDirection=[1.0, 0.0, 0.0])
+                   for data in (given, cloud_of(places, -places, vertices=False)))
+assert fact(outward, 'ExponentialMap.EstimatedNormals') == 0
+assert (array(outward, 'Number') == array(outward, 'OriginalPointId')).all()
+order = numpy.argsort(array(outward, 'OriginalPointId'))
+mirror = numpy.argsort(array(inward, 'OriginalPointId'))
+assert abs(array(outward, 'TargetPosition')[order] * [1, -1, 1] - array(inward, 'TargetPosition')[mirror]).max() < 1e-9
+
+# A tilted plane of random points stays as it is.
+flat = numpy.column_stack([random.uniform(-1, 1, (3000, 2)), numpy.zeros(3000)])
+x, y = numpy.array([2.0, 1.0, 2.0]) / 3.0, numpy.array([-2.0, 2.0, 1.0]) / 3.0
+plane = patch_of(cloud_of(flat[:, :1] * x + flat[:, 1:2] * y), [0.0, 0.0, 0.0], 0.5, XDirection=x)
+up = 1.0 if vector(plane, 'SeedNormal').dot(numpy.cross(x, y)) > 0 else -1.0
+assert abs(array(plane, 'TargetPosition')[:, :2] - flat[array(plane, 'OriginalPointId'), :2] * [1, up]).max() < 1e-12
+
+for data, words in ((cloud_of([[0, 0, 0], [1, 1, 1], [2, 2, 2]]), 'span no surface'),
+                    (cloud_of(places, places * 0.0), 'remove the array Normals')):
+    shapetesting.check_refused(new(data, [0, 0, 0], 0.5), words)
+shapetesting.check_refused(new(given, [0, 0, 1], 0.5, MendFlips=True), 'MendFlips needs a surface of triangles')

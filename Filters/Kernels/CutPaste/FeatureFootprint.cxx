@@ -3,6 +3,8 @@
 #include "Base/Errors.h"
 #include "Planar/PlanarDelaunay.h"
 
+#include <Eigen/Geometry>
+
 namespace shape
 {
 
@@ -26,6 +28,19 @@ bool IsSimplePolygon(const Eigen::MatrixXd& polygon)
   {
     return false;
   }
+}
+
+Eigen::RowVector3d TurnAxis(const FeatureFootprint& base, const Eigen::RowVector3d& normal)
+{
+  const Eigen::Vector3d from = base.Normal.transpose(), to = normal.transpose();
+  if (from.dot(to) < -1.0 + 1e-12)
+  {
+    return base.XAxis; // opposite normals: the rotation is about the axis itself
+  }
+  const Eigen::Vector3d turn = from.cross(to), axis = base.XAxis.transpose();
+  // Rodrigues' formula for two unit vectors: the identity, bit for bit, if they are the same.
+  return (axis * from.dot(to) + turn.cross(axis) + turn * (turn.dot(axis) / (1.0 + from.dot(to))))
+    .transpose();
 }
 
 } // namespace shape

@@ -29,6 +29,9 @@ struct FeatureFootprint
   bool ReturnsInPlace = false;
 };
 
+/// Returns the base's x axis, rotated by the minimum rotation from the base's normal to `normal`.
+Eigen::RowVector3d TurnAxis(const FeatureFootprint& base, const Eigen::RowVector3d& normal);
+
 /// Returns whether a closed polygon (n x 2) neither crosses nor touches itself.
 bool IsSimplePolygon(const Eigen::MatrixXd& polygon);
 

@@ -1,6 +1,7 @@
 #include "CutPaste/PasteFeature.h"
 
 #include "Base/Errors.h"
+#include "CutPaste/SoupJoin.h"
 #include "Deform/BoundaryNormals.h"
 #include "Geometry/VertexNormals.h"
 
@@ -232,6 +233,34 @@ Eigen::MatrixXd FeatureToPaste::Smoothly(HandlePose pose, const Eigen::MatrixXd&
   return deformed;
 }
 
+/// positions, normals: those of the target at the loop's points.
+/// Offsets within the feature grow with Scale, so the feature is deformed at its original size to a
+/// pose divided by Scale.
+FeatureToPaste::Deformed FeatureToPaste::DeformTo(const Eigen::MatrixXd& positions,
+  const Eigen::MatrixXd& normals, double scale, const PasteFeatureOptions& options,
+  const Progress& progress) const
+{
+  constexpr double all = std::numeric_limits<double>::infinity();
+  HandlePose pose = PoseHandle(this->Handle, positions / scale, normals);
+  BiasFrames(this->Handle, this->Handle.Normals, options.Frames, pose);
+  Eigen::MatrixXd wanted = normals;
+  for (Eigen::Index i = 0; i < wanted.rows() && options.Frames.BiasWeight > 0.0; ++i)
+  {
+    wanted.row(i) = (pose.Rotations[i] * this->Handle.Normals.row(i).transpose()).transpose();
+  }
+  const Eigen::MatrixXd tangents = ComputeHandleTangents(this->Handle, pose.Positions);
+  Deformed result;
+  result.AnglesBefore = AnglesAcross(
+    this->LoopNormals(this->WithMidpoints(this->Prepared->Deform(pose, this->NormalReach).Points)),
+    wanted, tangents);
+  const Eigen::MatrixXd deformed = options.OptimizeNormals
+    ? this->Smoothly(pose, wanted, options, progress)
+    : this->WithMidpoints(this->Prepared->Deform(pose, all, progress).Points);
+  result.AnglesAfter = AnglesAcross(this->LoopNormals(deformed), wanted, tangents);
+  result.Points = scale * deformed;
+  return result;
+}
+
 // Section 4.2 of the paper:
 // 1. Map the loop to the target by the exponential maps of both (PasteTarget::Land).
 // 2. Deform the feature to follow its loop, with frames that rotate the base's normals to the
@@ -244,33 +273,16 @@ PastedFeature FeatureToPaste::PasteOn(PasteTarget& target, const PastePlacement&
 {
   LoopOnTarget landing = target.Land(this->Stand, placement, !options.Dragging,
     progress.Part(0.0, 0.3, "placing the base on the target"));
-  // Offsets within the feature grow with Scale, so the feature is deformed at its original size to
-  // a pose divided by Scale.
-  HandlePose pose = PoseHandle(this->Handle, landing.Positions / placement.Scale, landing.Normals);
-  BiasFrames(this->Handle, this->Handle.Normals, options.Frames, pose);
-  Eigen::MatrixXd wanted = landing.Normals;
-  for (Eigen::Index i = 0; i < wanted.rows() && options.Frames.BiasWeight > 0.0; ++i)
-  {
-    wanted.row(i) = (pose.Rotations[i] * this->Handle.Normals.row(i).transpose()).transpose();
-  }
-  const Eigen::VectorXd before = AnglesAcross(
-    this->LoopNormals(this->WithMidpoints(this->Prepared->Deform(pose, this->NormalReach).Points)),
-    wanted, ComputeHandleTangents(this->Handle, pose.Positions));
-  const Eigen::MatrixXd deformed = options.OptimizeNormals
-    ? this->Smoothly(pose, wanted, options, progress.Part(0.3, 0.9, "deforming the feature"))
-    : this->WithMidpoints(this->Prepared
-                            ->Deform(pose, std::numeric_limits<double>::infinity(),
-                              progress.Part(0.3, 0.9, "deforming the feature"))
-                            .Points);
+  Deformed deformed = this->DeformTo(landing.Positions, landing.Normals, placement.Scale, options,
+    progress.Part(0.3, 0.9, "deforming the feature"));
   // If the loop replaces the ring, point for point, no edge can exist twice.
   const auto given = static_cast<int>(this->Feature.Points().rows());
   const bool fits = landing.Join.Triangles.rows() == 0;
   PastedFeature result = JoinFeatureAndTarget(target.Surface(),
     fits ? SplitEdges(this->Feature.Triangles(), {}, given) : this->Cut, this->Stand, landing,
-    placement.Scale * deformed.topRows(fits ? given : deformed.rows()));
-  result.AnglesBefore = before;
-  result.AnglesAfter = AnglesAcross(
-    this->LoopNormals(deformed), wanted, ComputeHandleTangents(this->Handle, pose.Positions));
+    deformed.Points.topRows(fits ? given : deformed.Points.rows()));
+  result.AnglesBefore = std::move(deformed.AnglesBefore);
+  result.AnglesAfter = std::move(deformed.AnglesAfter);
   result.Facts = this->Prepared->Facts();
   result.Position = std::move(landing);
   // A disk is removed from the target, and the feature is joined along a circle.
@@ -279,6 +291,28 @@ PastedFeature FeatureToPaste::PasteOn(PasteTarget& target, const PastePlacement&
   {
     this->Check(result);
   }
+  progress(1.0);
+  return result;
+}
+
+// As on a manifold, but the soup is cut along the loop and needs no band (JoinFeatureAndSoup).
+PastedFeature FeatureToPaste::PasteOn(SoupTarget& target, const PastePlacement& placement,
+  const PasteFeatureOptions& options, const Progress& progress) const
+{
+  const LoopOnSoup landing = target.Land(
+    this->Stand, placement, progress.Part(0.0, 0.4, "placing the base on the target"));
+  Deformed deformed = this->DeformTo(landing.Positions, landing.Normals, placement.Scale, options,
+    progress.Part(0.4, 0.9, "deforming the feature"));
+  PastedFeature result = JoinFeatureAndSoup(this->Feature.Triangles(), this->Stand,
+    landing, deformed.Points.topRows(this->Feature.Points().rows()));
+  RequireFinite(result.Surface.Points, "the joined surface");
+  result.AnglesBefore = std::move(deformed.AnglesBefore);
+  result.AnglesAfter = std::move(deformed.AnglesAfter);
+  result.Facts = this->Prepared->Facts();
+  result.Position.Seed = landing.Seed;
+  result.Position.Positions = landing.Positions;
+  result.Position.Normals = landing.Normals;
+  result.Position.Cover.Positions = target.Closest().Find(landing.Positions);
   progress(1.0);
   return result;
 }

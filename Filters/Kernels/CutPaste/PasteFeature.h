@@ -5,6 +5,7 @@
 #include "CutPaste/PasteTarget.h"
 #include "CutPaste/PastedFeature.h"
 #include "CutPaste/Seam.h"
+#include "CutPaste/SoupTarget.h"
 #include "Deform/HandleFrames.h"
 #include "Deform/ShapeDeformation.h"
 #include "Mesh/Surface.h"
@@ -69,11 +70,31 @@ public:
   PastedFeature PasteOn(PasteTarget& target, const PastePlacement& placement,
     const PasteFeatureOptions& options = {}, const Progress& progress = {}) const;
 
+  /**
+   * Pastes the feature on a polygon soup: the same, but the feature is deformed to the loop on the
+   * soup (SoupTarget::Land), and the soup, cut along the loop, gets no band. Where the soup has a
+   * triangle at the seam, both have the same points and edges: the edges of the feature's loop are
+   * split where the soup's edges meet them. A sheet farther from the seam than a quarter of the
+   * loop's edge stays separate, and LargestGap says how far away it is.
+   *
+   * Throws the exceptions of SoupTarget::Land; Aborted.
+   */
+  PastedFeature PasteOn(SoupTarget& target, const PastePlacement& placement,
+    const PasteFeatureOptions& options = {}, const Progress& progress = {}) const;
+
   const shape::Surface& Surface() const { return this->Feature; }
   const FeatureFootprint& Base() const { return this->Stand; }
   const ShapeDeformation& Deformation() const { return *this->Prepared; }
 
 private:
+  /// The feature deformed to a loop.
+  struct Deformed
+  {
+    Eigen::MatrixXd Points; ///< with midpoints
+    Eigen::VectorXd AnglesBefore, AnglesAfter;
+  };
+  Deformed DeformTo(const Eigen::MatrixXd& positions, const Eigen::MatrixXd& normals, double scale,
+    const PasteFeatureOptions& options, const Progress& progress) const;
   Eigen::MatrixXd Smoothly(HandlePose pose, const Eigen::MatrixXd& normals,
     const PasteFeatureOptions& options, const Progress& progress) const;
   Eigen::MatrixXd LoopNormals(const Eigen::MatrixXd& points) const;

@@ -43,20 +43,6 @@ bool IsOfLayout(CoveredRegionFault fault)
     fault == CoveredRegionFault::Collapsed;
 }
 
-/// Returns the base's x axis, rotated by the minimum rotation from the base's normal to `normal`.
-Eigen::RowVector3d TurnedAxis(const FeatureFootprint& base, const Eigen::RowVector3d& normal)
-{
-  const Eigen::Vector3d from = base.Normal.transpose(), to = normal.transpose();
-  if (from.dot(to) < -1.0 + 1e-12)
-  {
-    return base.XAxis; // opposite normals: the rotation is about the axis itself
-  }
-  const Eigen::Vector3d turn = from.cross(to), axis = base.XAxis.transpose();
-  // Rodrigues' formula for two unit vectors: the identity, bit for bit, if they are the same.
-  return (axis * from.dot(to) + turn.cross(axis) + turn * (turn.dot(axis) / (1.0 + from.dot(to))))
-    .transpose();
-}
-
 std::string Reason(const CoveredRegion& cover)
 {
   switch (cover.Fault)
@@ -122,7 +108,7 @@ PasteTarget::Trial PasteTarget::Try(const FeatureFootprint& base, const ClosestP
   const Eigen::Rotation2Dd turn(placement.Rotation * M_PI / 180.0);
   const Eigen::MatrixXd loop =
     placement.Scale * base.LoopPositions * turn.toRotationMatrix().transpose();
-  const Eigen::RowVector3d axis = TurnedAxis(base, this->Map.Normal(seed));
+  const Eigen::RowVector3d axis = TurnAxis(base, this->Map.Normal(seed));
   Trial trial;
   // Distances on the surface are longer than those in the plane: the patch grows until it contains
   // the loop and the ring around it.

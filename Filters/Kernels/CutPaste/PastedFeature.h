@@ -29,8 +29,16 @@ struct PastedFeature
   /// the frames.
   Eigen::VectorXd AnglesBefore, AnglesAfter;
   DeformFacts Facts;
-  /// Expected Euler number of Surface, computed from those of the target and the feature.
+  /// Expected Euler number of Surface, computed from those of the target and the feature. On a soup,
+  /// that of Surface.
   int EulerNumber = 0;
+
+  bool IsOnSoup = false; ///< whether the target was treated as a soup (SoupTarget)
+  /// On a soup: the largest distance of a point of the seam, on the feature, from the target, or of
+  /// one on the cut target from the feature's seam. It is the distance across gaps of the target.
+  double LargestGap = 0.0;
+  /// On a soup: the share of the seam's length where feature and target have common edges, 0 to 1.
+  double JoinedShare = 1.0;
 };
 
 /// Joins target and feature. feature: its triangles, split at the chords of its loop. deformed: its
