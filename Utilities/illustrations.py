@@ -594,6 +594,37 @@ def ParameterizeAreaWeight():
 
 
 @drawing
+def ExponentialMapPoints():
+    """The points of a bumpy surface, and a patch of them on it and in the plane."""
+    surface = shape('DentedSphere10k.vtp')
+    alone = Calculator(Input=MaskPoints(Input=surface, OnRatio=1, MaximumNumberofPoints=1000000,
+                                        GenerateVertices=1, SingleVertexPerCell=1),
+                       ResultArrayName='Samples', Function='1')
+    patch = ShapeExponentialMap(Input=alone, Seed=[0.3, 0.2, 1.0], Radius=0.7)
+    checker = checkered(Calculator(Input=patch, ResultArrayName='Position',
+                                   Function='TargetPosition+0.07*kHat'), 'Position', 0.14, 'XY')
+    flat = Calculator(Input=checker, CoordinateResults=1, Function='TargetPosition')
+    show(alone, (-0.9, 0, 0)).PointSize = 3
+    lifted = Calculator(Input=checker, CoordinateResults=1, Function='coords*1.02')
+    show(lifted, (-0.9, 0, 0), array='Checker', preset='Cool to Warm').PointSize = 7
+    show(flat, (1.0, 0, 0), array='Checker', preset='Cool to Warm').PointSize = 7
+    return (0.0, 0.1, 1.0), (0, 1, 0)
+
+
+@drawing
+def PasteFeatureSoup():
+    """Six panels with slots between them, and a horn across the slots."""
+    panels = [Plane(Origin=[1.02 * i - 1.5, 1.02 * j - 1.0, 0], Point1=[1.02 * i - 0.5, 1.02 * j - 1.0, 0],
+                    Point2=[1.02 * i - 1.5, 1.02 * j, 0], XResolution=10, YResolution=10)
+              for i in range(3) for j in range(2)]
+    hood = Calculator(Input=AppendGeometry(Input=panels), CoordinateResults=1,
+                      Function='coords + (0.5 - 0.1*coordsX^2 - 0.2*coordsY^2)*kHat')
+    pasted = ShapePasteFeature(Feature=horned(), Target=hood, Seed=[0.52, 0.0, 0.4], BridgeGaps=1)
+    show(pasted, array='Part', kind='CELLS', preset='Cool to Warm', edges=True)
+    return (0.3, -1.0, 0.9), (0, 0, 1)
+
+
+@drawing
 def DeformRigidity():
     """Rigidity 0.5, 1 and 3: the boundary of a square with a bump is bent."""
     plane = Plane(Origin=[-1, -1, 0], Point1=[1, -1, 0], Point2=[-1, 1, 0], XResolution=50, YResolution=50)

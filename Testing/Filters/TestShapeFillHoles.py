@@ -185,7 +185,7 @@ for algorithm, words in (
         (new(holed, EdgeGrowth=-1.0), 'EdgeGrowth is -1'),
         (new(holed, FillMethod=1, Rigidity=0.0), 'Rigidity is 0'),
         (new(tripod), 'three or more curves meet at 4 points'),
-        (new(lonely), 'neither polygons nor lines')):
+        (new(lonely), 'neither polygons nor lines: points have no boundary')):
     message = ' '.join(shapetesting.run(algorithm))
     assert 'Shape Fill Holes: ' in message and words in message, message
     assert algorithm.GetOutputDataObject(0).GetNumberOfPoints() == 0

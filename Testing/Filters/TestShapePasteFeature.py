@@ -238,3 +238,79 @@ for settings in ({'FillMethod': 'Fair'}, {'FillMethod': 'Membrane', 'EdgeGrowth'
     elif settings['FillMethod'] == 'Fair':
         fair = output(part, 1)
 assert bulging.GetNumberOfPoints() != fair.GetNumberOfPoints() or abs(points(bulging) - points(fair)).max() > 1e-3
+
+# A target that is no manifold stays a soup, and the filter says how the seam is joined.
+
+
+def of_faces(places, faces):
+    surface, cells = vtkPolyData(), vtkCellArray()
+    surface.SetPoints(vtkPoints())
+    shapetesting.set_points(surface, places)
+    cells.SetData(numpy_to_vtkIdTypeArray(3 * numpy.arange(len(faces) + 1), deep=True),
+                  numpy_to_vtkIdTypeArray(numpy.ascontiguousarray(faces).ravel(), deep=True))
+    surface.SetPolys(cells)
+    return surface
+
+
+def loop_edge(data):
+    """The mean edge of the feature's loop."""
+    part = vtk_to_numpy(data.GetCellData().GetArray('Part'))
+    mine = triangles(data)[part == 2]
+    sides = numpy.sort(numpy.concatenate([mine[:, [0, 1]], mine[:, [1, 2]], mine[:, [2, 0]]]), axis=1)
+    sides, counts = numpy.unique(sides, axis=0, return_counts=True)
+    ends = points(data)[sides[counts == 1]]
+    return numpy.linalg.norm(ends[:, 0] - ends[:, 1], axis=1).mean()
+
+
+random = numpy.random.default_rng(2)
+target = sphere(60, 1.2)
+turned = triangles(target).copy()
+over = random.random(len(turned)) < 0.3
+turned[over] = turned[over][:, [1, 0, 2]]
+soup = of_faces(points(target), turned)
+add_array(soup, points(soup)[:, 2], 'Height')
+joined = paste(feature, soup, [0.2, -1.0, 0.5], Rotation=40.0)
+assert fact(joined, 'PasteFeature.Soup') == 1 and fact(joined, 'PasteFeature.LargestGap') < 1e-9
+assert abs(fact(joined, 'PasteFeature.JoinedShare') - 1.0) < 1e-9
+assert edges(joined, 'Boundary') == edges(joined, 'NonManifold') == 0 and euler(joined) == 2
+said = shapetesting.facts(joined).GetAbstractArray('Warning').GetValue(0)
+assert 'edges between triangles of opposite orientation' in said and 'Shape Solidify' in said, said
+part = vtk_to_numpy(joined.GetCellData().GetArray('Part'))
+assert set(part) == {0, 2}
+mine = numpy.unique(triangles(joined)[part == 0])
+assert abs(array(joined, 'Height')[mine] - points(joined)[mine, 2]).max() < 1e-6
+assert fact(paste(feature, target, [0.2, -1.0, 0.5]), 'PasteFeature.Soup') == 0
+
+# Panels with slots between them, as of a car: the feature lies across the slots.
+slot = 0.01
+sheet = []
+for i in range(3):
+    for j in range(2):
+        corner = numpy.array([(1.0 + slot) * (i - 1.5), (1.0 + slot) * (j - 1.0)])
+        u, v = numpy.meshgrid(numpy.arange(11) / 10.0, numpy.arange(11) / 10.0, indexing='ij')
+        flat = numpy.column_stack([u.ravel(), v.ravel()]) + corner
+        row, column = numpy.divmod(numpy.arange(100), 10)
+        first = 11 * row + column
+        quads = numpy.concatenate([numpy.column_stack([first, first + 11, first + 12]),
+                                   numpy.column_stack([first, first + 12, first + 1])])
+        sheet.append((flat, quads[:, [0, 2, 1]] if (i + j) % 2 else quads))
+flat = numpy.concatenate([places for places, _ in sheet])
+faces = numpy.concatenate([121 * number + quads for number, (_, quads) in enumerate(sheet)])
+hood = of_faces(numpy.column_stack([flat, 0.5 - 0.1 * flat[:, 0] ** 2 - 0.2 * flat[:, 1] ** 2]), faces)
+refused('beyond the boundary', feature, hood, [0.5, 0.0, 0.4])
+result = paste(feature, hood, [0.5, 0.0, 0.4], BridgeGaps=True)
+assert fact(result, 'PasteFeature.LargestGap') <= loop_edge(result), (
+    fact(result, 'PasteFeature.LargestGap'), loop_edge(result))
+assert 0.8 < fact(result, 'PasteFeature.JoinedShare') < 1.0
+print('panels: largest gap %.4f, mean edge %.4f, joined %.3f' % (
+    fact(result, 'PasteFeature.LargestGap'), loop_edge(result), fact(result, 'PasteFeature.JoinedShare')))
+assert 'BridgeGaps is on' in shapetesting.facts(result).GetAbstractArray('Warning').GetValue(0)
+refused('beyond the polygons', feature, hood, [1.45, 0.0, 0.4], BridgeGaps=True)
+
+# Points alone have no edges to join.
+cloud = vtkPolyData()
+cloud.SetPoints(target.GetPoints())
+refused('the Target has %d points and no polygons' % cloud.GetNumberOfPoints(), feature, cloud, [0.0, 0.0, 1.2])
+refused('Delaunay 3D and Extract Surface', cloud, target, [0.0, 0.0, 1.2])
+cutter = shapetesting.new(shapemap.vtkShapeCutFeature, cloud, NumberOfLoopPoints=3)
+shapetesting.check_refused(cutter, 'the Input has', 'a feature is cut along edges of polygons', 'Delaunay 2D')

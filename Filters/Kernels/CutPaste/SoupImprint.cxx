@@ -40,7 +40,8 @@ bool Contains(const Eigen::MatrixXd& polygon, const RowVector2d& position)
 class Cutting
 {
 public:
-  Cutting(const Eigen::MatrixXd& images, const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& loop)
+  Cutting(const Eigen::MatrixXd& images, const Eigen::MatrixXi& triangles,
+    const Eigen::MatrixXd& loop, double snap)
     : Given(static_cast<int>(images.rows()))
     , Loop(loop)
   {
@@ -48,6 +49,7 @@ public:
     {
       this->Images.emplace_back(image);
     }
+    this->Snap(snap);
     for (int t = 0; t < static_cast<int>(triangles.rows()); ++t)
     {
       const std::array<int, 3> corners{ triangles(t, 0), triangles(t, 1), triangles(t, 2) };
@@ -139,11 +141,57 @@ public:
         Contains(this->Loop, (this->Images[a] + this->Images[b] + this->Images[c]) / 3.0) ? 1 : 0);
     }
     result.NewPoints = std::move(this->NewPoints);
-    result.Seam = std::move(this->Seam);
+    for (const auto& [point, seam] : this->Seam)
+    {
+      result.Seam.push_back(seam);
+    }
     return result;
   }
 
 private:
+  /// Puts given points on the loop if they are closer to it than `distance`.
+  void Snap(double distance)
+  {
+    const RowVector2d lower = this->Loop.colwise().minCoeff().array() - distance,
+                      upper = this->Loop.colwise().maxCoeff().array() + distance;
+    for (int point = 0; point < this->Given; ++point)
+    {
+      const RowVector2d image = this->Images[point];
+      if ((image.array() < lower.array()).any() || (image.array() > upper.array()).any())
+      {
+        continue;
+      }
+      double nearest = distance;
+      for (int i = 0; i < static_cast<int>(this->Loop.rows()); ++i)
+      {
+        const RowVector2d begin = this->Loop.row(i), along = this->Loop.row(this->Next(i)) - begin;
+        const double share = (image - begin).dot(along) / along.squaredNorm();
+        const double fromPoint = (image - begin).norm();
+        const double fromLine = (image - begin - share * along).norm();
+        // A point of the loop comes first: lines on both sides of it are as close.
+        if (fromPoint <= nearest)
+        {
+          nearest = fromPoint;
+          this->Images[point] = begin;
+          this->Seam[point] = { point, i, 0.0 };
+        }
+        else if (share > 0.0 && share < 1.0 && fromLine < nearest && !this->IsAtPoint(point))
+        {
+          nearest = fromLine;
+          this->Images[point] = begin + share * along;
+          this->Seam[point] = { point, i, share };
+        }
+      }
+    }
+  }
+
+  /// Whether a point was put on a point of the loop.
+  bool IsAtPoint(int point) const
+  {
+    const auto at = this->Seam.find(point);
+    return at != this->Seam.end() && at->second.Along == 0.0;
+  }
+
   /// Whether the box of a triangle meets that of a line of the loop.
   bool MayMeetLoop(const std::array<int, 3>& corners) const
   {
@@ -176,11 +224,12 @@ private:
   /// Whether a point was put on this line of the loop.
   bool IsOn(int point, int number) const
   {
-    if (point < this->Given)
+    const auto at = this->Seam.find(point);
+    if (at == this->Seam.end())
     {
       return false;
     }
-    const SeamPoint& seam = this->Seam[point - this->Given];
+    const SeamPoint& seam = at->second;
     return seam.Segment == number || (seam.Along == 0.0 && seam.Segment == this->Next(number));
   }
 
@@ -216,7 +265,7 @@ private:
     const auto point = static_cast<int>(this->Images.size());
     this->Images.push_back(image);
     this->NewPoints.push_back(std::move(mean));
-    this->Seam.push_back({ point, segment, along });
+    this->Seam[point] = { point, segment, along };
     return point;
   }
 
@@ -289,15 +338,15 @@ private:
   std::vector<std::pair<int, std::array<int, 3>>> Uncut; ///< triangles away from the loop
   std::map<std::pair<int, int>, std::set<int>> TrianglesAt; ///< by edge, the lower point first
   std::vector<Weights> NewPoints;
-  std::vector<SeamPoint> Seam;
+  std::map<int, SeamPoint> Seam; ///< by point
 };
 
 } // namespace
 
 SoupImprint ImprintLoop(const Eigen::MatrixXd& images, const Eigen::MatrixXi& triangles,
-  const Eigen::MatrixXd& loop)
+  const Eigen::MatrixXd& loop, double snap)
 {
-  Cutting cutting(images, triangles, loop);
+  Cutting cutting(images, triangles, loop, snap);
   for (int i = 0; i < static_cast<int>(loop.rows()); ++i)
   {
     cutting.InsertPoint(i);

@@ -79,6 +79,17 @@ void vtkShapeComplete::RequireArrays(vtkDataObject* data, const std::string& nam
   }
 }
 
+void vtkShapeComplete::RequireNoPointCloud(
+  vtkPolyData* data, const std::string& name, const std::string& reason)
+{
+  if (data->GetNumberOfPolys() + data->GetNumberOfStrips() + data->GetNumberOfLines() == 0)
+  {
+    throw shape::InvalidInput(name + " has " + std::to_string(data->GetNumberOfPoints()) +
+      " points and no polygons: " + reason +
+      "; connect the points first, with Delaunay 2D, or with Delaunay 3D and Extract Surface");
+  }
+}
+
 std::string vtkShapeComplete::DescribeShortSides(vtkPolyData* surface, const std::string& name)
 {
   vtkIdType found = 0, first = -1;

@@ -19,6 +19,10 @@ void RequireConnections(vtkShapeAlgorithm& filter);
 /// array.
 void RequireArrays(vtkDataObject* data, const std::string& name);
 
+/// Throws shape::InvalidInput if the data are points alone, without polygons, strips and lines.
+/// reason: why polygons are necessary, said in the message.
+void RequireNoPointCloud(vtkPolyData* data, const std::string& name, const std::string& reason);
+
 /// Returns a warning if polygons have a side of (almost) no length, and otherwise an empty text.
 /// They give triangles without area. ParaView's Clip makes such polygons where it cuts through
 /// points.

@@ -21,11 +21,18 @@ std::string Check(const std::string& property, double value, double maximum,
   return text.str();
 }
 
-/// Points that no cell uses do not count.
+/// Points that no cell uses do not count, unless there are no cells.
 vtkBoundingBox BoxOfCells(vtkPolyData* surface)
 {
   double bounds[6];
-  surface->GetCellsBounds(bounds);
+  if (surface->GetNumberOfCells() == 0)
+  {
+    surface->GetBounds(bounds);
+  }
+  else
+  {
+    surface->GetCellsBounds(bounds);
+  }
   return vtkBoundingBox(bounds);
 }
 

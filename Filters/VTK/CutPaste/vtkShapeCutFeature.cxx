@@ -1,6 +1,7 @@
 #include "vtkShapeCutFeature.h"
 
 #include "vtkShapeCarry.h"
+#include "vtkShapeComplete.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeCutParts.h"
 #include "vtkShapeGather.h"
@@ -173,6 +174,8 @@ void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progres
   }
   const GatheredInput& input = this->GetGatheredInput(0);
   vtkPolyData* surface = input.Data;
+  vtkShapeComplete::RequireNoPointCloud(
+    surface, "the Input", "a feature is cut along edges of polygons");
   Kept& kept = *this->Cache;
   // A new loop on the same surface uses the stored search structures.
   if (kept.Input.IsNew(*this, 0, surface) || !kept.Cutter)

@@ -15,6 +15,7 @@
 #include "Base/Errors.h"
 #include "Mesh/Topology.h"
 
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -24,6 +25,26 @@ vtkStandardNewMacro(vtkShapePasteFeature);
 
 namespace
 {
+
+/// Returns why a target cannot be a manifold; empty if it is one.
+std::string DescribeFaults(const shape::Mesh& target)
+{
+  const shape::Topology topology = shape::ComputeTopology(target);
+  const std::pair<int, const char*> faults[] = {
+    { topology.NonManifoldEdges, " edges with three or more triangles" },
+    { topology.NonManifoldPoints, " points where sheets touch" },
+    { topology.MisorientedEdges, " edges between triangles of opposite orientation" }
+  };
+  std::string text;
+  for (const auto& [count, words] : faults)
+  {
+    if (count > 0)
+    {
+      text += (text.empty() ? "" : ", ") + std::to_string(count) + words;
+    }
+  }
+  return text;
+}
 
 const char* NameOf(shape::TargetLayout layout)
 {
@@ -51,6 +72,9 @@ struct vtkShapePasteFeature::Kept
   shape::ExponentialMapOptions Flattening;
   std::unique_ptr<shape::FeatureToPaste> Paste;
   std::unique_ptr<shape::PasteTarget> Position;
+  std::unique_ptr<shape::SoupTarget> Soup; ///< instead of Position, if the target is a soup
+  bool BridgesGaps = false;
+  std::string SoupReason; ///< why the target is a soup
   bool HasOwnFill = false;
   int NonManifold = 0;            ///< edges and points of the feature
   vtkNew<vtkPolyData> LastResult; ///< empty if there was none
@@ -133,25 +157,37 @@ void vtkShapePasteFeature::PrepareTarget(const shape::Progress& progress)
   Kept& kept = *this->Cache;
   const bool isFlattenedSo = kept.Flattening.UpwindAverage == this->Flattening.UpwindAverage &&
     kept.Flattening.NormalSmoothing == this->Flattening.NormalSmoothing;
-  if (!kept.TargetInput.IsNew(*this, 1, this->GetGatheredInput(1).Data) && kept.Position &&
-    isFlattenedSo)
+  if (!kept.TargetInput.IsNew(*this, 1, this->GetGatheredInput(1).Data) &&
+    (kept.Position || kept.Soup) && isFlattenedSo && kept.BridgesGaps == this->BridgeGaps)
   {
     return;
   }
   kept.Position.reset();
+  kept.Soup.reset();
   kept.LastResult->Initialize();
   kept.Target =
     vtkShapePastedData::Read(this->GetGatheredInput(1).Data, "the Target", progress.Part(0.0, 0.3));
-  kept.Position = std::make_unique<shape::PasteTarget>(
-    kept.Target.Surface, this->Flattening, progress.Part(0.3, 1.0));
+  kept.SoupReason = DescribeFaults(kept.Target.Surface);
+  if (this->BridgeGaps || !kept.SoupReason.empty())
+  {
+    kept.Soup = std::make_unique<shape::SoupTarget>(
+      kept.Target.Surface, this->Flattening, progress.Part(0.3, 1.0));
+  }
+  else
+  {
+    kept.Position = std::make_unique<shape::PasteTarget>(
+      kept.Target.Surface, this->Flattening, progress.Part(0.3, 1.0));
+  }
   kept.Flattening = this->Flattening;
+  kept.BridgesGaps = this->BridgeGaps;
 }
 
 void vtkShapePasteFeature::PasteInto(vtkPolyData* output, const shape::Progress& progress)
 {
   const Kept& kept = *this->Cache;
-  const shape::PastedFeature pasted =
-    kept.Paste->PasteOn(*kept.Position, this->Placement, this->Paste, progress);
+  const shape::PastedFeature pasted = kept.Soup
+    ? kept.Paste->PasteOn(*kept.Soup, this->Placement, this->Paste, progress)
+    : kept.Paste->PasteOn(*kept.Position, this->Placement, this->Paste, progress);
   vtkShapePastedData::Write(
     pasted, *kept.Paste, kept.Target, kept.Feature, this->BlendWidth, output);
   if (kept.NonManifold > 0)
@@ -159,6 +195,16 @@ void vtkShapePasteFeature::PasteInto(vtkPolyData* output, const shape::Progress&
     this->Warn("the Feature has " + std::to_string(kept.NonManifold) +
       " edges with three or more triangles or points where sheets touch, and so has the result; "
       "repair the Feature with Shape Solidify");
+  }
+  if (pasted.IsOnSoup)
+  {
+    std::ostringstream words;
+    words << "the Target stays a polygon soup ("
+          << (kept.SoupReason.empty() ? "BridgeGaps is on" : kept.SoupReason)
+          << "): it was cut along the loop of the feature; " << 100.0 * pasted.JoinedShare
+          << " % of the seam is joined edge by edge, and the largest gap is " << pasted.LargestGap
+          << "; for a manifold, repair the Target with Shape Solidify";
+    this->Warn(words.str());
   }
   const std::pair<const char*, Eigen::RowVector3d> frame[] = { { "Seed",
                                                                  pasted.Position.Seed.Origin },
@@ -175,7 +221,8 @@ void vtkShapePasteFeature::PasteInto(vtkPolyData* output, const shape::Progress&
     { "Deviation95After", shape::ComputePercentile(pasted.AnglesAfter, 0.95) },
     { "BandTriangles", pasted.BandTriangles },
     { "FlippedTriangles", pasted.Position.Cover.Flipped }, { "EulerNumber", pasted.EulerNumber },
-    { "NonManifold", kept.NonManifold },
+    { "NonManifold", kept.NonManifold }, { "Soup", pasted.IsOnSoup ? 1.0 : 0.0 },
+    { "LargestGap", pasted.LargestGap }, { "JoinedShare", pasted.JoinedShare },
     { "WeldedPoints", kept.Feature.WeldedPoints + kept.Target.WeldedPoints }
   };
   for (const auto& [fact, value] : facts)

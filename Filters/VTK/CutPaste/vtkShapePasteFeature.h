@@ -7,14 +7,16 @@
  *   output also stores the base on which the feature stood. If no base is stored, the hole at the
  *   loop is filled (shape::FillHole), and the feature stands on the fill. Away from the loop, the
  *   feature may be non-manifold.
- * - Target: an oriented 2-manifold, open or closed.
+ * - Target: an oriented 2-manifold, open or closed. Another surface, or any if BridgeGaps is on, is
+ *   treated as a polygon soup (shape::SoupTarget).
  * In both inputs, polygons are triangulated, seams are closed (shape::WeldedSurface), and points
  * without triangles are removed.
  *
  * Output: the target without its covered region, a seam band, and the feature, deformed to fit. It
  * is watertight if the target is watertight and the feature has no other loop. Points and cells
  * keep their arrays (see vtkShapePastedData). The cell array `Part` is 0 on the target, 1 on the
- * seam band and 2 on the feature.
+ * seam band and 2 on the feature. A soup is cut along the loop instead and has no band; triangles of
+ * it near the loop are split.
  *
  * Facts, with the prefix PasteFeature
  * - .Seed, .Normal, .Direction (3 numbers each): the position on the target, its normal, and the
@@ -25,7 +27,10 @@
  * - .Refused: 1 if Dragging is on and the feature does not fit, otherwise 0. .Refusal is then the
  *   reason.
  * - .Layout: "exponential map"; "conformal" if the exponential map flips triangles at the loop; or
- *   "least distortion" if the conformal map flips triangles, too.
+ *   "least distortion" if the conformal map flips triangles, too. "samples" on a soup.
+ * - .Soup: 1 if the target was treated as a polygon soup. .LargestGap: then the largest distance
+ *   across a gap of the seam. .JoinedShare: the share of the seam's length where feature and target
+ *   have common edges; 1 if the target is a manifold.
  * - .Base: "where it was cut" or "own fill".
  * - .EulerNumber, .BandTriangles, .WeldedPoints (number of welded points of both inputs),
  *   .NonManifold (number of non-manifold edges and points of the feature).
@@ -35,7 +40,7 @@
  * Everything that depends only on the feature, or only on the target, is reused while the position
  * changes. In parallel, the first process has the result.
  *
- * The mathematics: shape::FeatureToPaste, shape::PasteTarget.
+ * The mathematics: shape::FeatureToPaste, shape::PasteTarget, shape::SoupTarget.
  */
 #ifndef vtkShapePasteFeature_h
 #define vtkShapePasteFeature_h
@@ -66,6 +71,8 @@ public:
   vtkShapeOptionOf(Paste, OptimizeNormals, bool);
   vtkSetMacro(BlendWidth, double);
   vtkGetMacro(BlendWidth, double);
+  vtkSetMacro(BridgeGaps, bool);
+  vtkGetMacro(BridgeGaps, bool);
   vtkShapeOptionOf(Paste, Dragging, bool);
   vtkShapeOptionOf(Flattening, UpwindAverage, bool);
   vtkShapeOptionOf(Flattening, NormalSmoothing, int);
@@ -87,6 +94,7 @@ private:
   double Seed[3] = { 0.0, 0.0, 0.0 };
   int LoopIndex = 0;
   double BlendWidth = 0.25;
+  bool BridgeGaps = false;
   shape::PastePlacement Placement;
   shape::PasteFeatureOptions Paste;
   shape::ExponentialMapOptions Flattening;

@@ -1,6 +1,7 @@
 #include "vtkShapePastedData.h"
 
 #include "vtkShapeCarry.h"
+#include "vtkShapeComplete.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapePreciseMap.h"
 
@@ -65,6 +66,7 @@ vtkSmartPointer<vtkPolyData> Blend(const shape::PastedFeature& pasted,
 vtkShapePastedData::Part vtkShapePastedData::Read(
   vtkPolyData* data, const std::string& name, const shape::Progress& progress)
 {
+  vtkShapeComplete::RequireNoPointCloud(data, name, "feature and target are joined along edges");
   const shape::NumberedSurface numbered = vtkShapePreciseMap::ToSurface(data, name);
   const shape::WeldedSurface welded(numbered.Surface, progress, name);
   const Eigen::Index all = welded.Surface.Points.rows();
