@@ -1,7 +1,7 @@
 #include "CutPaste/PasteFeature.h"
 
 #include "Base/Errors.h"
-#include "CutPaste/SoupJoin.h"
+#include "CutPaste/Private/SoupJoin.h"
 #include "Deform/BoundaryNormals.h"
 #include "Geometry/VertexNormals.h"
 
@@ -299,12 +299,12 @@ PastedFeature FeatureToPaste::PasteOn(PasteTarget& target, const PastePlacement&
 PastedFeature FeatureToPaste::PasteOn(SoupTarget& target, const PastePlacement& placement,
   const PasteFeatureOptions& options, const Progress& progress) const
 {
-  const LoopOnSoup landing = target.Land(
-    this->Stand, placement, progress.Part(0.0, 0.4, "placing the base on the target"));
+  const LoopOnSoup landing =
+    target.Land(this->Stand, placement, progress.Part(0.0, 0.4, "placing the base on the target"));
   Deformed deformed = this->DeformTo(landing.Positions, landing.Normals, placement.Scale, options,
     progress.Part(0.4, 0.9, "deforming the feature"));
-  PastedFeature result = JoinFeatureAndSoup(this->Feature.Triangles(), this->Stand,
-    landing, deformed.Points.topRows(this->Feature.Points().rows()));
+  PastedFeature result = JoinFeatureAndSoup(this->Feature.Triangles(), this->Stand, landing,
+    deformed.Points.topRows(this->Feature.Points().rows()));
   RequireFinite(result.Surface.Points, "the joined surface");
   result.AnglesBefore = std::move(deformed.AnglesBefore);
   result.AnglesAfter = std::move(deformed.AnglesAfter);

@@ -29,8 +29,8 @@ struct PastedFeature
   /// the frames.
   Eigen::VectorXd AnglesBefore, AnglesAfter;
   DeformFacts Facts;
-  /// Expected Euler number of Surface, computed from those of the target and the feature. On a soup,
-  /// that of Surface.
+  /// Expected Euler number of Surface, computed from those of the target and the feature. On a
+  /// soup, that of Surface.
   int EulerNumber = 0;
 
   bool IsOnSoup = false; ///< whether the target was treated as a soup (SoupTarget)

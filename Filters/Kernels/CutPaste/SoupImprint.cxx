@@ -283,8 +283,7 @@ private:
     Weights mean;
     this->Blend(a, 1.0 - share, mean);
     this->Blend(b, share, mean);
-    const int point =
-      this->AddPoint(begin + along * (end - begin), std::move(mean), number, along);
+    const int point = this->AddPoint(begin + along * (end - begin), std::move(mean), number, along);
     const std::set<int> triangles = this->TrianglesAt.at(edge);
     for (const int t : triangles)
     {
@@ -335,7 +334,7 @@ private:
   std::vector<std::array<int, 3>> Corners;
   std::vector<int> Original;
   std::vector<char> IsAlive;
-  std::vector<std::pair<int, std::array<int, 3>>> Uncut; ///< triangles away from the loop
+  std::vector<std::pair<int, std::array<int, 3>>> Uncut;    ///< triangles away from the loop
   std::map<std::pair<int, int>, std::set<int>> TrianglesAt; ///< by edge, the lower point first
   std::vector<Weights> NewPoints;
   std::map<int, SeamPoint> Seam; ///< by point

@@ -34,11 +34,11 @@ struct SoupImprint
  * have it, so what was connected remains connected.
  *
  * First, given points closer to the loop than `snap` are put on it: on a point of the loop if that
- * is as close, otherwise on the nearest line. Then each triangle that contains a point of the loop is split into three. Then each edge that
- * crosses a line of the loop is split where it crosses, and so are its triangles. Afterwards no edge
- * crosses the loop, and the parts of the loop inside a triangle are edges. Which edges cross is
- * decided by exact signs and by the lines on which split points lie, so rounding cannot lose an
- * intersection.
+ * is as close, otherwise on the nearest line. Then each triangle that contains a point of the loop
+ * is split into three. Then each edge that crosses a line of the loop is split where it crosses,
+ * and so are its triangles. Afterwards no edge crosses the loop, and the parts of the loop inside a
+ * triangle are edges. Which edges cross is decided by exact signs and by the lines on which split
+ * points lie, so rounding cannot lose an intersection.
  *
  * images: n x 2, finite. triangles: m x 3. loop: k x 2, a simple polygon in general position: no
  * point of it lies on an edge, and no line of it goes through an image. Small random moves of its

@@ -66,8 +66,9 @@ void PlaceLoop(const SoupPatch& flat, const Eigen::MatrixXd& loop, LoopOnSoup& l
   }
   if (beyond > 0)
   {
-    throw InvalidInput("the feature does not fit at the seed: " + std::to_string(beyond) + " of the " +
-      std::to_string(loop.rows()) + " points of its loop would lie beyond the polygons there, or in a "
+    throw InvalidInput("the feature does not fit at the seed: " + std::to_string(beyond) +
+      " of the " + std::to_string(loop.rows()) +
+      " points of its loop would lie beyond the polygons there, or in a "
       "gap that is too wide; lower Scale or move Seed");
   }
 }
@@ -160,8 +161,7 @@ void CutSoup(const Mesh& soup, const RefinedSoup& refined, const SoupPatch& flat
     cells.push_back(original);
   }
   std::sort(covered.begin(), covered.end());
-  landing.Covered =
-    static_cast<int>(std::unique(covered.begin(), covered.end()) - covered.begin());
+  landing.Covered = static_cast<int>(std::unique(covered.begin(), covered.end()) - covered.begin());
   landing.Rest.Triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {

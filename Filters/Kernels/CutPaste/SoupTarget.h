@@ -55,8 +55,8 @@ public:
   /// Maps the base's loop to the soup, as PasteTarget::Land does to a manifold. The plane's outer
   /// side is that of most triangles around the seed, by area. Throws InvalidInput if a point of the
   /// loop is beyond the patch; Aborted.
-  LoopOnSoup Land(const FeatureFootprint& base, const PastePlacement& placement,
-    const Progress& progress = {});
+  LoopOnSoup Land(
+    const FeatureFootprint& base, const PastePlacement& placement, const Progress& progress = {});
 
 private:
   ExponentialMapOptions Options;

@@ -115,7 +115,7 @@ struct ExponentialMap::Target
   std::vector<char> OnLoop; ///< for each node
   PointsOfNodes Copies;
   Eigen::VectorXd Shares; ///< of the triangles of a sampled surface, or empty
-  std::vector<int> Rows; ///< row of each point in the last patch, if it is in it
+  std::vector<int> Rows;  ///< row of each point in the last patch, if it is in it
 };
 
 void ExponentialMap::Target::AddPoints(ExponentialPatch& patch)

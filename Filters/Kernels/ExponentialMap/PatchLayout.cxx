@@ -165,8 +165,7 @@ bool AreSamplesOverlapping(const Surface& surface, const ExponentialPatch& patch
   const auto count = static_cast<int>(patch.Points.size());
   const Eigen::VectorXi sound = FindSoundTriangles(patch);
   Eigen::VectorXd longest = Eigen::VectorXd::Zero(count);
-  const auto distance = [&](int i, int j)
-  {
+  const auto distance = [&](int i, int j) {
     return (surface.Points().row(patch.Points[i]) - surface.Points().row(patch.Points[j])).norm();
   };
   for (Eigen::Index row = 0; row < patch.Corners.rows(); ++row)
@@ -237,8 +236,7 @@ ExponentialFacts ComputeExponentialFacts(
     area += shares(row) * 0.5 * (u(0) * v(1) - u(1) * v(0));
   }
   facts.Coverage = area / (M_PI * radius * radius);
-  facts.Overlaps =
-    isSampled ? AreSamplesOverlapping(surface, patch) : IsOverlappingItself(patch);
+  facts.Overlaps = isSampled ? AreSamplesOverlapping(surface, patch) : IsOverlappingItself(patch);
   progress(1.0);
   return facts;
 }

@@ -2,7 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Base/Parallel.h"
-#include "Geometry/PointNormals.h"
+#include "Geometry/Private/PointNormals.h"
 #include "Geometry/SurfaceWelding.h"
 #include "Geometry/TangentFrame.h"
 #include "Mesh/Extent.h"
@@ -96,8 +96,7 @@ Star FindStar(const std::vector<RowVector2d>& positions, double reach)
   {
     inverted.emplace_back(position / position.squaredNorm());
   }
-  const std::vector<int> hull =
-    positions.size() < 2 ? std::vector<int>() : FindHull(inverted);
+  const std::vector<int> hull = positions.size() < 2 ? std::vector<int>() : FindHull(inverted);
   star.IsClosed = hull.size() >= 3;
   for (std::size_t i = 0; i < hull.size(); ++i)
   {
@@ -140,8 +139,7 @@ public:
   {
     const std::vector<int>& near = this->Near[node].first;
     const RowVector3d position = this->Positions.row(node);
-    const double reach =
-      near.empty() ? 0.0 : (this->Positions.row(near.back()) - position).norm();
+    const double reach = near.empty() ? 0.0 : (this->Positions.row(near.back()) - position).norm();
     const Star star = this->StarAmong(near, node, reach, neighbours);
     return star.IsClosed && star.LargestDiameter <= reach
       ? star
@@ -249,8 +247,8 @@ void KeepEach(std::vector<std::array<int, 3>>& triangles, SampledSurface& result
     result.Surface.Triangles.row(static_cast<Eigen::Index>(i)) << corners[0], corners[1],
       corners[2];
   }
-  result.Shares = Eigen::Map<const Eigen::VectorXd>(
-    shares.data(), static_cast<Eigen::Index>(shares.size()));
+  result.Shares =
+    Eigen::Map<const Eigen::VectorXd>(shares.data(), static_cast<Eigen::Index>(shares.size()));
 }
 
 } // namespace

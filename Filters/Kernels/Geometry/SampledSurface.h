@@ -46,8 +46,8 @@ struct SampledSurfaceOptions
  * by 1e-6 of the distance to the nearest point for this only, so that points on a circle have one
  * triangulation.
  *
- * points: n x 3. normals: n x 3, pointing to one side of the surface, of any length > 0; or an empty
- * matrix, to estimate them (EstimatePointNormals).
+ * points: n x 3. normals: n x 3, pointing to one side of the surface, of any length > 0; or an
+ * empty matrix, to estimate them (EstimatePointNormals).
  *
  * Throws InvalidInput if there is no local triangle, because there are fewer than 3 distinct points
  * or they lie on a line; if a value is not finite, or a normal is zero; if Nearest is less than 6;

@@ -30,11 +30,10 @@ namespace
 std::string DescribeFaults(const shape::Mesh& target)
 {
   const shape::Topology topology = shape::ComputeTopology(target);
-  const std::pair<int, const char*> faults[] = {
-    { topology.NonManifoldEdges, " edges with three or more triangles" },
+  const std::pair<int, const char*> faults[] = { { topology.NonManifoldEdges,
+                                                   " edges with three or more triangles" },
     { topology.NonManifoldPoints, " points where sheets touch" },
-    { topology.MisorientedEdges, " edges between triangles of opposite orientation" }
-  };
+    { topology.MisorientedEdges, " edges between triangles of opposite orientation" } };
   std::string text;
   for (const auto& [count, words] : faults)
   {

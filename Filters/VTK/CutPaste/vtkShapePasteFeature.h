@@ -15,8 +15,8 @@
  * Output: the target without its covered region, a seam band, and the feature, deformed to fit. It
  * is watertight if the target is watertight and the feature has no other loop. Points and cells
  * keep their arrays (see vtkShapePastedData). The cell array `Part` is 0 on the target, 1 on the
- * seam band and 2 on the feature. A soup is cut along the loop instead and has no band; triangles of
- * it near the loop are split.
+ * seam band and 2 on the feature. A soup is cut along the loop instead and has no band; triangles
+ * of it near the loop are split.
  *
  * Facts, with the prefix PasteFeature
  * - .Seed, .Normal, .Direction (3 numbers each): the position on the target, its normal, and the

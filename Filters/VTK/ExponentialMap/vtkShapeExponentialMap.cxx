@@ -86,7 +86,8 @@ void vtkShapeExponentialMap::ConnectPoints(const shape::Progress& progress)
     normals ? vtkShapeCarry::GetTuples(normals) : Eigen::MatrixXd(0, 3), {},
     progress.Part(0.0, 0.8, "connecting the points"));
   kept.Cells = Eigen::VectorXi::Constant(samples.Shares.size(), -1);
-  kept.Map = std::make_unique<shape::ExponentialMap>(samples, this->Options, progress.Part(0.8, 1.0));
+  kept.Map =
+    std::make_unique<shape::ExponentialMap>(samples, this->Options, progress.Part(0.8, 1.0));
   if (!normals)
   {
     kept.EstimatedNormals = std::move(samples.Normals);

@@ -80,8 +80,7 @@ void WriteFacts(const shape::PatchLayout& layout, bool hasEstimatedNormals, vtkP
     { "Radius", layout.Radius }, { "Flipped", static_cast<double>(patch.Flipped.size()) },
     { "Torn", static_cast<double>(patch.Torn.size()) }, { "FlipRate", facts.FlipRate },
     { "Mended", layout.Mended }, { "Coverage", facts.Coverage },
-    { "Overlaps", facts.Overlaps ? 1.0 : 0.0 },
-    { "ReachesRim", patch.ReachesBoundary ? 1.0 : 0.0 },
+    { "Overlaps", facts.Overlaps ? 1.0 : 0.0 }, { "ReachesRim", patch.ReachesBoundary ? 1.0 : 0.0 },
     { "LocalTriangles", static_cast<double>(patch.Shares.size()) },
     { "EstimatedNormals", hasEstimatedNormals ? 1.0 : 0.0 } };
   for (const auto& [name, number] : numbers)

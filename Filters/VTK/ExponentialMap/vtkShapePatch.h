@@ -16,8 +16,8 @@ namespace vtkShapePatch
 void Write(const shape::PatchLayout& layout, const shape::Mesh& mesh, vtkPolyData* surface,
   const Eigen::VectorXi& cells, vtkPolyData* output);
 
-/// Writes the patch of a point cloud: a vertex for each point. estimatedNormals: those of all points
-/// of the cloud, or an empty matrix if it has normals.
+/// Writes the patch of a point cloud: a vertex for each point. estimatedNormals: those of all
+/// points of the cloud, or an empty matrix if it has normals.
 void WritePoints(const shape::PatchLayout& layout, vtkPolyData* cloud,
   const Eigen::MatrixXd& estimatedNormals, vtkPolyData* output);
 

@@ -105,7 +105,8 @@ shape::CurveNetwork ToCurveNetwork(vtkPolyData* data)
   if (lines.empty())
   {
     throw shape::InvalidInput(
-      "the Input has neither polygons nor lines: points have no boundary that says where a hole is; "
+      "the Input has neither polygons nor lines: points have no boundary that says where a hole "
+      "is; "
       "connect a surface (Delaunay 2D, or Delaunay 3D and Extract Surface, make one of points), or "
       "closed polylines with normals around the hole");
   }

@@ -236,8 +236,8 @@ TEST(SoupTarget, DataComeFromWhereThePointsWere)
   const Eigen::Index feature = bump.Feature.Points.rows();
   const Eigen::Index rest = pasted.Surface.Points.rows() - feature;
   const Eigen::MatrixXd positions = pasted.Target.Weights * soup.Points;
-  EXPECT_LT((positions.topRows(rest) - pasted.Surface.Points.topRows(rest)).cwiseAbs().maxCoeff(),
-    1e-12);
+  EXPECT_LT(
+    (positions.topRows(rest) - pasted.Surface.Points.topRows(rest)).cwiseAbs().maxCoeff(), 1e-12);
   EXPECT_TRUE(pasted.Target.Cells.head(SoupTriangles(pasted)).minCoeff() >= 0);
   // Each triangle of the rest lies in the one it comes from.
   for (Eigen::Index t = 0; t < SoupTriangles(pasted); ++t)

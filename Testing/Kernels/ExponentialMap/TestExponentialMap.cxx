@@ -413,8 +413,8 @@ TEST(ExponentialMap, RefusesWhatItCannotUse)
   EXPECT_REFUSED(map.Around(seed, 1.0, { 0, nan, 0 }), "x direction is not finite");
   EXPECT_REFUSED(map.Around(shape::ClosestPoint{}, 1.0), "the seed is not on the surface");
   EXPECT_REFUSED(shape::ExponentialMap(mesh, { true, -1 }), "NormalSmoothing is -1");
-  EXPECT_REFUSED(shape::ExponentialMap(
-                   shape::Surface(mesh.Points, Eigen::MatrixXi(0, 3))), "has no triangles");
+  EXPECT_REFUSED(
+    shape::ExponentialMap(shape::Surface(mesh.Points, Eigen::MatrixXi(0, 3))), "has no triangles");
   shape::Mesh bad = mesh;
   bad.Triangles(3, 1) = 1000;
   EXPECT_THROW(shape::ExponentialMap{ bad }, shape::InvalidInput);

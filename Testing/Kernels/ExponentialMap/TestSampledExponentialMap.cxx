@@ -1,5 +1,5 @@
 #include "ExponentialMap/PatchLayout.h"
-#include "Geometry/PointNormals.h"
+#include "Geometry/Private/PointNormals.h"
 #include "Geometry/SampledSurface.h"
 #include "Support/Refusals.h"
 #include "Support/TestShapes.h"
@@ -50,8 +50,7 @@ Errors ErrorsOnSphere(shape::ExponentialMap map)
   for (std::size_t row = 0; row < patch.Points.size(); ++row)
   {
     const RowVector2d image = patch.Positions.row(static_cast<Eigen::Index>(row));
-    const double error =
-      (image - ExactImage(map.Surface().Points().row(patch.Points[row]))).norm();
+    const double error = (image - ExactImage(map.Surface().Points().row(patch.Points[row]))).norm();
     errors.Mean += error / static_cast<double>(patch.Points.size());
     errors.Largest = std::max(errors.Largest, error);
   }
@@ -93,8 +92,8 @@ TEST(SampledSurface, ConnectsAPlaneByItsDelaunayTriangulation)
     }
     Eigen::Matrix2d sides;
     sides << u, v;
-    const RowVector2d centre =
-      p.row(0) + (0.5 * sides.inverse() * Eigen::Vector2d(u.squaredNorm(), v.squaredNorm())).transpose();
+    const RowVector2d centre = p.row(0) +
+      (0.5 * sides.inverse() * Eigen::Vector2d(u.squaredNorm(), v.squaredNorm())).transpose();
     const double radius = (centre - p.row(0)).norm();
     // A neighbourhood of 24 points is as large as 0.12; at some points it is smaller.
     if (radius < 0.07)
@@ -122,7 +121,8 @@ TEST(SampledSurface, SharesAddUpToTheArea)
     double area = 0.0;
     for (Eigen::Index t = 0; t < samples.Shares.size(); ++t)
     {
-      const Eigen::Matrix3d p = samples.Surface.Points(samples.Surface.Triangles.row(t), Eigen::all);
+      const Eigen::Matrix3d p =
+        samples.Surface.Points(samples.Surface.Triangles.row(t), Eigen::all);
       const RowVector3d u = p.row(1) - p.row(0), v = p.row(2) - p.row(0);
       area += 0.5 * samples.Shares(t) * u.cross(v).norm();
     }
@@ -234,8 +234,9 @@ TEST(SampledExponentialMap, ImagesDoNotDependOnCopiesNorOnThePlace)
     Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, -2, 2).normalized()).toRotationMatrix();
   const Eigen::MatrixXd normals = sphere.Points;
   shape::ExponentialMap given(shape::ConnectSamples(sphere.Points, normals));
-  shape::ExponentialMap moved(shape::ConnectSamples(
-    (sphere.Points * turn.transpose()).rowwise() + RowVector3d(3, 1, 2), normals * turn.transpose()));
+  shape::ExponentialMap moved(
+    shape::ConnectSamples((sphere.Points * turn.transpose()).rowwise() + RowVector3d(3, 1, 2),
+      normals * turn.transpose()));
   const Eigen::VectorXd before = given.Around({ 0, 0, 1 }, 0.8).Distances;
   const Eigen::VectorXd after =
     moved.Around(RowVector3d(0, 0, 1) * turn.transpose() + RowVector3d(3, 1, 2), 0.8).Distances;

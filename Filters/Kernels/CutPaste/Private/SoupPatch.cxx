@@ -153,8 +153,8 @@ void AddImages(const Mesh& soup, const std::vector<int>& points, double distance
 
 } // namespace
 
-RefinedSoup RefineSoup(const Mesh& soup, const RowVector3d& seed, double radius, double length,
-  const Progress& progress)
+RefinedSoup RefineSoup(
+  const Mesh& soup, const RowVector3d& seed, double radius, double length, const Progress& progress)
 {
   RefinedSoup refined{ soup, {}, {} };
   for (int t = 0; t < static_cast<int>(soup.Triangles.rows()); ++t)
@@ -204,11 +204,12 @@ RefinedSoup RefineSoup(const Mesh& soup, const RowVector3d& seed, double radius,
   }
 }
 
-SoupPatch FlattenSoup(const RefinedSoup& refined, const FeatureFootprint& base, const RowVector3d& seed,
-  double radius, double length, const ExponentialMapOptions& options, const Progress& progress)
+SoupPatch FlattenSoup(const RefinedSoup& refined, const FeatureFootprint& base,
+  const RowVector3d& seed, double radius, double length, const ExponentialMapOptions& options,
+  const Progress& progress)
 {
-  // relative to the length of split edges: sheets closer than the first are sampled once, and points
-  // closer to a sampled sheet than the second belong to it
+  // relative to the length of split edges: sheets closer than the first are sampled once, and
+  // points closer to a sampled sheet than the second belong to it
   constexpr double thin = 0.25, same = 0.5;
   const Mesh& soup = refined.Surface;
   std::vector<int> near;

@@ -21,8 +21,8 @@ struct RefinedSoup
   std::vector<std::array<int, 2>> Midpoints; ///< for each new point, the ends of its edge
 };
 
-/// Splits edges of triangles within `radius` of the seed in two, until none is longer than `length`.
-/// Throws Aborted.
+/// Splits edges of triangles within `radius` of the seed in two, until none is longer than
+/// `length`. Throws Aborted.
 RefinedSoup RefineSoup(const Mesh& soup, const Eigen::RowVector3d& seed, double radius,
   double length, const Progress& progress);
 
@@ -37,9 +37,10 @@ struct SoupPatch
   std::vector<int> Triangles;      ///< of the refined soup, with all corners in the patch
 };
 
-/// Maps the points within `radius` of the seed to the plane, by the exponential map of samples among
-/// them. length: that of RefineSoup. The plane is that of the base, on the side on which most
-/// triangles are counter-clockwise, by area. Throws InvalidInput if there are no triangles; Aborted.
+/// Maps the points within `radius` of the seed to the plane, by the exponential map of samples
+/// among them. length: that of RefineSoup. The plane is that of the base, on the side on which most
+/// triangles are counter-clockwise, by area. Throws InvalidInput if there are no triangles;
+/// Aborted.
 SoupPatch FlattenSoup(const RefinedSoup& refined, const FeatureFootprint& base,
   const Eigen::RowVector3d& seed, double radius, double length,
   const ExponentialMapOptions& options, const Progress& progress);

@@ -1,4 +1,4 @@
-#include "Geometry/PointNormals.h"
+#include "Geometry/Private/PointNormals.h"
 
 #include "Base/Errors.h"
 #include "Base/Parallel.h"
@@ -92,8 +92,8 @@ void Orient(const Eigen::MatrixXd& points, const Graph& graph, Eigen::MatrixXd& 
       {
         progress(static_cast<double>(done) / static_cast<double>(order.size()));
       }
-      const bool agrees =
-        before < 0 ? PointsUp(normals.row(node)) : normals.row(node).dot(normals.row(before)) >= 0.0;
+      const bool agrees = before < 0 ? PointsUp(normals.row(node))
+                                     : normals.row(node).dot(normals.row(before)) >= 0.0;
       if (!agrees)
       {
         normals.row(node) *= -1.0;

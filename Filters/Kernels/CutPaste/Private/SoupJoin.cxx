@@ -1,4 +1,4 @@
-#include "CutPaste/SoupJoin.h"
+#include "CutPaste/Private/SoupJoin.h"
 
 #include "Mesh/Topology.h"
 #include "Mesh/UsedPoints.h"
@@ -25,8 +25,7 @@ using Eigen::RowVector3d;
 double DistanceToSegment(const RowVector3d& point, const RowVector3d& a, const RowVector3d& b)
 {
   const double length2 = (b - a).squaredNorm();
-  const double share =
-    length2 > 0.0 ? std::clamp((point - a).dot(b - a) / length2, 0.0, 1.0) : 0.0;
+  const double share = length2 > 0.0 ? std::clamp((point - a).dot(b - a) / length2, 0.0, 1.0) : 0.0;
   return (point - a - share * (b - a)).norm();
 }
 
@@ -126,8 +125,8 @@ private:
   std::vector<std::vector<SeamPoint>> OnLine;
 };
 
-/// The feature's triangles, each split at the seam's points on its edges. pointsOf: for each directed
-/// edge of the loop, the points on it.
+/// The feature's triangles, each split at the seam's points on its edges. pointsOf: for each
+/// directed edge of the loop, the points on it.
 class SplitFeature
 {
 public:
@@ -217,12 +216,11 @@ void MeasureSeam(const Mesh& rest, const std::vector<int>& seam, const std::vect
 
 } // namespace
 
-PastedFeature JoinFeatureAndSoup(const Eigen::MatrixXi& feature,
-  const FeatureFootprint& base, const LoopOnSoup& landing, const Eigen::MatrixXd& deformed)
+PastedFeature JoinFeatureAndSoup(const Eigen::MatrixXi& feature, const FeatureFootprint& base,
+  const LoopOnSoup& landing, const Eigen::MatrixXd& deformed)
 {
   const Eigen::Index all = landing.Rest.Points.rows();
-  const std::vector<int> isUsed =
-    InvertIndices(FindUsedPoints(landing.Rest.Triangles, all), all);
+  const std::vector<int> isUsed = InvertIndices(FindUsedPoints(landing.Rest.Triangles, all), all);
   const Seam seam(base, landing, isUsed);
   // Points that another one replaces are dropped.
   std::vector<int> kept;
