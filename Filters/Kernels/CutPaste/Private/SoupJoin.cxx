@@ -34,8 +34,7 @@ class Seam
 {
 public:
   Seam(const FeatureFootprint& base, const LoopOnSoup& landing, const std::vector<int>& isUsed)
-    : Base(base)
-    , Position(landing)
+    : Position(landing)
     , OnLine(base.Loop.size())
   {
     for (const SeamPoint& point : landing.Seam)
@@ -120,7 +119,6 @@ private:
     return 1e-9 * (this->At(0) - this->At(static_cast<int>(this->OnLine.size()) / 2)).norm();
   }
 
-  const FeatureFootprint& Base;
   const LoopOnSoup& Position;
   std::vector<std::vector<SeamPoint>> OnLine;
 };
