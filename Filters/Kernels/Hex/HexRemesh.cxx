@@ -161,7 +161,8 @@ HexRemeshResult ByGivenPolycube(const Surface& surface, const HexRemeshOptions& 
   return result;
 }
 
-/// Valid hexahedra are better than others, then those with creases, then those that are closer.
+/// Valid hexahedra are better than others, then those with more creases, then those that are
+/// closer.
 bool IsBetter(const HexFit& one, const HexFit& other)
 {
   if ((one.Inverted > 0) != (other.Inverted > 0))
@@ -171,6 +172,11 @@ bool IsBetter(const HexFit& one, const HexFit& other)
   if (one.CreasesKept != other.CreasesKept)
   {
     return one.CreasesKept;
+  }
+  if (const double own = ComputeLength(one.Followed), others = ComputeLength(other.Followed);
+      std::abs(own - others) > 1e-9 * std::max(own, others))
+  {
+    return own > others;
   }
   // Quality divided by distance: twice the scaled Jacobian makes up for twice the distance.
   return one.MinimumScaledJacobian / std::max(one.Distance, 1e-300) >
@@ -290,6 +296,27 @@ void NumberAsGiven(HexFit& fit, const Surface& surface, const Eigen::VectorXi& p
   fit.PatchOf = fit.CreasesKept ? TakeMostFrequent(nearest, fit.PatchOf) : nearest;
 }
 
+/// Finds the lost creases, also those of patches too small to be asked for, and names the longest.
+void FindLostCreases(
+  const Surface& surface, const HexRemeshOptions& options, HexRemeshResult& result)
+{
+  constexpr double tolerance = 1e-6; // of the diagonal: the lines have the same points
+  result.LostCreases = FindUncovered(BuildCreaseLines(surface, FindFeatures(surface, options, 0.0)),
+    result.Fit.Followed, tolerance * ComputeBoxDiagonal(surface));
+  std::vector<CreaseLine>& lost = result.LostCreases;
+  std::stable_sort(lost.begin(), lost.end(),
+    [](const CreaseLine& a, const CreaseLine& b)
+    { return ComputeLength({ a }) > ComputeLength({ b }); });
+  if (!lost.empty())
+  {
+    const Eigen::RowVector3d middle = lost.front().row(lost.front().rows() / 2);
+    result.Reason += "; " + std::to_string(lost.size()) +
+      (lost.size() == 1 ? " crease is lost, near (" : " creases are lost, the longest near (") +
+      FormatNumber(middle(0)) + ", " + FormatNumber(middle(1)) + ", " + FormatNumber(middle(2)) +
+      ")";
+  }
+}
+
 /// Chooses the method by the guides, the option, and whether the surface crosses itself.
 HexRemeshResult Made(const Surface& surface, const HexRemeshOptions& options,
   const HexRemeshGuides& guides, const Progress& progress)
@@ -360,6 +387,7 @@ HexRemeshResult RemeshHexahedra(const Surface& surface, const HexRemeshOptions& 
     options.CellSize = ComputeLongestBoxEdge(surface) / given.CellsOnLongestSide;
   }
   HexRemeshResult result = Made(surface, options, guides, progress);
+  FindLostCreases(surface, options, result);
   if (result.Fit.Released > 0)
   {
     result.Reason += "; " + std::to_string(result.Fit.Released) +

@@ -64,6 +64,10 @@ struct HexRemeshResult
   HexGrid Grid;             ///< whose cells became the hexahedra
   SurfaceFeatures Features; ///< the creases that the hexahedra were asked to follow
   HexRemeshOptions::MethodType Method = HexRemeshOptions::MethodType::Grid; ///< the method used
+  /// All creases of the surface that the hexahedra do not follow, the longest first: the cells are
+  /// too coarse for them or for a patch beside them, or hexahedra would be too bad. Empty if
+  /// regions touch.
+  std::vector<CreaseLine> LostCreases;
   std::string Reason;    ///< why this method was chosen, and which map carried the cells
   double CellSize = 0.0; ///< the size that was used, in the surface's units
   int Crossings = 0;     ///< number of pairs of triangles of the surface that cross
@@ -84,8 +88,9 @@ void RequireOneSize(const HexRemeshOptions& options);
 
 /**
  * Fills a closed surface with hexahedra. No hexahedron is inverted, and the mesh has the surface's
- * topology. The mesh follows the surface's creases and corners, unless hexahedra would become too
- * bad (FitHexahedra).
+ * topology. The mesh follows the surface's creases and corners, except those that its cells are too
+ * coarse for; if hexahedra would become too bad, it follows none (FitHexahedra). Lost creases are
+ * returned, and Reason names the longest.
  *
  * Automatic first tries a polycube. The result is accepted if it keeps the creases and its minimum
  * scaled Jacobian is at least 0.3. Its distance to the surface must also be at most 1 % of the

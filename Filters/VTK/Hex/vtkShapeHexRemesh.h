@@ -68,12 +68,15 @@
  *   values of the PatchArray that no quad has, because these patches are too small. .Corners:
  * number of corners of the surface. .CornersKept: number of these corners that are points of the
  * boundary.
- * - .CreasesKept: 1 if the boundary has all creases, otherwise 0. If the cells are too large for
- *   one crease, no crease is kept. .InnerCreasesKept: 0 if an inner surface has creases, otherwise
- *   1.
+ * - .CreasesKept: 1 if the boundary has all creases that the method tries to keep, otherwise 0. The
+ *   cells are then too large for some creases, and it has the others; or it has none, because
+ *   hexahedra would be too bad. .InnerCreasesKept: 0 if an inner surface has creases, otherwise 1.
+ * - .LostCreases: number of creases of the surface, from corner to corner, that the boundary does
+ * not have, also of patches smaller than 4 cells. If there are any: .LostCreasePositions, a point
+ * in the middle of each, the longest first, and .LostCreaseLengths. They are 0 if regions touch.
  * - .CreaseDistance: the larger one-sided Hausdorff distance between the creases of the surface and
- *   the creases of the boundary. If no crease is kept, it is the distance of the creases of the
- *   surface from the boundary.
+ *   the creases of the boundary, also of creases that are lost. If no crease is kept, it is the
+ * distance of the creases of the surface from the boundary.
  * - .CreaseShare: length of the creases that the method tries to keep, divided by the length of all
  *   edges that are as sharp as a crease. The share is less than 1 if some of these edges end inside
  *   a patch or bound patches smaller than 4 cells. The share is 0 if less than two thirds of the

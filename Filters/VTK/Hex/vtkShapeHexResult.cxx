@@ -235,6 +235,22 @@ void AddRegionFacts(const shape::HexRemeshResult& result, vtkDataObject* output)
   vtkShapeConvert::AddFact(output, "HexRemesh.JunctionsKept", result.JunctionsKept);
 }
 
+/// Adds where the lost creases are, and how long they are.
+void AddLostCreases(const std::vector<shape::CreaseLine>& lost, vtkDataObject* output)
+{
+  Eigen::MatrixXd middles(lost.size(), 3), lengths(lost.size(), 1);
+  for (Eigen::Index i = 0; i < middles.rows(); ++i)
+  {
+    const shape::CreaseLine& line = lost[i];
+    middles.row(i) = line.row(line.rows() / 2);
+    lengths(i) = shape::ComputeLength({ line });
+  }
+  output->GetFieldData()->AddArray(
+    vtkShapeConvert::ToArray(middles, "HexRemesh.LostCreasePositions"));
+  output->GetFieldData()->AddArray(
+    vtkShapeConvert::ToArray(lengths, "HexRemesh.LostCreaseLengths"));
+}
+
 } // namespace
 
 void vtkShapeHexResult::AddFacts(
@@ -258,6 +274,7 @@ void vtkShapeHexResult::AddFacts(
       static_cast<double>(std::set<int>(fit.PatchOf.begin(), fit.PatchOf.end()).size()) },
     { "Corners", static_cast<double>(result.Features.Corners.size()) },
     { "CreasesKept", fit.CreasesKept ? 1.0 : 0.0 },
+    { "LostCreases", static_cast<double>(result.LostCreases.size()) },
     { "CornersKept", static_cast<double>(fit.Creases.CornerPoints.size()) },
     { "CreaseDistance", fit.Creases.Distance },
     { "CreaseShare", result.Features.CurveShare() },
@@ -275,6 +292,10 @@ void vtkShapeHexResult::AddFacts(
   vtkShapeConvert::AddFact(output, "HexRemesh.Method", polycube ? "Polycube" : "Grid");
   vtkShapeConvert::AddFact(output, "HexRemesh.Reason", result.Reason);
   output->GetFieldData()->AddArray(Histogram(fit.Solid));
+  if (!result.LostCreases.empty())
+  {
+    AddLostCreases(result.LostCreases, output);
+  }
   if (!result.Regions.empty())
   {
     AddRegionFacts(result, output);

@@ -21,9 +21,10 @@ CellSize: in hundredths of the diagonal of the surface's box
 
 distance is the larger one-sided Hausdorff distance to the surface in percent of the diagonal of its
 box, crease that between creases, share that of the creases' length that was looked for, bound what
-the worst scaled Jacobian can be at the convex corners that are kept (CornerBound.h); released counts
-points that need not be on the surface; euler and components are those of the hexahedra's boundary,
-wanted those of the surface.)";
+the worst scaled Jacobian can be at the convex corners that are kept (CornerBound.h); lost counts
+creases that are not followed, also of patches too small to ask for, followed the curves that are;
+released counts points that need not be on the surface; euler and components are those of the
+hexahedra's boundary, wanted those of the surface.)";
 
 void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
 {
@@ -61,6 +62,8 @@ void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
                   .Add("corners", result.Features.Corners.size())
                   .Add("cornerskept", fit.Creases.CornerPoints.size())
                   .Add("creases", fit.CreasesKept)
+                  .Add("lost", result.LostCreases.size())
+                  .Add("followed", fit.Followed.size())
                   .Add("crease", 100.0 * fit.Creases.Distance / diagonal)
                   .Add("share", result.Features.CurveShare())
                   .Add("bound", bound)

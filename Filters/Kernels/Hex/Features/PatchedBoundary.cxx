@@ -2,6 +2,7 @@
 
 #include "Hex/Features/Private/CurveResampling.h"
 #include "Hex/Features/Private/QuadPatches.h"
+#include "Hex/Features/Private/UnmatchedCurves.h"
 #include "Mesh/QuadSurface.h"
 
 #include <algorithm>
@@ -98,19 +99,19 @@ std::vector<IndexPair> PairNearestFirst(std::vector<std::pair<double, IndexPair>
 /// corner of each point, or -1; nothing unless every corner, and every point where three or more
 /// patches meet, is in a pair.
 std::optional<std::vector<int>> MatchCorners(const Eigen::MatrixXd& points, const Surface& surface,
-  const SurfaceFeatures& features, const PatchedBoundary& boundary)
+  const SurfaceFeatures& features, const PatchedBoundary& boundary, UnmatchedCurves& unmatched)
 {
   const auto corners = PatchesAroundCorners(surface, features);
   const auto around = PatchesAround(boundary, points.rows());
   std::vector<std::pair<double, IndexPair>> candidates;
-  std::size_t junctions = 0;
+  std::set<int> junctions;
   for (int point = 0; point < static_cast<int>(around.size()); ++point)
   {
     if (around[point].size() < 3)
     {
       continue;
     }
-    ++junctions;
+    junctions.insert(point);
     for (int corner = 0; corner < static_cast<int>(corners.size()); ++corner)
     {
       if (corners[corner] == around[point])
@@ -122,16 +123,30 @@ std::optional<std::vector<int>> MatchCorners(const Eigen::MatrixXd& points, cons
     }
   }
   const std::vector<IndexPair> pairs = PairNearestFirst(std::move(candidates));
-  if (pairs.size() != corners.size() || pairs.size() != junctions)
-  {
-    return std::nullopt;
-  }
   std::vector<int> cornerOf(around.size(), -1);
+  std::vector<char> isPaired(corners.size(), 0);
   for (const auto& [point, corner] : pairs)
   {
     cornerOf[point] = corner;
+    isPaired[corner] = 1;
+    junctions.erase(point);
   }
-  return cornerOf;
+  for (std::size_t corner = 0; corner < corners.size(); ++corner)
+  {
+    if (!isPaired[corner])
+    {
+      unmatched.AddAtCorner(features.Corners[corner]);
+    }
+  }
+  if (pairs.size() < corners.size())
+  {
+    return std::nullopt; // points without a corner may be what these corners became
+  }
+  for (const int point : junctions)
+  {
+    unmatched.AddBetween(around[point], points.row(point));
+  }
+  return junctions.empty() ? std::optional(std::move(cornerOf)) : std::nullopt;
 }
 
 /// Finds the chains between the patches of the quads: first those that end at corners, then closed
@@ -210,12 +225,9 @@ double MeasureDistance(const Eigen::MatrixXd& points, const Chain& chain, const 
 /// Pairs chains with curves between the same patches and corners, the nearest first. Returns the
 /// chain and the curve of each pair; nothing unless every chain and every curve is in a pair.
 std::optional<std::vector<IndexPair>> PairChainsWithCurves(const Eigen::MatrixXd& points,
-  const std::vector<Chain>& chains, const Surface& surface, const SurfaceFeatures& features)
+  const std::vector<Chain>& chains, const Surface& surface, const SurfaceFeatures& features,
+  UnmatchedCurves& unmatched)
 {
-  if (chains.size() != features.Curves.size())
-  {
-    return std::nullopt;
-  }
   std::map<int, int> cornerOf;
   for (std::size_t i = 0; i < features.Corners.size(); ++i)
   {
@@ -240,7 +252,31 @@ std::optional<std::vector<IndexPair>> PairChainsWithCurves(const Eigen::MatrixXd
     }
   }
   std::vector<IndexPair> pairs = PairNearestFirst(std::move(candidates));
-  return pairs.size() == chains.size() ? std::optional(std::move(pairs)) : std::nullopt;
+  std::set<int> freeChains, freeCurves;
+  for (int i = 0; i < static_cast<int>(chains.size()); ++i)
+  {
+    freeChains.insert(freeChains.end(), i);
+  }
+  for (int j = 0; j < static_cast<int>(features.Curves.size()); ++j)
+  {
+    freeCurves.insert(freeCurves.end(), j);
+  }
+  for (const auto& [chain, curve] : pairs)
+  {
+    freeChains.erase(chain);
+    freeCurves.erase(curve);
+  }
+  for (const int curve : freeCurves)
+  {
+    unmatched.Add(curve);
+  }
+  for (const int chain : freeChains)
+  {
+    const std::array<int, 2>& patches = chains[chain].Patches;
+    unmatched.AddBetween(
+      { patches.begin(), patches.end() }, points.row(chains[chain].Points.front()));
+  }
+  return freeChains.empty() && freeCurves.empty() ? std::optional(std::move(pairs)) : std::nullopt;
 }
 
 /// Distributes the points of a chain along its curve; a corner's point goes to the corner.
@@ -268,15 +304,30 @@ void PutOnCurve(const Eigen::MatrixXd& points, const Chain& chain, const Surface
 
 } // namespace
 
-std::optional<PatchedBoundary> MatchFeatures(
-  const HexMesh& mesh, const Surface& surface, const SurfaceFeatures& features)
+std::optional<PatchedBoundary> MatchFeatures(const HexMesh& mesh, const Surface& surface,
+  const SurfaceFeatures& features, std::set<int>& unmatched)
 {
   PatchedBoundary boundary;
   boundary.Quads = FindBoundaryQuads(mesh);
   boundary.Patches = PatchesOf(surface, features);
   boundary.PatchOf = AssignQuadsToPatches(
     mesh.Points, QuadSurface(boundary.Quads), surface, features, boundary.Patches);
-  if (boundary.PatchOf.size() == 0 || !MatchCurves(mesh, surface, features, boundary))
+  const std::set<int> present(boundary.PatchOf.begin(), boundary.PatchOf.end());
+  if (present.empty())
+  {
+    return std::nullopt; // a component of the boundary has no patch
+  }
+  UnmatchedCurves curves(surface, features);
+  for (int patch = 0; patch < features.Patches; ++patch)
+  {
+    if (present.count(patch) == 0)
+    {
+      curves.AddAround(patch);
+    }
+  }
+  unmatched = curves.Indices();
+  if (static_cast<int>(present.size()) < features.Patches ||
+    !MatchCurves(mesh, surface, features, boundary, unmatched))
   {
     return std::nullopt;
   }
@@ -284,15 +335,18 @@ std::optional<PatchedBoundary> MatchFeatures(
 }
 
 bool MatchCurves(const HexMesh& mesh, const Surface& surface, const SurfaceFeatures& features,
-  PatchedBoundary& boundary)
+  PatchedBoundary& boundary, std::set<int>& unmatched)
 {
-  const auto cornerOf = MatchCorners(mesh.Points, surface, features, boundary);
+  UnmatchedCurves curves(surface, features);
+  const auto cornerOf = MatchCorners(mesh.Points, surface, features, boundary, curves);
   if (!cornerOf)
   {
+    unmatched = curves.Indices();
     return false;
   }
   const std::vector<Chain> chains = FindChains(boundary, *cornerOf);
-  const auto pairs = PairChainsWithCurves(mesh.Points, chains, surface, features);
+  const auto pairs = PairChainsWithCurves(mesh.Points, chains, surface, features, curves);
+  unmatched = curves.Indices();
   if (!pairs)
   {
     return false;

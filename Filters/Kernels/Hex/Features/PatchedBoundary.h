@@ -8,6 +8,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -37,15 +38,18 @@ struct PatchedBoundary
  * point around which the corner's patches meet. Returns nothing if this fails, for example because
  * the hexahedra are too coarse for the features.
  *
- * mesh: hexahedra whose boundary is a manifold close to the surface.
+ * mesh: hexahedra whose boundary is a manifold close to the surface. unmatched: gets, if this
+ * fails, the indices of curves without which it may succeed: for each patch without quads, each
+ * corner without a point, each point without a corner and each chain without a curve, the shortest
+ * curve there. Empty if there is none.
  */
-std::optional<PatchedBoundary> MatchFeatures(
-  const HexMesh& mesh, const Surface& surface, const SurfaceFeatures& features);
+std::optional<PatchedBoundary> MatchFeatures(const HexMesh& mesh, const Surface& surface,
+  const SurfaceFeatures& features, std::set<int>& unmatched);
 
 /// Assigns points of the boundary to curves and corners, given the patch of each quad. Returns
 /// false if the curves and corners between these patches do not match the curves and corners of the
-/// surface.
+/// surface; `unmatched` then gets curves as above.
 bool MatchCurves(const HexMesh& mesh, const Surface& surface, const SurfaceFeatures& features,
-  PatchedBoundary& boundary);
+  PatchedBoundary& boundary, std::set<int>& unmatched);
 
 } // namespace shape

@@ -176,14 +176,14 @@ namespace
 /// Adds the layers that creases need. Returns false if these exceed the maximum number of
 /// hexahedra, or if the creases of the result are not the surface's.
 bool AddLayers(HexMesh& mesh, const Surface& surface, const SurfaceFeatures& features, int maximum,
-  PatchedBoundary& boundary)
+  PatchedBoundary& boundary, std::set<int>& unmatched)
 {
   for (const std::vector<int>& patches : PlanLayers(surface, features, boundary))
   {
     PillowPatches(mesh, patches, boundary);
   }
   return (features.Curves.empty() || mesh.Hexahedra.rows() <= maximum) &&
-    MatchCurves(mesh, surface, features, boundary);
+    MatchCurves(mesh, surface, features, boundary, unmatched);
 }
 
 /// The quads that lie on the surface: those of the boundary and, if regions touch, of interfaces.
@@ -213,16 +213,17 @@ void Measure(HexFit& fit, const Surface& surface, const Progress& progress)
 }
 
 /// Fits hexahedra with these features; nothing if the features are not found on the hexahedra.
+/// `unmatched` then gets the curves that are to blame, if any are (MatchFeatures).
 /// 1. MatchFeatures: each quad of the boundary gets a patch, each curve a chain of edges.
 /// 2. Layers: of interfaces, of the whole boundary, and those that creases need (AddLayers).
 /// 3. Boundary points are put on the surface, and all points are smoothed.
 /// 4. OptimizeHexahedra: repairs inverted hexahedra and raises the worst.
 std::optional<HexFit> FitWith(const HexMesh& core, const Surface& surface,
   const SurfaceFeatures& features, const HexFitOptions& options, const InnerInterfaces& interfaces,
-  const Progress& progress)
+  std::set<int>& unmatched, const Progress& progress)
 {
   progress(0.0);
-  std::optional<PatchedBoundary> boundary = MatchFeatures(core, surface, features);
+  std::optional<PatchedBoundary> boundary = MatchFeatures(core, surface, features, unmatched);
   progress(0.0);
   if (!boundary)
   {
@@ -236,7 +237,7 @@ std::optional<HexFit> FitWith(const HexMesh& core, const Surface& surface,
   {
     PillowBoundary(fit.Solid, *boundary);
   }
-  if (!AddLayers(fit.Solid, surface, features, options.MaximumHexahedra, *boundary))
+  if (!AddLayers(fit.Solid, surface, features, options.MaximumHexahedra, *boundary, unmatched))
   {
     return std::nullopt;
   }
@@ -265,6 +266,7 @@ std::optional<HexFit> FitWith(const HexMesh& core, const Surface& surface,
   fit.PatchOf = std::move(boundary->PatchOf);
   Measure(fit, surface, progress.Part(0.95, 1.0, "measuring the distance to the surface"));
   fit.CreasesKept = true;
+  fit.Followed = BuildCreaseLines(surface, features);
   fit.RegionOf = interfaceLayers.Regions(fit.Solid.Hexahedra.rows());
   if (interfaces.Count() > 0)
   {
@@ -275,7 +277,44 @@ std::optional<HexFit> FitWith(const HexMesh& core, const Surface& surface,
   return fit;
 }
 
+/// Fits with all features or, where hexahedra are too coarse for them, with fewer curves; nothing
+/// if no curve is to blame, or too many attempts are needed.
+std::optional<HexFit> FitWithFewer(const HexMesh& core, const Surface& surface,
+  const SurfaceFeatures& features, const HexFitOptions& options, const InnerInterfaces& interfaces,
+  const Progress& progress)
+{
+  constexpr int attempts = 24;
+  SurfaceFeatures fewer = features;
+  for (int attempt = 0; attempt < attempts; ++attempt)
+  {
+    std::set<int> unmatched;
+    std::optional<HexFit> fit =
+      FitWith(core, surface, fewer, options, interfaces, unmatched, progress);
+    if (fit)
+    {
+      fit->CreasesKept = attempt == 0;
+      return fit;
+    }
+    if (unmatched.empty())
+    {
+      break;
+    }
+    fewer = WithoutCurves(surface, fewer, unmatched);
+    if (fewer.Curves.empty())
+    {
+      break;
+    }
+  }
+  return std::nullopt;
+}
+
 } // namespace
+
+double ComputeFollowedShare(const HexFit& fit, const Mesh& surface, const SurfaceFeatures& features)
+{
+  const double whole = ComputeLength(BuildCreaseLines(surface, features));
+  return whole > 0.0 ? std::min(ComputeLength(fit.Followed) / whole, 1.0) : 1.0;
+}
 
 void RequireInRange(const HexMeshOptions& options)
 {
@@ -296,20 +335,21 @@ SurfaceFeatures FindFeatures(const Surface& surface, const HexMeshOptions& optio
                                     : FindFeatures(surface, options.FeatureAngle, minimumArea);
 }
 
-// Fits with the creases first. If that fails or gives bad hexahedra, fits with a single patch and
-// keeps the better result.
+// Fits with as many creases as possible first. If that fails or gives bad hexahedra, fits with a
+// single patch and keeps the better result.
 HexFit FitHexahedra(const HexMesh& core, const Surface& surface, const SurfaceFeatures& features,
   const HexFitOptions& options, const Progress& progress, const InnerInterfaces& interfaces)
 {
   const double first =
     features.Curves.empty() ? 1.0 : 0.7; // without creases there is no second fit
   std::optional<HexFit> fit =
-    FitWith(core, surface, features, options, interfaces, progress.Part(0.0, first));
+    FitWithFewer(core, surface, features, options, interfaces, progress.Part(0.0, first));
   if (!fit ||
     (!features.Curves.empty() && fit->MinimumScaledJacobian < options.MinimumWithFeatures))
   {
+    std::set<int> none;
     std::optional<HexFit> smooth = FitWith(
-      core, surface, RemoveCurves(features), options, interfaces, progress.Part(first, 1.0));
+      core, surface, RemoveCurves(features), options, interfaces, none, progress.Part(first, 1.0));
     if (!fit || smooth.value().MinimumScaledJacobian > fit->MinimumScaledJacobian)
     {
       fit = std::move(smooth);

@@ -3,6 +3,7 @@
 #include "Base/Progress.h"
 #include "Distance/HausdorffDistance.h"
 #include "Geometry/FeatureAngle.h"
+#include "Hex/Features/LostCreases.h"
 #include "Hex/Fit/InnerInterfaces.h"
 #include "Hex/Fit/Snapping.h"
 #include "Mesh/HexMesh.h"
@@ -65,6 +66,11 @@ SurfaceFeatures FindFeatures(
 
 struct HexFit;
 
+/// Returns the fraction of the length of the features' curves that the hexahedra follow; 1 if there
+/// are no curves.
+double ComputeFollowedShare(
+  const HexFit& fit, const Mesh& surface, const SurfaceFeatures& features);
+
 /// Updates the figures that depend on the hexahedra alone: scaled Jacobians and Inverted.
 void Judge(HexFit& fit);
 
@@ -96,9 +102,10 @@ struct HexFit
   int Inverted = 0; ///< hexahedra with a scaled Jacobian <= 0
   /// The larger one-sided Hausdorff distance between the surface and the boundary.
   double Distance = 0.0;
-  /// Whether the hexahedra follow the curves and corners of the surface. They follow all of them or
-  /// none.
+  /// Whether the hexahedra follow all curves and corners of the surface's features.
   bool CreasesKept = false;
+  /// The curves of the features that they follow: chains of edges lie on them.
+  std::vector<CreaseLine> Followed;
   FeatureDeviation Creases; ///< how far the hexahedra's creases are from the surface's
   Eigen::VectorXi RegionOf; ///< m: the region of each hexahedron (RegionCells)
   std::vector<Eigen::MatrixXi>
@@ -118,8 +125,8 @@ struct HexFit
  * corners become points. Then all points are moved to maximise the minimum scaled Jacobian
  * (OptimizeHexahedra).
  *
- * If the hexahedra are too coarse for the creases, or too bad with them, the creases are dropped:
- * the boundary then becomes a single patch.
+ * If the hexahedra are too coarse for a crease, it is given up (WithoutCurves), and they follow the
+ * others. If they are too bad with creases, all are dropped: the boundary is then a single patch.
  *
  * Layers are also added on both sides of each interface. The points of an interface lie on its
  * inner surface, whose creases are not kept.

@@ -3,6 +3,7 @@
 #include "Base/Errors.h"
 #include "Base/FormatNumber.h"
 #include "Distance/HausdorffDistance.h"
+#include "Hex/Grid/Private/FillWithCurves.h"
 #include "Hex/Grid/Private/GridGoals.h"
 #include "Hex/Grid/Private/SeparateSolids.h"
 #include "Hex/Voxels/GridDensity.h"
@@ -67,7 +68,7 @@ void Snap(GridHexesResult& result, const GridBoundary& boundary, const GridGoals
 void Release(GridHexesResult& result, const GridBoundary& boundary, const GridGoals& goals,
   const Progress& progress)
 {
-  const bool hasCreases = result.Fit.CreasesKept && !result.Features.Curves.empty();
+  const bool hasCreases = !result.Fit.Followed.empty();
   const bool isSmooth = !hasCreases && boundary.Inner.empty();
   if (result.Fit.Inverted > 0 ||
     (isSmooth && result.Fit.MinimumScaledJacobian < AcceptedScaledJacobian))
@@ -110,8 +111,9 @@ bool AddSeeds(const GridHexesResult& result, const GridBoundary& boundary,
   {
     addFarOnSurface(boundary.Inner[i], result.Fit.Interfaces[i]);
   }
-  if (result.Fit.CreasesKept)
+  if (result.Fit.CreasesKept || !result.Fit.Followed.empty())
   {
+    // Creases that were given up are far: the next grid has smaller cells there.
     positions.AddDistant(ComputeDistancesToCurves(boundary.Outer, result.Features, solid.Points,
                            result.Fit.Quads, result.Fit.PatchOf),
       goals.CreaseDistance);
@@ -141,19 +143,22 @@ std::optional<GridHexesResult> FillGrid(MultiMaterialVoxels& regions, const Grid
   const double minimum = regions.Outer().CellSizeFor(options.MaximumHexahedra, warp);
   for (; size >= minimum * (1.0 - 1e-9); size *= Shrinkage)
   {
-    if (const std::optional<RegionCells> cells =
-          regions.Fill(size, warp, progress.Part(0.0, 0.1, "filling the surface with a grid")))
+    if (std::optional<GridCells> cells = FillWithCurves(regions, boundary.Outer, options, size,
+          minimum * (1.0 - 1e-9), warp, progress.Part(0.0, 0.1, "filling the surface with a grid")))
     {
       GridHexesResult result;
-      result.CellSize = size;
+      result.CellSize = cells->Size;
       result.Crossings = regions.Outer().Boundary().Crossings;
-      result.Features = FindFeatures(boundary.Outer, options, size);
+      result.Features = std::move(cells->Features);
       HexMeshOptions ofInner = options;
       ofInner.Patches.resize(0); // those of the outer surface
       result.InnerCreasesKept = std::all_of(boundary.Inner.begin(), boundary.Inner.end(),
-        [&](const Surface& inner) { return FindFeatures(inner, ofInner, size).Curves.empty(); });
-      result.Fit = FitHexahedra(cells->Solid, boundary.Outer, result.Features, fitting,
-        progress.Part(0.1, 1.0, "fitting the grid to the surface"), { &*cells, &boundary.Inner });
+        [&](const Surface& inner)
+        { return FindFeatures(inner, ofInner, cells->Size).Curves.empty(); });
+      result.Fit = FitHexahedra(cells->Cells.Solid, boundary.Outer, result.Features, fitting,
+        progress.Part(0.1, 1.0, "fitting the grid to the surface"),
+        { &cells->Cells, &boundary.Inner });
+      result.FollowedShare = ComputeFollowedShare(result.Fit, boundary.Outer, result.Features);
       return result;
     }
   }

@@ -37,8 +37,10 @@ struct GridHexesResult
 {
   HexFit Fit;               ///< the hexahedra; distances are measured to the solid's boundary
   SurfaceFeatures Features; ///< creases around patches at least as large as 4 cell faces
-  double CellSize = 0.0;    ///< the size of cells outside the refined parts
-  int Crossings = 0;        ///< number of pairs of triangles of the surface that cross
+  /// The fraction of the features' length that the hexahedra follow (ComputeFollowedShare).
+  double FollowedShare = 1.0;
+  double CellSize = 0.0; ///< the size of cells outside the refined parts
+  int Crossings = 0;     ///< number of pairs of triangles of the surface that cross
   /// False if the surface crosses itself and no two successive grids agree on the Euler number and
   /// the number of components. The result then has the topology of one grid of medium cell size.
   bool TopologyAgreed = true;

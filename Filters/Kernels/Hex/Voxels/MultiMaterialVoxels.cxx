@@ -120,7 +120,7 @@ std::vector<Surface> MultiMaterialVoxels::InnerSurfaces() const
 }
 
 std::optional<RegionCells> MultiMaterialVoxels::Fill(
-  double size, const GridDensity& warp, const Progress& progress)
+  double size, const GridDensity& warp, const Progress& progress, VoxelRule rule)
 {
   const SampledGrid grid = this->Whole.Grid(size, warp);
   std::vector<std::vector<char>> insides;
@@ -147,7 +147,8 @@ std::optional<RegionCells> MultiMaterialVoxels::Fill(
   {
     TopologyPreservingVoxels& solid = s == 0 ? this->Whole : this->Parts[s - 1];
     std::optional<std::vector<char>> inside = solid.CellsInside(grid, warp, accepts,
-      progress.Part(static_cast<double>(s) / surfaces, (static_cast<double>(s) + 1.0) / surfaces));
+      progress.Part(static_cast<double>(s) / surfaces, (static_cast<double>(s) + 1.0) / surfaces),
+      rule);
     if (!inside)
     {
       return std::nullopt;

@@ -49,8 +49,8 @@ public:
   /// Returns cells of a grid that is uniform in the warped space, mapped back into the solid.
   /// Returns nothing if the cells are too coarse for the surfaces. Throws whatever
   /// TopologyPreservingVoxels::Fill throws.
-  std::optional<RegionCells> Fill(
-    double size, const GridDensity& warp, const Progress& progress = {});
+  std::optional<RegionCells> Fill(double size, const GridDensity& warp,
+    const Progress& progress = {}, VoxelRule rule = VoxelRule::Connected);
 
 private:
   TopologyPreservingVoxels Whole;

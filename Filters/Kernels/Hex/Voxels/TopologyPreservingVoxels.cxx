@@ -10,8 +10,8 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <iterator>
 #include <string>
 
 namespace shape
@@ -115,7 +115,9 @@ namespace
 
 /// The levels, in cells, below which a cell counts as inside, in the order of trial: a little above
 /// 0 keeps thin parts connected.
-constexpr double Reaches[] = { 0.15, 0.0, 0.3, -0.15 };
+constexpr std::array<double, 4> Reaches = { 0.15, 0.0, 0.3, -0.15 };
+/// The same for VoxelRule::Centres: at 0, cells along a plane change together, also at its edges.
+constexpr std::array<double, 4> CentredReaches = { 0.0, 0.15, -0.15, 0.3 };
 /// The maximum distance, in cells, of the surface from the cells on either side of it.
 constexpr double CoverReach = 0.7;
 
@@ -190,7 +192,7 @@ SampledGrid TopologyPreservingVoxels::Grid(double size, const GridDensity& warp)
 
 std::optional<std::vector<char>> TopologyPreservingVoxels::CellsInside(const SampledGrid& grid,
   const GridDensity& warp, const std::function<bool(const std::vector<char>& inside)>& accepts,
-  const Progress& progress)
+  const Progress& progress, VoxelRule rule)
 {
   // 1. SampleDistances: the signed distance at the cells' centres.
   // 2. For each reach in turn: FindVoxelSolid (well-composed cells inside), KeepLargestParts,
@@ -208,9 +210,11 @@ std::optional<std::vector<char>> TopologyPreservingVoxels::CellsInside(const Sam
   constexpr unsigned int seed = 1;
   const Eigen::MatrixXd positions = SampleRandomly(
     bounding, static_cast<int>(positionsPerCell * ComputeArea(bounding) / (size * size)), seed);
-  for (const double& reach : Reaches)
+  const std::array<double, 4>& reaches = rule == VoxelRule::Centres ? CentredReaches : Reaches;
+  for (std::size_t i = 0; i < reaches.size(); ++i)
   {
-    const double tried = static_cast<double>(&reach - Reaches) / std::size(Reaches);
+    const double reach = reaches[i];
+    const double tried = static_cast<double>(i) / reaches.size();
     const Progress part = progress.Part(0.6 + 0.4 * tried, 1.0);
     part(0.0);
     // A cell is inside if its distance is below the reach.

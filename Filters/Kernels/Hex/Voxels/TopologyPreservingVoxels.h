@@ -20,6 +20,13 @@ namespace shape
 /// Levels (SampleDistances) equal the signed distance up to this number of cells from the surface.
 inline constexpr double LevelBand = 2.0;
 
+/// Which cells are tried first as those inside a solid.
+enum class VoxelRule
+{
+  Connected, ///< also those whose centres are slightly outside: thin parts stay connected
+  Centres ///< those whose centres are inside: the rows of cells along edges of the solid are even
+};
+
 /// Returns a grid of cubic cells around points (n x 3), without values. Its outermost cells lie
 /// outside the points' bounding box. size: the edge length of a cell, > 0. Throws InvalidInput if
 /// the grid would have more than 2e8 cells.
@@ -85,7 +92,7 @@ public:
   /// and that `accepts` accepts, or nothing if there is none.
   std::optional<std::vector<char>> CellsInside(const SampledGrid& grid, const GridDensity& warp,
     const std::function<bool(const std::vector<char>& inside)>& accepts,
-    const Progress& progress = {});
+    const Progress& progress = {}, VoxelRule rule = VoxelRule::Connected);
 
 private:
   bool HasTopology(const HexMesh& cubes);

@@ -157,13 +157,7 @@ Eigen::VectorXi AssignQuadsToPatches(const Eigen::MatrixXd& points, const QuadSu
     boundary, FindCornerRings(surface, features),
     [&](int quad, int patch) { return locators[patch].Find(centres.row(quad)).Distances(0); },
     patchOf);
-  std::vector<char> present(features.Patches, 0);
-  for (const int patch : patchOf)
-  {
-    present[patch] = 1;
-  }
-  return std::find(present.begin(), present.end(), 0) == present.end() ? patchOf
-                                                                       : Eigen::VectorXi();
+  return patchOf;
 }
 
 } // namespace shape

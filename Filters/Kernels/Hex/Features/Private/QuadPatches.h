@@ -18,7 +18,7 @@ namespace shape
  * the patch of its piece. A quad joins another patch if three of its edges border this patch.
  * Finally corners are matched (MatchCornerValences) and pinches are removed (SplitPinches).
  *
- * Returns the patch of each quad. The result is empty if a patch gets no quad, or if a component of
+ * Returns the patch of each quad. A patch may get no quad. The result is empty if a component of
  * the quads gets no patch.
  */
 Eigen::VectorXi AssignQuadsToPatches(const Eigen::MatrixXd& points, const QuadSurface& quads,

@@ -15,6 +15,9 @@ constexpr double AcceptedShare = 0.01;
 /// NearDistance as a multiple of AcceptedDistance.
 constexpr double NearFactor = 2.0;
 
+/// What creases add to the score where hexahedra follow nearly all of them: less than for all.
+constexpr double PartlyKept = 0.5;
+
 /// Returns the distance that the search reduces.
 double DistanceThatCounts(const GridHexesResult& result)
 {
@@ -71,7 +74,7 @@ double Score(const GridHexesResult& result, const GridGoals& goals)
   return std::min(fit.MinimumScaledJacobian / goals.ScaledJacobian, 1.0) +
     std::min(goals.Distance / DistanceThatCounts(result), 1.0) +
     std::min(goals.CreaseDistance / fit.Creases.Distance, 1.0) + (accepted ? 1.0 : 0.0) +
-    (fit.CreasesKept ? 1.0 : 0.0);
+    (fit.CreasesKept ? 1.0 : PartlyKept * result.FollowedShare);
 }
 
 } // namespace shape

@@ -133,6 +133,7 @@ HexFit JoinFits(const std::vector<HexFit>& fits)
     joined.Released += fit.Released;
     joined.Distance = std::max(joined.Distance, fit.Distance);
     joined.CreasesKept = joined.CreasesKept && fit.CreasesKept;
+    joined.Followed.insert(joined.Followed.end(), fit.Followed.begin(), fit.Followed.end());
     joined.Creases.Distance = std::max(joined.Creases.Distance, fit.Creases.Distance);
     for (const int point : fit.Creases.CornerPoints)
     {

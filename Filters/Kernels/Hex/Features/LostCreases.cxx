@@ -1,0 +1,108 @@
+#include "Hex/Features/LostCreases.h"
+
+#include "Search/ClosestPoint.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace shape
+{
+namespace
+{
+
+/// Returns the edges of polylines as triangles without area.
+Mesh BuildEdges(const std::vector<CreaseLine>& lines)
+{
+  Eigen::Index points = 0;
+  for (const CreaseLine& line : lines)
+  {
+    points += line.rows();
+  }
+  Mesh mesh{ Eigen::MatrixXd(points, 3),
+    Eigen::MatrixXi(points - static_cast<Eigen::Index>(lines.size()), 3) };
+  Eigen::Index first = 0, edge = 0;
+  for (const CreaseLine& line : lines)
+  {
+    mesh.Points.middleRows(first, line.rows()) = line;
+    for (Eigen::Index i = 0; i + 1 < line.rows(); ++i)
+    {
+      const auto begin = static_cast<int>(first + i);
+      mesh.Triangles.row(edge++) << begin, begin + 1, begin + 1;
+    }
+    first += line.rows();
+  }
+  return mesh;
+}
+
+/// Returns the points of a polyline and the middles of its edges.
+Eigen::MatrixXd SampleLine(const CreaseLine& line)
+{
+  Eigen::MatrixXd samples(2 * line.rows() - 1, 3);
+  samples.topRows(line.rows()) = line;
+  samples.bottomRows(line.rows() - 1) =
+    0.5 * (line.topRows(line.rows() - 1) + line.bottomRows(line.rows() - 1));
+  return samples;
+}
+
+} // namespace
+
+std::vector<CreaseLine> BuildCreaseLines(const Mesh& surface, const SurfaceFeatures& features)
+{
+  std::vector<CreaseLine> lines;
+  for (const FeatureCurve& curve : features.Curves)
+  {
+    std::vector<int> points = curve.Points;
+    if (curve.Closed)
+    {
+      points.push_back(points.front());
+    }
+    lines.emplace_back(surface.Points(points, Eigen::all));
+  }
+  return lines;
+}
+
+double ComputeLength(const std::vector<CreaseLine>& lines)
+{
+  double length = 0.0;
+  for (const CreaseLine& line : lines)
+  {
+    length +=
+      (line.bottomRows(line.rows() - 1) - line.topRows(line.rows() - 1)).rowwise().norm().sum();
+  }
+  return length;
+}
+
+std::vector<CreaseLine> FindUncovered(
+  const std::vector<CreaseLine>& lines, const std::vector<CreaseLine>& others, double tolerance)
+{
+  if (others.empty())
+  {
+    return lines;
+  }
+  const SurfaceLocator near(BuildEdges(others));
+  std::vector<CreaseLine> uncovered;
+  std::copy_if(lines.begin(), lines.end(), std::back_inserter(uncovered),
+    [&](const CreaseLine& line)
+    { return near.Find(SampleLine(line)).Distances.maxCoeff() > tolerance; });
+  return uncovered;
+}
+
+SurfaceFeatures WithoutCurves(
+  const Surface& surface, const SurfaceFeatures& features, const std::set<int>& curves)
+{
+  std::vector<int> groupOf(features.Patches);
+  std::iota(groupOf.begin(), groupOf.end(), 0);
+  for (const int curve : curves)
+  {
+    const auto [one, other] = features.Curves[curve].Patches;
+    std::replace(groupOf.begin(), groupOf.end(), int(groupOf[one]), int(groupOf[other]));
+  }
+  const Eigen::Map<const Eigen::VectorXi> groups(
+    groupOf.data(), static_cast<Eigen::Index>(groupOf.size()));
+  SurfaceFeatures fewer = FindFeatures(surface, groups(features.PatchOf).eval(), 0.0);
+  fewer.CreaseLength = features.CreaseLength;
+  fewer.CurveLength = std::min(fewer.CurveLength, features.CurveLength);
+  return fewer;
+}
+
+} // namespace shape
