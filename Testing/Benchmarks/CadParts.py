@@ -2,19 +2,20 @@
 0 to 20 (cadparts.py), which Gmsh's OpenCASCADE makes: fifteen to choose parameters with, fifteen to assert on.
 
     python3 Testing/Benchmarks/CadParts.py [--half choosing|asserting|both] [--limit 300]
-        [--hexahedra 200000] [--keep FOLDER] [--peers] [PART ...]
+        [--cells 0] [--keep FOLDER] [--peers] [PART ...]
 
 Of each part: it ends within the limit, no hexahedron is inverted, and the boundary has the part's Euler
 number and number of components. Of all of them: see FIGURES. Each part whose creases are not kept, or far,
-is named, with the creases and where they are. The program gmsh is Debian's. --hexahedra: at most so many in
-each, for short runs; the filter's default is 200,000. --peers: also the rows of HexPeers.py's peers, for
-which pvpython has to run this script (Utilities/pvpython.sh).
+is named, with its lost creases and where the longest is. The program gmsh is Debian's. --cells: coarse cells
+for short runs, of a size that gives about so many before layers; 0: the filter's own size. --peers: also the
+rows of HexPeers.py, for which pvpython has to run this script (Utilities/pvpython.sh).
 
 Columns: triangles and genus of the part; hexahedra, least and mean scaled Jacobian, and the largest that
 the least could be at the convex corners (bound); the larger one-sided Hausdorff distance between surface and
-boundary, and that between their creases, in % of the diagonal; whether creases are kept; how many curves of
-the part are followed, and CPU seconds.
+boundary, and that between their creases, in % of the diagonal; whether creases are kept, how many are lost
+and followed, and the share of their length that was looked for; CPU seconds and MiB.
 """
+import math
 import os
 import tempfile
 
@@ -27,8 +28,7 @@ FIGURES = (
     ('least scaled Jacobian >= 0.3', 90, lambda row: row['min'] >= 0.3),
 )
 COLUMNS = ('part:<16', 'method:<9', 'triangles:9d', 'genus:5d', 'hexes:7d', 'min:7.3f', 'mean:6.3f',
-           'bound:6.3f', 'distance:8.3f', 'creases:7d', 'crease:7.3f', 'patches:7d', 'corners:7d',
-           'cornerskept:11d', 'share:6.3f', 'cpu:7.1f', 'mib:6.0f')
+           'bound:6.3f', 'distance:8.3f', 'creases:7d', 'lost:5d', 'followed:8d', 'crease:7.3f', 'share:6.3f', 'cpu:7.1f', 'mib:6.0f')
 
 
 def fault(row):
@@ -38,6 +38,12 @@ def fault(row):
     if (row['euler'], row['components']) != (row['wantedeuler'], row['wantedcomponents']):
         return 'the Euler number is %g of %g' % (row['euler'], row['wantedeuler'])
     return ''
+
+
+def cell_size(points, triangles, cells):
+    """Of so many cells, in hundredths of the diagonal; 0 if `cells` is 0."""
+    diagonal = math.dist(*([bound(coordinates) for coordinates in zip(*points)] for bound in (min, max)))
+    return cells and 100.0 * (cadparts.volume(points, triangles) / cells) ** (1.0 / 3.0) / diagonal
 
 
 def compare_peers(path, name, folder, claims):
@@ -55,7 +61,7 @@ def measure(options, names, folder, claims):
     for name in names:
         path, points, triangles = cadparts.write(name, folder)
         found = program.run('hex', path, options.method, seconds=options.limit,
-                            MaximumHexahedra=options.hexahedra)
+                            CellSize=cell_size(points, triangles, options.cells))
         row = dict(found.row(), part=name, triangles=len(triangles),
                    genus=cadparts.genus(points, triangles)) if not found.error else None
         rows[name] = row
@@ -71,7 +77,7 @@ def main():
     parser = sweep.parser(__doc__)
     parser.add_argument('--half', choices=('choosing', 'asserting', 'both'), default='asserting')
     parser.add_argument('--limit', type=float, default=300.0, help='seconds for each')
-    parser.add_argument('--hexahedra', type=int, default=200000, help='at most so many')
+    parser.add_argument('--cells', type=float, default=0.0, help='about so many; 0: automatic')
     parser.add_argument('--method', default='Automatic')
     parser.add_argument('--keep', help="a folder for the parts' files")
     parser.add_argument('--peers', action='store_true')

@@ -46,6 +46,8 @@ PLACES = 200000
 FEATURE_ANGLE = 40.0  # between normals, in degrees; Shape Hex Remesh's default
 CLOSE = 0.1  # how far a peer's number of cells may be from ours
 LIMIT = 1200.0  # seconds for one command
+COLUMNS = ('model:<10', 'method:<26', 'cells:8d', 'hexahedra:9d', 'share:6.1f', 'least:8.3f',
+           'mean:6.3f', 'inverted:8d', 'H:7.3f', 'cpu:8.1f', 'wall:8.1f')
 
 GMSH = '''Merge "model.stl";
 ClassifySurfaces{%(angle)g * Pi / 180, 1, 1, Pi};
@@ -258,8 +260,7 @@ def main():
     parser.add_argument('--keep', help="a folder for the peers' files")
     options = parser.parse_args()
     claims = sweep.Claims()
-    table = sweep.Table('model:<10', 'method:<26', 'cells:8d', 'hexahedra:9d', 'share:6.1f', 'least:8.3f',
-                        'mean:6.3f', 'inverted:8d', 'H:7.3f', 'cpu:8.1f', 'wall:8.1f')
+    table = sweep.Table(*COLUMNS)
     with tempfile.TemporaryDirectory(prefix='shapemap-peers-') as temporary:
         for name, path in sweep.models(options, ['fandisk', 'bunny00']):
             compare(triangulated(off.read(path)), name, options.keep or temporary, table, claims)

@@ -7,9 +7,9 @@ import tempfile
 
 import numpy
 from paraview import simple
-from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkRectilinearGrid
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
 from vtkmodules.vtkFiltersVerdict import vtkMeshQuality
@@ -123,6 +123,7 @@ solid, boundary = shapetesting.output(remesh, 0), shapetesting.output(remesh, 1)
 own = check(solid, boundary, 2)
 assert own.min() > 0.3, own.min()
 assert fact(solid, 'HexRemesh.CreasesKept') == 1 and fact(solid, 'HexRemesh.Patches') == 3
+assert fact(solid, 'HexRemesh.LostCreases') == 0
 assert words(solid, 'HexRemesh.Method') in ('Polycube', 'Grid') and words(solid, 'HexRemesh.Reason')
 volume = 2.0 * 60.0 * 0.5 * 0.25 * numpy.sin(numpy.pi / 30.0)
 sized = simple.IntegrateVariables(Input=simple.CellSize(Input=remesh))
@@ -303,6 +304,32 @@ for surface, size, euler in ((box, 0.25, 2), (ellipsoid, 0.15, 2), (tube, 0.2, 0
     assert words(solid, 'HexRemesh.Reason').startswith('the Polycube is given')
     if surface is box:
         assert own.min() > 0.999 and fact(solid, 'HexRemesh.CreasesKept') == 1
+
+# A cube with a small cube on its top, whose creases are lost: the facts say where they are.
+steps = vtkRectilinearGrid()
+steps.SetDimensions(4, 4, 3)
+for put, values in ((steps.SetXCoordinates, (0.0, 1.5, 1.6, 3.0)),
+                    (steps.SetYCoordinates, (0.0, 1.5, 1.6, 3.0)),
+                    (steps.SetZCoordinates, (0.0, 3.0, 3.1))):
+    put(numpy_to_vtk(numpy.array(values), deep=True))
+filled = numpy_to_vtk(numpy.array([1] * 9 + [0] * 4 + [1] + [0] * 4), deep=True)
+filled.SetName('Filled')
+steps.GetCellData().AddArray(filled)
+boxes = simple.TrivialProducer()
+boxes.GetClientSideObject().SetOutput(steps)
+solids = simple.Threshold(Input=boxes, Scalars=['CELLS', 'Filled'], LowerThreshold=1, UpperThreshold=1)
+boss = simple.Clean(Input=simple.Triangulate(Input=simple.ExtractSurface(Input=solids)))
+remesh = simple.ShapeHexRemesh(Surface=boss, CellSize=0.6, Method='Grid')
+remesh.UpdatePipeline()
+solid = shapetesting.output(remesh, 0)
+check(solid, shapetesting.output(remesh, 1), 2)
+assert fact(solid, 'HexRemesh.LostCreases') == 12 and '12 creases are lost' in words(solid, 'HexRemesh.Reason')
+facts = shapetesting.facts(solid)
+middles = vtk_to_numpy(facts.GetArray('HexRemesh.LostCreasePositions')).reshape(-1, 3)
+assert middles.shape == (12, 3) and abs(middles - (1.55, 1.55, 3.05)).max() < 0.05 + 1e-6
+lengths = vtk_to_numpy(facts.GetArray('HexRemesh.LostCreaseLengths'))
+assert abs(lengths - 0.1).max() < 1e-6
+
 given = shapetesting.output(polycube, 1)
 without = shapetesting.copy(given)
 without.GetPointData().RemoveArray('SourcePosition')

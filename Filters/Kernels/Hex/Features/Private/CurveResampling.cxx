@@ -83,6 +83,14 @@ public:
     return part;
   }
 
+  /// Whether the part between two arc lengths turns by more than about 3 degrees: of an arc of a
+  /// circle, 1 - chord / length is about the square of its angle divided by 24.
+  bool Bends(double begin, double end) const
+  {
+    constexpr double maximum = 1e-4;
+    return (this->At(end) - this->At(begin)).norm() < (1.0 - maximum) * (end - begin);
+  }
+
   /// Returns the arc length at the point closest to a position.
   double Nearest(const Eigen::RowVector3d& position) const
   {
@@ -151,10 +159,20 @@ public:
       double low = here, high = here;
       if (!this->Fixed[i])
       {
-        constexpr double reach = 4.0; // mean steps
-        const double maximum = reach * this->Step();
-        low = std::max(here - maximum, this->Bound(i, this->Scale > 0.0 ? -1 : 1, -1.0));
-        high = std::min(here + maximum, this->Bound(i, this->Scale > 0.0 ? 1 : -1, 1.0));
+        const auto bound = [&](double reach)
+        {
+          const double maximum = reach * this->Step();
+          low = std::max(here - maximum, this->Bound(i, this->Scale > 0.0 ? -1 : 1, -1.0));
+          high = std::min(here + maximum, this->Bound(i, this->Scale > 0.0 ? 1 : -1, 1.0));
+        };
+        // In mean steps. Where the curve bends, edges of the chain must differ little in length:
+        // the distance between both grows with the square of the longest edge.
+        constexpr double straight = 4.0, curved = 0.4;
+        bound(straight);
+        if (this->Along.Bends(low, high))
+        {
+          bound(curved);
+        }
       }
       result.Positions.row(static_cast<Eigen::Index>(i)) = this->Along.At(here);
       result.Spans.push_back(this->Along.Part(low, high));

@@ -17,7 +17,7 @@ struct CurvePositions
   Eigen::MatrixXd Positions; ///< n x 3
   /// For each of the n points: the part of the curve around its position, as a polyline (k x 3), or
   /// one row if the point is fixed. Points that could move along the whole curve would cut off its
-  /// bends.
+  /// bends: where the curve bends, the part is shorter than half a step of the chain to each side.
   std::vector<Eigen::MatrixXd> Spans;
 };
 
