@@ -27,6 +27,9 @@ using MethodType = HexRemeshOptions::MethodType;
 
 /// Hexahedra of a polycube that are this good are accepted without comparison with a grid.
 constexpr double MinimumScaledJacobian = 0.3, LargestDistance = 0.01;
+/// Snapping seldom brings a polycube from farther than this, as a fraction of the diagonal, to
+/// LargestDistance: a grid is tried first.
+constexpr double SnappedDistance = 2.0 * LargestDistance;
 
 /// Returns the options of one method.
 template <typename MethodOptions>
@@ -102,20 +105,22 @@ PolycubeHexesResult WithNearCreases(const Surface& surface, PolycubeHexesOptions
   return coarse;
 }
 
-/// Snaps to the surface in the same way as BuildGridHexahedra.
-void SnapIfFar(HexFit& fit, const Surface& surface, const Progress& progress)
+/// Snaps to the surface in the same way as BuildGridHexahedra, unless it is farther than
+/// `farthest`.
+void SnapIfFar(HexFit& fit, const Surface& surface, const Progress& progress,
+  double farthest = std::numeric_limits<double>::infinity())
 {
   SnappingOptions options;
   options.WantedDistance = GridHexesOptions().WantedDistance * ComputeBoxDiagonal(surface);
-  if (fit.Inverted == 0 && fit.Distance > options.WantedDistance)
+  if (fit.Inverted == 0 && fit.Distance > options.WantedDistance && fit.Distance <= farthest)
   {
     SnapToSurface(fit, surface, options, progress);
   }
 }
 
-/// Cells of a polycube, made smaller if creases are too far, then snapped.
-HexRemeshResult ByPolycube(
-  const Surface& surface, const HexRemeshOptions& options, const Progress& progress)
+/// Cells of a polycube, made smaller if creases are too far, then snapped (SnapIfFar).
+HexRemeshResult ByPolycube(const Surface& surface, const HexRemeshOptions& options,
+  const Progress& progress, double farthest = std::numeric_limits<double>::infinity())
 {
   const auto polycube = OfMethod<PolycubeHexesOptions>(options);
   const bool isAutomatic = options.CellSize == 0.0;
@@ -124,7 +129,8 @@ HexRemeshResult ByPolycube(
   {
     result = WithNearCreases(surface, polycube, std::move(result), progress.Part(0.95, 0.97));
   }
-  SnapIfFar(result.Fit, surface, progress.Part(0.97, 1.0, "moving the boundary onto the surface"));
+  SnapIfFar(result.Fit, surface, progress.Part(0.97, 1.0, "moving the boundary onto the surface"),
+    farthest);
   const char* maps[] = {
     "mapped by the harmonic map of the polycube's boundary",
     "mapped by the map of tetrahedra onto the polycube, because the harmonic map of its boundary "
@@ -194,7 +200,7 @@ HexRemeshResult ByTheBetter(
   // Whether a grid follows is known only after the polycube: either way, progress is not far off.
   try
   {
-    polycube = ByPolycube(surface, options, progress.Part(0.0, 0.8));
+    polycube = ByPolycube(surface, options, progress.Part(0.0, 0.8), SnappedDistance * diagonal);
     const HexFit& fit = polycube->Fit;
     if (fit.CreasesKept && fit.MinimumScaledJacobian >= MinimumScaledJacobian &&
       fit.Distance <= LargestDistance * diagonal)
@@ -211,13 +217,18 @@ HexRemeshResult ByTheBetter(
   {
     why = failure.what();
   }
-  HexRemeshResult grid = ByGrid(surface, options, progress.Part(0.8, 1.0));
+  HexRemeshResult grid = ByGrid(surface, options, progress.Part(0.8, 0.97));
   if (!polycube)
   {
     grid.Reason = "no polycube: " + why;
   }
   else if (IsBetter(polycube->Fit, grid.Fit))
   {
+    if (polycube->Fit.Distance > SnappedDistance * diagonal)
+    {
+      SnapIfFar(
+        polycube->Fit, surface, progress.Part(0.97, 1.0, "moving the boundary onto the surface"));
+    }
     polycube->Reason = "better than a grid: a polycube with " + polycube->Reason;
     return std::move(*polycube);
   }

@@ -66,6 +66,7 @@ public:
   {
     const Eigen::MatrixXd before = this->Solid.Points;
     const std::vector<char> freedoms = this->Constraint.Freedoms;
+    const std::vector<FarPosition> far = this->Far;
     const double reached = this->Reached;
     const double minimum = Floor(options, ComputeScaledJacobians(this->Solid).minCoeff());
     std::vector<char> marked = this->Snap();
@@ -84,12 +85,16 @@ public:
       OptimizeHexahedra(this->Solid, this->Constraint, optimization, progress.Part(0.0, 0.8));
     const bool isBad = result.MinimumAfter < minimum;
     const bool hasCulprits = isBad && this->HalveCulprits(freedoms, minimum);
-    this->Compare(progress.Part(0.8, 0.9));
+    if (!isBad)
+    {
+      this->Compare(progress.Part(0.8, 1.0));
+    }
     if (isBad || this->Reached >= reached)
     {
       this->Solid.Points = before;
       this->Constraint.Freedoms = freedoms;
-      this->Compare(progress.Part(0.9, 1.0));
+      this->Far = far;
+      this->Reached = reached;
       return hasCulprits;
     }
     return true;

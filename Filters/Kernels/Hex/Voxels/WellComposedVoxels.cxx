@@ -133,30 +133,65 @@ private:
   int Flips = 0;
 };
 
-/// Returns the distance of a position, in a cell's coordinates in [0, 1], from the nearest adjacent
-/// cell on the other side; 2 if there is none.
-double DistanceToOtherSide(const SampledGrid& grid, const std::vector<char>& inside,
-  const Eigen::RowVector3i& cell, const Eigen::RowVector3d& position)
+/// The cells around one cell, by their steps from it, that are on the other side.
+class OtherSide
 {
-  const char here = inside[grid.Index(cell(0), cell(1), cell(2))];
-  double minimum = 4.0;
-  for (int z = -1; z <= 1; ++z)
+public:
+  OtherSide(
+    const SampledGrid& grid, const std::vector<char>& inside, const Eigen::RowVector3i& cell)
   {
-    for (int y = -1; y <= 1; ++y)
+    const int centre = grid.Index(cell(0), cell(1), cell(2));
+    const int strideY = grid.Counts(0), strideZ = grid.Counts(0) * grid.Counts(1);
+    for (int z = -1; z <= 1; ++z)
     {
-      for (int x = -1; x <= 1; ++x)
+      for (int y = -1; y <= 1; ++y)
       {
-        if (inside[grid.Index(cell(0) + x, cell(1) + y, cell(2) + z)] != here)
+        for (int x = -1; x <= 1; ++x)
         {
-          const Eigen::Array3d step(x, y, z), at = position.transpose().array();
-          const Eigen::Array3d gap = (step > 0).select(1.0 - at, (step < 0).select(at, 0.0));
-          minimum = std::min(minimum, gap.square().sum());
+          if (inside[centre + x + strideY * y + strideZ * z] != inside[centre])
+          {
+            this->Steps[this->Count++] = { x, y, z };
+          }
         }
       }
     }
   }
-  return std::sqrt(minimum);
-}
+
+  /// Returns the distance of the nearest of these cells from a position in the cell's coordinates,
+  /// in [0, 1]; 2 if there are none.
+  double DistanceTo(const Eigen::RowVector3d& position) const
+  {
+    double minimum = 4.0;
+    for (int i = 0; i < this->Count; ++i)
+    {
+      double square = 0.0;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const int step = this->Steps[i][axis];
+        const double gap = step > 0 ? 1.0 - position(axis) : step < 0 ? position(axis) : 0.0;
+        square += gap * gap;
+      }
+      minimum = std::min(minimum, square);
+    }
+    return std::sqrt(minimum);
+  }
+
+private:
+  std::array<std::array<int, 3>, 26> Steps;
+  int Count = 0;
+};
+
+/// A position, ordered by its cell, then by its row.
+struct PositionInCell
+{
+  int Cell;
+  int Row;
+
+  bool operator<(const PositionInCell& other) const
+  {
+    return this->Cell != other.Cell ? this->Cell < other.Cell : this->Row < other.Row;
+  }
+};
 
 /// Marks the outermost cells of the grid.
 std::vector<char> OnSides(const SampledGrid& grid)
@@ -223,10 +258,12 @@ int CoverSurface(const SampledGrid& grid, const Eigen::MatrixXd& positions, doub
   // The positions in the coordinates of the cells, cell by cell.
   const Eigen::MatrixXd scaled = ((positions.rowwise() - grid.Origin) / grid.Spacing).array() + 0.5;
   const Eigen::MatrixXi cells = scaled.array().floor().cast<int>();
-  std::vector<int> order(positions.rows());
-  std::iota(order.begin(), order.end(), 0);
-  const auto cellOf = [&](int i) { return grid.Index(cells(i, 0), cells(i, 1), cells(i, 2)); };
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return cellOf(a) < cellOf(b); });
+  std::vector<PositionInCell> order(positions.rows());
+  for (int i = 0; i < static_cast<int>(order.size()); ++i)
+  {
+    order[i] = { grid.Index(cells(i, 0), cells(i, 1), cells(i, 2)), i };
+  }
+  std::sort(order.begin(), order.end());
   CellFlipper flipper(grid, inside);
   const auto flipNeighbour = [&](const Eigen::RowVector3i& cell)
   {
@@ -251,12 +288,13 @@ int CoverSurface(const SampledGrid& grid, const Eigen::MatrixXd& positions, doub
     before = flipper.Count();
     for (std::size_t first = 0, end = 0; first < order.size(); first = end)
     {
-      const Eigen::RowVector3i cell = cells.row(order[first]);
+      const Eigen::RowVector3i cell = cells.row(order[first].Row);
+      const OtherSide other(grid, inside, cell);
       double farthest = 0.0;
-      for (end = first; end < order.size() && cellOf(order[end]) == cellOf(order[first]); ++end)
+      for (end = first; end < order.size() && order[end].Cell == order[first].Cell; ++end)
       {
-        const Eigen::RowVector3d within = scaled.row(order[end]) - cell.cast<double>();
-        farthest = std::max(farthest, DistanceToOtherSide(grid, inside, cell, within));
+        const Eigen::RowVector3d within = scaled.row(order[end].Row) - cell.cast<double>();
+        farthest = std::max(farthest, other.DistanceTo(within));
       }
       // If the cell itself cannot change, the adjacent cell closest to the boundary may.
       if (farthest > reach && !flipper.Flip(cell))
