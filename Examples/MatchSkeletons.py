@@ -1,5 +1,4 @@
-"""Maps the solid of one figure onto another from the two surfaces alone: their skeletons are extracted,
-matched, and aligned inside."""
+"""Maps the solid of one figure onto another from the two surfaces alone, and aligns their skeletons."""
 import os
 
 import numpy

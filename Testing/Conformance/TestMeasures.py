@@ -16,12 +16,12 @@ POINT, CELL, FIELD = vtkDataObject.POINT, vtkDataObject.CELL, vtkDataObject.FIEL
 FALSE = 12345.0
 
 # What ShapeMap filters write that is no measure: maps, ids, labels, materials with the means of an image,
-# and what a feature stood on.
+# what a feature stood on, and what a user paints.
 CONTRACT = {'TargetPosition', 'TargetCell', 'TargetBarycentric', 'SourcePosition', 'OriginalPointId',
             'OriginalCellId', 'OutsideDomain', 'RegionId', 'Regions', 'SurfacePointId', 'Patch', 'Interface', 'Label',
             'Filled', 'Part', 'ExponentialMap', 'LoopCoordinates', 'LoopNormal', 'Charge', 'Name', 'Number',
             'MapColors', 'FacePatch', 'Origin', 'Defect', 'Block', 'BlockIndex', 'BranchId', 'TargetBranchId', 'Degree',
-            'Grey', 'Coverage', 'Density', 'Modulus', 'MaterialId', 'MaterialDensity', 'MaterialModulus'}
+            'Painted', 'Grey', 'Coverage', 'Density', 'Modulus', 'MaterialId', 'MaterialDensity', 'MaterialModulus'}
 # Measures of hexahedra that Shape Hex Remesh writes, by Verdict.
 VERDICT = {name[len('SetHexQualityMeasureTo'):]
            for name in dir(vtkMeshQuality) if name.startswith('SetHexQualityMeasureTo')}

@@ -27,6 +27,9 @@ OPTIONS = {
     'ShapeImageValues': {'Density': '0.01 * Value'},
     'ShapeHexRemesh': {'Method': 2, 'CellsOnLongestSide': 4},
     'ShapeLandmarks': {'PointsA': [0.0, 0.0, 1.0, 1.0, 0.0, 0.0]},
+    # One stroke: Set, radius 0.3, strength 1, value 1, six points.
+    'ShapePaintArray': {'Strokes': [(0, 0.3, 1.0, 1.0, 6)],
+                        'StrokePoints': [(0.1 * i, 0.0, 1.0) for i in range(6)]},
 }
 
 
@@ -157,7 +160,12 @@ def quick(name):
     """A fresh C++ object with its OPTIONS."""
     algorithm = new(name)
     for option, value in OPTIONS.get(name, {}).items():
-        getattr(algorithm, 'Set' + option)(value)
+        if isinstance(value, list) and isinstance(value[0], tuple):  # the rows of a list
+            getattr(algorithm, 'SetNumberOf' + option)(len(value))
+            for index, row in enumerate(value):
+                getattr(algorithm, 'Set' + option)(index, *row)
+        else:
+            getattr(algorithm, 'Set' + option)(value)
     return algorithm
 
 

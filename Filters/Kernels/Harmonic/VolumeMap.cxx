@@ -52,9 +52,6 @@ void RequireFeasibleByElements(
   {
     refuse("cannot fit Features");
   }
-  const int tetrahedra = options.Harmonic.Tetrahedra;
-  RequireOption(tetrahedra >= 1000 && tetrahedra <= 100000000, "Tetrahedra", tetrahedra,
-    "from 1,000 to 100,000,000");
   if (conditions.Targets.rows() != conditions.Boundary.Points().rows() ||
     conditions.Targets.cols() != 3)
   {
@@ -107,6 +104,9 @@ VolumeMapResult ComputeVolumeMap(const VolumeMapConditions& conditions,
     throw InvalidInput("FreeBoundary needs the input 'Target', the surface that the boundary's "
                        "images slide on; connect it, or turn FreeBoundary off");
   }
+  const int tetrahedra = options.Harmonic.Tetrahedra;
+  RequireOption(tetrahedra >= 1000 && tetrahedra <= 100000000, "Tetrahedra", tetrahedra,
+    "from 1,000 to 100,000,000");
   const bool byElements =
     options.Harmonic.Method == HarmonicVolumeMapOptions::MethodType::FiniteElements;
   if (byElements)

@@ -242,9 +242,12 @@ const Eigen::VectorXd& SurfacePainter::Paint(
       canvas.Begin(strokes[s]);
     }
     const Eigen::MatrixXd& positions = strokes[s].Positions;
+    const auto share = [&](std::size_t stroke)
+    { return static_cast<double>(stroke) / static_cast<double>(strokes.size()); };
+    const Progress part = progress.Part(share(s), share(s + 1), "painting the strokes");
     for (Eigen::Index p = canvas.Done[s].Positions.rows(); p < positions.rows(); ++p)
     {
-      progress(static_cast<double>(s) / static_cast<double>(strokes.size()));
+      part(static_cast<double>(p) / static_cast<double>(positions.rows()));
       canvas.FindBall(positions.row(p), strokes[s].Radius);
       if (strokes[s].Mode == BrushStroke::ModeType::Smooth)
       {
