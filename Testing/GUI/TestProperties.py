@@ -12,6 +12,17 @@ xml = ElementTree.parse(
 properties = [item for item in xml.getroot().iter()
               if item.tag.endswith('VectorProperty') and item.get('panel_visibility') != 'never']
 assert len(properties) >= 10
+METHOD, = [item.get('default_values') for item in properties if item.get('name') == 'Method']
+
+
+def is_usual(item):
+    """Whether the row is there with the default Method."""
+    decorator = item.find('Hints/PropertyWidgetDecorator[@property="Method"]')
+    return decorator is None or METHOD in (decorator.get('values') or decorator.get('value')).split()
+
+
+usual = [item for item in properties if is_usual(item)]
+assert [item.get('name') for item in properties if item not in usual] == ['Tetrahedra']
 
 
 def words(value):
@@ -39,9 +50,12 @@ w.filter('Shape Harmonic Volume Map')
 w.check(window.INPUTS + 'Domain/List0', 'currentText', 'BallSmall.vtu')
 w.choose_inputs(Boundary='ShapeParameterize1: Image')
 
-check_labels(w, [item for item in properties if item.get('panel_visibility') != 'advanced'])
+check_labels(w, [item for item in usual if item.get('panel_visibility') != 'advanced'])
 w.event(window.PANEL + 'SearchBox/AdvancedButton', 'set_boolean', 'true')
-check_labels(w, properties)
+check_labels(w, usual)
+for method, visible in (('Finite Elements', 'true'), ('Accelerated', 'false')):
+    w.choose(window.PROPERTIES + 'Method/ComboBox', method)
+    w.check(window.PROPERTIES + 'Tetrahedra', 'visible', visible)
 
 for item in properties:
     for entry in sorted(item.iter('Entry'), key=lambda e: e.get('value') == item.get('default_values')):
