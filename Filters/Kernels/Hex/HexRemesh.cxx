@@ -320,11 +320,10 @@ void FindLostCreases(
     { return ComputeLength({ a }) > ComputeLength({ b }); });
   if (!lost.empty())
   {
-    const Eigen::RowVector3d middle = lost.front().row(lost.front().rows() / 2);
+    const Eigen::RowVector3d at = FindMidpoint(lost.front());
     result.Reason += "; " + std::to_string(lost.size()) +
       (lost.size() == 1 ? " crease is lost, near (" : " creases are lost, the longest near (") +
-      FormatNumber(middle(0)) + ", " + FormatNumber(middle(1)) + ", " + FormatNumber(middle(2)) +
-      ")";
+      FormatNumber(at(0)) + ", " + FormatNumber(at(1)) + ", " + FormatNumber(at(2)) + ")";
   }
 }
 

@@ -73,7 +73,8 @@
  *   hexahedra would be too bad. .InnerCreasesKept: 0 if an inner surface has creases, otherwise 1.
  * - .LostCreases: number of creases of the surface, from corner to corner, that the boundary does
  *   not have, also of patches smaller than 4 cells; 0 if regions touch. If there are any:
- *   .LostCreasePositions, x, y and z of a point on each, the longest first, and .LostCreaseLengths.
+ *   .LostCreasePositions, x, y and z of the midpoint of each, the longest first, and
+ *   .LostCreaseLengths.
  * - .CreaseDistance: the larger one-sided Hausdorff distance between the creases of the surface and
  *   the creases of the boundary, also of creases that are lost. If no crease is kept, it is the
  * distance of the creases of the surface from the boundary.

@@ -238,15 +238,14 @@ void AddRegionFacts(const shape::HexRemeshResult& result, vtkDataObject* output)
 /// Adds where the lost creases are, and how long they are.
 void AddLostCreases(const std::vector<shape::CreaseLine>& lost, vtkDataObject* output)
 {
-  Eigen::MatrixXd middles(lost.size(), 3), lengths(lost.size(), 1);
-  for (Eigen::Index i = 0; i < middles.rows(); ++i)
+  Eigen::MatrixXd midpoints(lost.size(), 3), lengths(lost.size(), 1);
+  for (Eigen::Index i = 0; i < midpoints.rows(); ++i)
   {
-    const shape::CreaseLine& line = lost[i];
-    middles.row(i) = line.row(line.rows() / 2);
-    lengths(i) = shape::ComputeLength({ line });
+    midpoints.row(i) = shape::FindMidpoint(lost[i]);
+    lengths(i) = shape::ComputeLength({ lost[i] });
   }
   output->GetFieldData()->AddArray(
-    vtkShapeConvert::ToArray(middles, "HexRemesh.LostCreasePositions"));
+    vtkShapeConvert::ToArray(midpoints, "HexRemesh.LostCreasePositions"));
   output->GetFieldData()->AddArray(
     vtkShapeConvert::ToArray(lengths, "HexRemesh.LostCreaseLengths"));
 }

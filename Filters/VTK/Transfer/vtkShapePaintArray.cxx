@@ -77,7 +77,7 @@ std::vector<shape::BrushStroke> vtkShapePaintArray::MakeStrokes() const
     shape::RequireOption(
       numbers[4] >= 0.0 && numbers[4] <= left && numbers[4] == std::floor(numbers[4]),
       "Number of points" + name, numbers[4],
-      "a whole number, at most the " + std::to_string(positions.rows() - used) +
+      "an integer, at most the " + std::to_string(positions.rows() - used) +
         " Stroke Points that are left for it");
     shape::BrushStroke stroke;
     stroke.Mode = static_cast<shape::BrushStroke::ModeType>(static_cast<int>(numbers[0]));

@@ -72,6 +72,22 @@ double ComputeLength(const std::vector<CreaseLine>& lines)
   return length;
 }
 
+Eigen::RowVector3d FindMidpoint(const CreaseLine& line)
+{
+  double left = 0.5 * ComputeLength({ line });
+  for (Eigen::Index i = 0; i + 1 < line.rows(); ++i)
+  {
+    const Eigen::RowVector3d step = line.row(i + 1) - line.row(i);
+    const double length = step.norm();
+    if (left <= length && length > 0.0)
+    {
+      return line.row(i) + left / length * step;
+    }
+    left -= length;
+  }
+  return line.bottomRows<1>(); // rounding: the last step was a little too short
+}
+
 std::vector<CreaseLine> FindUncovered(
   const std::vector<CreaseLine>& lines, const std::vector<CreaseLine>& others, double tolerance)
 {

@@ -20,6 +20,9 @@ std::vector<CreaseLine> BuildCreaseLines(const Mesh& surface, const SurfaceFeatu
 /// Returns the total length of polylines.
 double ComputeLength(const std::vector<CreaseLine>& lines);
 
+/// Returns the position half way along a polyline.
+Eigen::RowVector3d FindMidpoint(const CreaseLine& line);
+
 /// Returns those of the lines that others do not cover: a point of the line, or the middle of one
 /// of its edges, is farther than `tolerance` from all others.
 std::vector<CreaseLine> FindUncovered(

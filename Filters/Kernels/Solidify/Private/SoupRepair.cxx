@@ -14,7 +14,7 @@ namespace
 {
 
 /// The corner of a triangle opposite to its longest edge.
-int FindMiddleCorner(const Mesh& mesh, int triangle)
+int FindMidpointCorner(const Mesh& mesh, int triangle)
 {
   const Eigen::Matrix3d corners = GetCorners(mesh, triangle);
   int middle = 0;
@@ -82,7 +82,7 @@ void SplitOnce(MendedDraft& draft, const std::vector<int>& collinear)
   std::vector<TrianglePart> parts;
   for (const int t : collinear)
   {
-    const int k = FindMiddleCorner(mesh, t);
+    const int k = FindMidpointCorner(mesh, t);
     const Eigen::RowVector2i ends(mesh.Triangles(t, (k + 1) % 3), mesh.Triangles(t, (k + 2) % 3));
     const std::vector<int> others = FindOthersAtEdge(sorted, ends, t);
     if (isChanged[t] ||

@@ -153,3 +153,13 @@ TEST(LostCreases, AFrameKeepsTheCornersOfSixPatches)
   EXPECT_LT(result.Fit.Creases.Distance, 1e-9);
   EXPECT_GT(result.Fit.MinimumScaledJacobian, 0.5);
 }
+
+TEST(LostCreases, TheMidpointIsHalfWayAlongTheLine)
+{
+  shape::CreaseLine line(2, 3);
+  line << 0, 0, 0, 2, 4, 6;
+  EXPECT_EQ(shape::FindMidpoint(line), Eigen::RowVector3d(1, 2, 3));
+  line.resize(3, 3);
+  line << 0, 0, 0, 1, 0, 0, 1, 3, 0;
+  EXPECT_EQ(shape::FindMidpoint(line), Eigen::RowVector3d(1, 1, 0));
+}

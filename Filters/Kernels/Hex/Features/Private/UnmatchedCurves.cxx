@@ -1,5 +1,7 @@
 #include "Hex/Features/Private/UnmatchedCurves.h"
 
+#include "Hex/Features/LostCreases.h"
+
 #include <limits>
 
 namespace shape
@@ -9,17 +11,9 @@ UnmatchedCurves::UnmatchedCurves(const Surface& surface, const SurfaceFeatures& 
   : Whole(surface)
   , Features(features)
 {
-  for (const FeatureCurve& curve : features.Curves)
+  for (const CreaseLine& line : BuildCreaseLines(surface, features))
   {
-    const std::size_t count = curve.Points.size();
-    double length = 0.0;
-    for (std::size_t i = 0; i + (curve.Closed ? 0 : 1) < count; ++i)
-    {
-      length += (surface.Points().row(curve.Points[i]) -
-        surface.Points().row(curve.Points[(i + 1) % count]))
-                  .norm();
-    }
-    this->Lengths.push_back(length);
+    this->Lengths.push_back(ComputeLength({ line }));
   }
 }
 
