@@ -64,10 +64,16 @@ bool operator==(const DeformOptions& a, const DeformOptions& b)
 {
   const auto all = [](const DeformOptions& one)
   {
-    return std::tie(one.Method, one.Rigidity, one.RigidityBy, one.RigidityContrast, one.Scale,
-      one.InnerScale, one.UpwindRadius, one.Distance, one.Multiresolution, one.LaplacianSmoothing);
+    return std::tie(one.Method, one.IntegrateCurves, one.Rigidity, one.RigidityBy,
+      one.RigidityContrast, one.Scale, one.InnerScale, one.UpwindRadius, one.Distance,
+      one.Multiresolution, one.LaplacianSmoothing);
   };
   return all(a) == all(b);
+}
+
+bool IntegratesCurves(const DeformOptions& options)
+{
+  return options.IntegrateCurves && options.Method == DeformOptions::MethodType::BoundaryRelative;
 }
 
 void RequireOptions(const DeformOptions& options)
@@ -81,6 +87,11 @@ void RequireOptions(const DeformOptions& options)
   positive("Scale", options.Scale);
   positive("InnerScale", options.InnerScale);
   positive("UpwindRadius", options.UpwindRadius);
+  if (IntegratesCurves(options) && options.Distance != DeformOptions::DistanceType::Euclidean)
+  {
+    throw InvalidInput("integrals along curves have a closed form for Euclidean distances only; "
+                       "set Distance to Euclidean, or turn IntegrateCurves off");
+  }
 }
 
 void RequireFields(const DeformFields& fields, Eigen::Index points)

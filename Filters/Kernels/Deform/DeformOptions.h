@@ -18,6 +18,11 @@ struct DeformOptions
     BoundaryRelative ///< each point relative to the handle alone (equation 5)
   };
   MethodType Method = MethodType::UpwindFront;
+  /// BoundaryRelative only: whether equation 2 is integrated along the curves of the handle, in
+  /// closed form, instead of summed over their points. The result then does not depend on how
+  /// straight parts of the curves are sampled. The closed form exists for k = 2 and Euclidean
+  /// distances, so it is off by default; with it, any other Rigidity is refused.
+  bool IntegrateCurves = false;
   /// The rigidity of the shape; > 0. The power k of equation 4 is 2 / Rigidity, at most 32.
   double Rigidity = 1.0;
   enum class RigidityByType
@@ -48,6 +53,9 @@ struct DeformOptions
 };
 
 bool operator==(const DeformOptions& a, const DeformOptions& b);
+
+/// Returns whether the method is boundary-relative and integrates along curves.
+bool IntegratesCurves(const DeformOptions& options);
 
 /// Values at the points of a shape; each has n entries or none.
 struct DeformFields

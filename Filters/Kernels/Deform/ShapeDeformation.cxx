@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Deform/DeformOptions.h"
+#include "Deform/Private/BoundaryIntegral.h"
 #include "Deform/Private/BoundaryRelative.h"
 #include "Deform/Private/FrontDeformation.h"
 #include "Deform/Private/HandleAttachment.h"
@@ -37,9 +38,13 @@ void RequirePose(const BoundaryHandle& handle, const HandlePose& pose)
 }
 
 std::unique_ptr<NodeDeformation> SolveInFull(
-  NodeProblem problem, DeformOptions::MethodType method, const Progress& progress)
+  NodeProblem problem, const DeformOptions& options, const Progress& progress)
 {
-  if (method == DeformOptions::MethodType::BoundaryRelative)
+  if (IntegratesCurves(options))
+  {
+    return std::make_unique<BoundaryIntegral>(std::move(problem), progress);
+  }
+  if (options.Method == DeformOptions::MethodType::BoundaryRelative)
   {
     return std::make_unique<BoundaryRelative>(std::move(problem), progress);
   }
@@ -59,12 +64,12 @@ std::unique_ptr<NodeDeformation> Solve(
     (options.Multiresolution == Type::Automatic && inner > few);
   if (!coarse || inner <= base)
   {
-    return SolveInFull(std::move(problem), options.Method, progress);
+    return SolveInFull(std::move(problem), options, progress);
   }
   return std::make_unique<MultiresolutionDeformation>(
     std::move(problem), base,
     [&](NodeProblem one, const Progress& part)
-    { return SolveInFull(std::move(one), options.Method, part); },
+    { return SolveInFull(std::move(one), options, part); },
     progress);
 }
 
@@ -149,12 +154,19 @@ ShapeDeformation::ShapeDeformation(const PointGraph& graph, const BoundaryHandle
   own.Scales = parameters.Scales;
   NodeProblem problem{ own.Sources.Graph, own.Sources.Nodes, parameters.Powers, parameters.Scales,
     { options.UpwindRadius, options.Distance } };
+  problem.Curves = own.Sources.Curves;
   if (options.LaplacianSmoothing)
   {
     own.Smoothing = std::make_unique<LaplacianSmoothing>(problem, progress.Part(0.3, 0.3));
   }
   if (fields.Segments.size() > 0)
   {
+    if (IntegratesCurves(options))
+    {
+      throw InvalidInput(
+        "parts that are deformed one after another follow points, not curves; turn "
+        "IntegrateCurves off, or give no segments");
+    }
     const Eigen::VectorXi labels = LabelsOfNodes(graph, fields.Segments, own.Sources.Graph);
     auto parts = std::make_unique<SegmentHierarchy>(
       std::move(problem), labels,

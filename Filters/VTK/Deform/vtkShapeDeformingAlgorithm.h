@@ -30,6 +30,7 @@ public:
   vtkShapeEnumOption(Method, shape::DeformOptions::MethodType,
     shape::DeformOptions::MethodType::UpwindFront,
     shape::DeformOptions::MethodType::BoundaryRelative);
+  vtkShapeOption(IntegrateCurves, bool);
   vtkShapeOption(Rigidity, double);
   vtkShapeEnumOption(RigidityBy, shape::DeformOptions::RigidityByType,
     shape::DeformOptions::RigidityByType::Uniform, shape::DeformOptions::RigidityByType::Curvature);

@@ -17,11 +17,6 @@ namespace
 using Eigen::RowVector3d;
 using Eigen::RowVector3i;
 
-/// Half of the triangles around a point of a regular boundary, over the square of their edges.
-/// In a mesh of equilateral triangles with edge h, a boundary vertex has three of them, of area
-/// sqrt(3) / 4 h^2 each, in total 1.3 h^2.
-constexpr double BoundaryRing = 1.3;
-
 void RequireHandle(const BoundaryHandle& handle)
 {
   if (handle.Positions.rows() == 0)
@@ -187,6 +182,10 @@ void HandleAttachment::AddSegment(int a, int b, bool onCurve)
   this->BindNodesOnSegment(a, b, along);
   this->FillGaps(a, b, along);
   const double length = (this->Handle.Positions.row(b) - this->Handle.Positions.row(a)).norm();
+  if (onCurve)
+  {
+    this->CurveSegments.emplace_back(first, last);
+  }
   for (std::size_t k = 1; k < along.size(); ++k)
   {
     const int p = along[k - 1].second, q = along[k].second;
@@ -200,8 +199,11 @@ void HandleAttachment::AddSegment(int a, int b, bool onCurve)
       const double half = 0.5 * (along[k].first - along[k - 1].first) * length;
       // A source of a curve weighs what a boundary vertex of the shape would: half of the segment
       // on each side of it, times the width of a ring (w_reg, equation 8).
-      this->Weights[p] += BoundaryRing * this->Step * half;
-      this->Weights[q] += BoundaryRing * this->Step * half;
+      for (const int source : { p, q })
+      {
+        this->Weights[source] += CurveWidth * this->Step * half;
+        this->CurveWeights[source] += CurveWidth * this->Step * half;
+      }
     }
   }
 }
@@ -297,13 +299,22 @@ HandleSources HandleAttachment::Finish()
   const auto sources = static_cast<Eigen::Index>(this->Nodes.size());
   result.Samples.resize(sources, 3);
   result.Shares.resize(sources, 3);
+  result.Curves.OtherShares.resize(sources);
   for (Eigen::Index k = 0; k < sources; ++k)
   {
     const int node = this->Nodes[k];
     result.Samples.row(k) = this->Samples[k];
     result.Shares.row(k) = this->Shares[k];
     const double alone = node < own ? this->Shape.Weights(node) : this->Step * this->Step;
-    result.Graph.Weights(node) = this->Weights[k] > 0.0 ? this->Weights[k] : alone;
+    const bool weighted = this->Weights[k] > 0.0;
+    result.Graph.Weights(node) = weighted ? this->Weights[k] : alone;
+    result.Curves.OtherShares(k) = weighted ? 1.0 - this->CurveWeights[k] / this->Weights[k] : 1.0;
+  }
+  result.Curves.Segments.resize(static_cast<Eigen::Index>(this->CurveSegments.size()), 2);
+  for (std::size_t i = 0; i < this->CurveSegments.size(); ++i)
+  {
+    const auto& [from, to] = this->CurveSegments[i];
+    result.Curves.Segments.row(static_cast<Eigen::Index>(i)) << from, to;
   }
   result.Nodes = std::move(this->Nodes);
   return result;
@@ -351,6 +362,7 @@ int HandleAttachment::Add(int node, const RowVector3i& samples, const RowVector3
   this->Samples.push_back(samples);
   this->Shares.push_back(shares);
   this->Weights.push_back(0.0);
+  this->CurveWeights.push_back(0.0);
   return static_cast<int>(this->Nodes.size()) - 1;
 }
 

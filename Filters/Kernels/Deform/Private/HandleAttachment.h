@@ -66,8 +66,9 @@ private:
   std::vector<int> Nodes;
   std::vector<Eigen::RowVector3i> Samples;
   std::vector<Eigen::RowVector3d> Shares, Extra;
-  std::vector<double> Weights;
+  std::vector<double> Weights, CurveWeights; ///< CurveWeights: the part from curves
   std::vector<std::pair<int, int>> Links;
+  std::vector<std::pair<int, int>> CurveSegments; ///< sources
 };
 
 /// Computes the sources of a handle on a shape. Throws InvalidInput if the handle has no samples, a

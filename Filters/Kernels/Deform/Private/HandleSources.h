@@ -24,12 +24,13 @@ struct HandleSources
 {
   /// The shape's nodes come first, in their order. The weight of a source on a triangle is three
   /// times its share of the area. On a curve, it is the area of a strip along its share of the
-  /// curve, 1.3 mean edges wide. Other nodes of the shape keep their weights; other new nodes get
+  /// curve (CurveWidth). Other nodes of the shape keep their weights; other new nodes get
   /// the square of a mean edge.
   PointGraph Graph;
   std::vector<int> Nodes;  ///< k: the sources
   Eigen::MatrixXi Samples; ///< k x 3: the samples between which a source lies
   Eigen::MatrixXd Shares;  ///< k x 3: the barycentric coordinates of the source among them
+  SourceCurves Curves;     ///< the segments of the handle's curves, from sample to sample
 };
 
 /// Returns the motions of the sources of a posed handle, in their order. scales: for each node, the

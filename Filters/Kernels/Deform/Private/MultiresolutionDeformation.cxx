@@ -87,6 +87,7 @@ MultiresolutionDeformation::MultiresolutionDeformation(
   }
   NodeProblem coarse{ graph, this->Coarse.Sources, Eigen::VectorXd::Zero(n),
     Eigen::VectorXd::Zero(n), this->Problem.Front };
+  coarse.Curves = this->Problem.Curves;
   Eigen::VectorXd counts = Eigen::VectorXd::Zero(n);
   for (int i = 0; i < this->Problem.Graph.Size(); ++i)
   {

@@ -23,6 +23,21 @@ struct NodeTransforms
 /// weights again.
 constexpr std::size_t MaximumKeptWeights = std::size_t(1) << 27;
 
+/// The width of the strip along a curve that its sources represent, in mean links. It is half of
+/// the area of the triangles around a boundary vertex, over their edge: in a mesh of equilateral
+/// triangles with edge h, a boundary vertex has three of them, of area sqrt(3) / 4 h^2 each, in
+/// total 1.3 h^2.
+constexpr double CurveWidth = 1.3;
+
+/// The curves among the sources of a graph.
+struct SourceCurves
+{
+  Eigen::MatrixXi Segments; ///< l x 2: the sources at the ends of each segment
+  /// For each source, the share of its weight that it does not have from curves: 1 at a point that
+  /// is on no curve, 0 on curves alone.
+  Eigen::VectorXd OtherShares;
+};
+
 /// A graph, the sources that are moved, and the parameters by which the other nodes follow the
 /// sources.
 struct NodeProblem
@@ -33,6 +48,7 @@ struct NodeProblem
   Eigen::VectorXd Scales;   ///< n factors of the offsets, one for each node
   UpwindFrontOptions Front;
   std::size_t MaximumWeights = MaximumKeptWeights; ///< maximum number of stored weights
+  SourceCurves Curves = {};                        ///< its sources are indices in Sources
 };
 
 /// Moves the nodes of a graph with its sources: the interface of all methods and resolutions.
