@@ -25,6 +25,8 @@ test_packages=(
   # frameworks, style, types, keys and pictures of a window, a browser, readers of what is written
   libgtest-dev clang-format-14 universal-ctags mypy python3-venv unzip xdotool imagemagick chromium
   gmsh calculix-ccx
+  # peers of the reproduced figures
+  python3-scipy
 )
 targets=(ShapeMap vtkShapeFiltersPython)
 if [ "$what" = all ]; then

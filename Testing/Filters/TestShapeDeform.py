@@ -103,6 +103,24 @@ for method in (0, 1):
         assert error < 1e-11, (error, method, resolution, end.sum())
         assert abs(array(solid, 'SourcePosition') - rest).max() == 0
 
+# Integrals along a line of the handle are the same for two and for many points on it.
+ends, there = numpy.array([[-1.0, -0.5, 0.4], [1.0, -0.5, 0.4]]), numpy.array([[-1.2, 0.1, 0.5], [1.4, 0.4, 0.5]])
+
+
+def by_line(count, **options):
+    share = numpy.linspace(0.0, 1.0, count)[:, None]
+    line = curve(ends[0] + share * (ends[1] - ends[0]), there[0] + share * (there[1] - there[0]), closed=False)
+    for name in ('SourceNormal', 'TargetNormal'):
+        add_array(line, numpy.tile([0.0, 0.0, 1.0], (count, 1)), name)
+    return shapetesting.new(shapemap.vtkShapeDeform, read('DentedSphere600.vtp'), line, Method=1, Multiresolution=2,
+                            **options)
+
+
+coarse, fine = (points(deformed(by_line(count, IntegrateCurves=True))) for count in (2, 38))
+assert abs(coarse - fine).max() < 1e-12, abs(coarse - fine).max()
+assert abs(coarse - points(deformed(by_line(2)))).max() > 1e-6, 'the property has no effect'
+shapetesting.check_refused(by_line(2, IntegrateCurves=True, Rigidity=2.0), 'rigidity 1 only', 'IntegrateCurves')
+
 # A surface with a cap cut off, its rim as the handle; normals turn with the points.
 sphere = read('DentedSphere600.vtp')
 corners = points(sphere)[shapetesting.triangles(sphere)]

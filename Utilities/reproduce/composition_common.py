@@ -102,15 +102,17 @@ def ring(surface, tip, distance):
 
 
 def outline(surface, centre, direction, up, radius, count=40):
-    """A circle of this radius around a place as seen from `direction`, laid on the surface."""
+    """A circle of this radius around a place as seen from `direction`, laid on the surface; or a curve
+    with `count` radii."""
     locator = vtkCellLocator()
     locator.SetDataSet(surface)
     locator.BuildLocator()
     direction, up = numpy.array(direction), numpy.array(up)
     right, far = numpy.cross(up, direction), diagonal(surface) * direction
     places = []
-    for turn in 2.0 * numpy.pi * numpy.arange(count) / count:
-        there = centre + radius * (numpy.cos(turn) * right + numpy.sin(turn) * up)
+    turns = 2.0 * numpy.pi * numpy.arange(count) / count
+    for turn, away in zip(turns, numpy.broadcast_to(radius, count)):
+        there = centre + away * (numpy.cos(turn) * right + numpy.sin(turn) * up)
         share, place, local, side = mutable(0.0), [0.0] * 3, [0.0] * 3, mutable(0)
         if not locator.IntersectWithLine(there + far, there - far, 1e-9, share, place, local, side):
             raise RuntimeError('the circle leaves the surface')

@@ -25,10 +25,10 @@ def origin(surface, number):
     return marked
 
 
-def part(number, name, place, normal):
+def part(number, name, place, normal, **options):
     """The smaller part of a model beyond a plane, and the rest, filled."""
     surface = origin(common.model(name), number)
-    return cut(surface, common.section(surface, place, normal))
+    return cut(surface, common.section(surface, place, normal), **options)
 
 
 def limb(number, name, tip, distance, finer=0):
@@ -99,6 +99,34 @@ def horned_bear():
     return creature
 
 
+def three_headed_bunny():
+    head = part(1, 'bunny00', [-0.22, 0.1, 0.05], [-1.0, 0.9, 0.0])[0]
+    creature = Creature(origin(common.model('bunny00'), 0))
+    for z in (1.0, -1.0):
+        creature.add(head, [-0.3, -0.12, 0.05 + 0.25 * z], [-1.0, 0.0, 0.0], [-1.0, 0.3, 0.6 * z], Scale=0.7,
+                     InnerScale=1.2)
+    return creature
+
+
+def centaur():
+    torso = part(1, 'man', [-0.02, 0.0, 0.08], [0.0, 0.0, 1.0], Side=1)[0]
+    head, body = part(0, 'cow', *COW)
+    creature = Creature(body)
+    creature.add(torso, seed_of(head), [0.0, -1.0, 0.0], [1.0, 0.0, 0.0], Scale=0.9)
+    return creature
+
+
+def minotaur():
+    creature = Creature(part(0, 'man', *MAN)[1])
+    creature.add(part(1, 'cow', *COW)[0], [-0.02, -0.025, 0.385], [1.0, -0.3, 0.0], [0.0, -1.0, 0.0],
+                 Scale=0.75, RigidityBy=1)
+    return creature
+
+
+MAN = [-0.02, 0.0, 0.352], [0.0, -0.35, 1.0]
+COW = [0.25, 0.235, 0.0], [1.0, 0.75, 0.0]
+
+
 def coloured(row, panel, surface, view):
     """Its parts in the colours of their models."""
     number = scenes.vtk_to_numpy(surface.GetCellData().GetArray('Model'))
@@ -115,12 +143,17 @@ def fig1(folder, claims):
             ('camel, with two more legs and a cow\'s head', six_legged_camel(),
              ([0.0, 0.0, 0.0], 1.2, [1.0, 0.15, 0.3], [0.0, 1.0, 0.0])),
             ('bear, with a camel\'s head and a triceratops\'s horn', horned_bear(),
-             ([0.0, 0.5, 0.0], 2.5, [0.5, 0.2, 1.0], [0.0, 1.0, 0.0])))):
+             ([0.0, 0.5, 0.0], 2.5, [0.5, 0.2, 1.0], [0.0, 1.0, 0.0])),
+            ('bunny of three heads', three_headed_bunny(),
+             ([-0.05, 0.03, 0.0], 1.4, [-0.9, 0.25, 1.0], [0.0, 1.0, 0.0])),
+            ('cow, with a man\'s trunk', centaur(),
+             ([0.05, 0.15, 0.0], 1.45, [0.6, 0.2, 1.0], [0.0, 1.0, 0.0])),
+            ('man, with a cow\'s head', minotaur(),
+             ([0.0, 0.0, 0.03], 1.3, [0.5, -1.0, 0.1], [0.0, 0.0, 1.0])))):
         body = creature.Body
-        row.show(panel, body, *view, panels.STEEL, smooth=60.0)
-        coloured(row, panel + 3, body, view)
+        coloured(row, panel, body, view)
         before, after, last = creature.worst()
-        row.caption(panel + 3, '%s:\n%d triangles, watertight' % (name, len(triangles(body))), 15)
+        row.caption(panel, '%s:\n%d triangles, watertight' % (name, len(triangles(body))), 15)
         claims.check(1, name + ': watertight, Euler number', 'yes, %d' % common.euler(body)
                      if common.watertight(body) else 'no',
                      common.watertight(body) and common.euler(body) == 2, 'yes, 2')
@@ -141,16 +174,9 @@ def similarity(places, moved):
     return scale, rotation, there - scale * rotation @ middle
 
 
-MAN = [-0.02, 0.0, 0.352], [0.0, -0.35, 1.0]
-COW = [0.25, 0.235, 0.0], [1.0, 0.75, 0.0]
-
-
 def fig15(folder, claims):
     """A neck's frames, which pointed outwards, point upwards on the shoulders."""
-    body = part(0, 'man', *MAN)[1]
-    cow = part(1, 'cow', *COW)[0]
-    creature = Creature(body)
-    creature.add(cow, [-0.02, -0.025, 0.385], [1.0, -0.3, 0.0], [0.0, -1.0, 0.0], Scale=0.75, RigidityBy=1)
+    creature, cow = minotaur(), part(1, 'cow', *COW)[0]
     result = creature.Body
     moved = points(result)[common.pasted_points(result)]
     ids, loop = common.rim(cow)

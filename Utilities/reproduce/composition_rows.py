@@ -74,6 +74,11 @@ class Row:
         tube.Update()
         self.Picture.flat(self.show(panel, tube.GetOutput(), centre, size, *view, colour))
 
+    def dots(self, panel, positions, view, size, colour):
+        """Small balls of this radius, as a share of the panel."""
+        ball = panels.balls(numpy.atleast_2d(positions), size * view[1])
+        self.Picture.flat(self.show(panel, ball, *view, colour))
+
     def caption(self, panel, text, size=17):
         right, up = self.shift(panel)
         lines = text.split('\n')

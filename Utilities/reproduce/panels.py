@@ -24,6 +24,19 @@ def source(data):
     return producer
 
 
+def balls(positions, radius):
+    """A small ball at each position."""
+    ball, glyphs = vtkSphereSource(), vtkGlyph3D()
+    ball.SetRadius(radius)
+    ball.SetThetaResolution(20)
+    ball.SetPhiResolution(20)
+    glyphs.SetInputData(scenes.point_set(positions))
+    glyphs.SetSourceConnection(ball.GetOutputPort())
+    glyphs.ScalingOff()
+    glyphs.Update()
+    return glyphs.GetOutput()
+
+
 class Picture:
     """A white picture of panels. A panel is `shift` away from the scene's origin, along the right
     and up of the camera, which looks from `direction`."""
@@ -73,14 +86,7 @@ class Picture:
 
     def dots(self, places, shift, radius, scale=1.0, centre=(0.0, 0.0, 0.0), colour=RED):
         """Small balls of this radius, in the units of the places."""
-        ball = vtkSphereSource()
-        ball.SetRadius(radius)
-        glyphs = vtkGlyph3D()
-        glyphs.SetInputData(scenes.point_set(places))
-        glyphs.SetSourceConnection(ball.GetOutputPort())
-        glyphs.ScalingOff()
-        glyphs.Update()
-        self.flat(self.show(glyphs.GetOutput(), shift, scale, centre, colour))
+        self.flat(self.show(balls(places, radius), shift, scale, centre, colour))
 
     def caption(self, text, right, up, size=17):
         """Words centred at a place of the scene."""
