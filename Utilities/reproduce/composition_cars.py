@@ -44,7 +44,7 @@ class Body:
     def normal(self, x, t, step=1e-4):
         across = numpy.cross(self.at(x, t + step) - self.at(x, t - step),
                              self.at(x + step, t) - self.at(x - step, t))
-        return -across / numpy.linalg.norm(across, axis=-1, keepdims=True)
+        return across / numpy.linalg.norm(across, axis=-1, keepdims=True)
 
 
 def grid_triangles(rows, columns):
@@ -93,7 +93,7 @@ def panel(body, x, t, kind, arch=None, lamps=()):
         covered |= inside
         depth = numpy.sqrt(numpy.clip(1.0 - (away / radius) ** 2, 0.0, None))
         parts += [(faces[inside], factor * radius * depth, lamp)
-                  for factor, lamp in ((-0.7, LAMP), (0.3, GLASS))]
+                  for factor, lamp in ((-0.7, GLASS), (0.4, LAMP))]
     points_of, cells, materials = [places], [faces[~covered]], [numpy.full((~covered).sum(), kind)]
     for inner, heights, lamp in parts:
         used = numpy.unique(inner)

@@ -43,9 +43,9 @@ SegmentIntegrals IntegrateInverseSquare(
  *
  * Positions and frames are interpolated linearly along each segment: at s, the sample a + s (b - a)
  * goes to (1 - s) ahat + s bhat and rotates by (1 - s) R_a + s R_b. This matrix is in general no
- * rotation, but differs from the nearest one by the square of half the angle between R_a and R_b
- * only. (A rotation about a fixed axis has no closed form.) The prediction of the sample at s for a
- * point p is then
+ * rotation: across their common axis it shrinks offsets by up to the cosine of half the angle
+ * between R_a and R_b. A rotation by a growing angle has no closed form; further samples with
+ * rotations as frames reduce the angle. The prediction of the sample at s for a point p is then
  *
  *   (1 - s) (ahat + R_a (p - a)) + s (bhat + R_b (p - b)) + s (1 - s) (R_b - R_a) (b - a),
  *
