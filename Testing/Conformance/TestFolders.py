@@ -19,7 +19,7 @@ ORDER = [
     'Deform', 'Fill', 'Solidify', 'CutPaste', 'IO']
 # The fast multipole method is a library of its own.
 LIBRARIES = {'Base': [], 'Linear': ['Base'], 'Fmm': ['Base', 'Linear']}
-USE_VTK = ['Search/CellLocator.cxx', 'Search/Private/CellInterpolation.cxx',
+USE_VTK = ['Geometry/Private/QuadricSampling.cxx', 'Search/CellLocator.cxx', 'Search/Private/CellInterpolation.cxx',
            'Solids/IsoSurface.cxx']
 USE_TETGEN = ['Tetrahedra/Private/TetGen.cxx']
 USE_OCCT = ['Kernels/IO/Private/CascadeFile.cxx', 'Kernels/IO/Private/CascadeFile.h',

@@ -47,7 +47,7 @@ assert fact(solid, 'HarmonicVolumeMap.RMSEInside') < 5e-3, fact(
     solid, 'HarmonicVolumeMap.RMSEInside')
 assert [levels.GetColumnName(i) for i in range(levels.GetNumberOfColumns())] == [
     'Level', 'Sources', 'Collocations', 'RMSEVertices', 'RMSEInside', 'Maximum', 'Seconds', 'Kept',
-    'RegionId']
+    'RegionId', 'RMSECollocations']
 errors = [levels.GetValueByName(i, 'RMSEInside').ToDouble()
           for i in range(levels.GetNumberOfRows())]
 assert errors == sorted(errors, reverse=True), 'a level made the map worse'

@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Base/Parallel.h"
+#include "Geometry/Private/QuadricSampling.h"
 
 #include <nanoflann.hpp>
 
@@ -115,6 +116,16 @@ Eigen::MatrixXd SampleSurface(
         : "the surface to sample has no area; check its coordinates");
   }
   const double radius = ComputePackingRadius(area, count);
+  if (mode == SamplingMode::Quadric)
+  {
+    const Eigen::MatrixXd points = SimplifyByQuadrics(surface, count, progress.Part(0.0, 0.9));
+    if (points.rows() <= count)
+    {
+      return points;
+    }
+    const Eigen::VectorXd equal = Eigen::VectorXd::Constant(points.rows(), radius);
+    return points(EliminateSamples(points, equal, count, progress.Part(0.9, 1.0)), Eigen::all);
+  }
   // Adaptive samples are up to four times as dense as the mean: they need more candidates to choose
   // from.
   const int candidates = (mode == SamplingMode::Uniform ? 5 : 10) * count;

@@ -10,26 +10,27 @@ namespace shape
 
 enum class SamplingMode
 {
-  Uniform,         ///< evenly spread over the surface
-  GeometryAdaptive ///< denser where the surface is more curved
+  Uniform = 0,          ///< evenly spread over the surface
+  GeometryAdaptive = 1, ///< denser where the surface is more curved
+  Quadric = 2           ///< the points that quadric simplification leaves
 };
 
 /**
- * Returns `count` points spread over a surface: weighted elimination selects them from several
- * times as many random points (Yuksel, "Sample elimination for generating Poisson disk sample
- * sets", 2015).
+ * Returns `count` points spread over a surface. Except with Quadric, weighted elimination selects
+ * them from several times as many random points (Yuksel, "Sample elimination for generating Poisson
+ * disk sample sets", 2015).
  *
  * Uniform: maximises the distances between points. GeometryAdaptive: the density follows the
  * curvature of the surface, measured within one spacing. If the points were joined by facets, these
  * would deviate from the surface by the same amount everywhere. The density stays within [0.5, 4]
  * times its mean.
  *
- * Li et al. 2010, section 4.1.1, use the points that remain after quadric simplification, which
- * leaves flat parts empty. RMSEInside of the harmonic map was measured with samples of this
- * function (first value) and of vtkQuadricDecimation (second value). Dented sphere of 3k points to
- * the ball: 3.2e-3 and 3.6e-3. Dented sphere of 10k points to the ball: 3.4e-4 and 3.7e-4.
- * Two-torus to its polycube: 1.6e-3 and 1.7e-3. Twisted bar to its box: 3.3e-5 and 1.6e-3. This
- * function also takes less time.
+ * Quadric: the points that remain after quadric simplification of the surface, which leaves flat
+ * parts empty (Li et al. 2010, section 4.1.1). They lie near the surface, and on a surface that
+ * is not a sphere there may be a few less. The seed has no effect. RMSEInside of the harmonic map
+ * with GeometryAdaptive (first value) and Quadric (second value): Dented sphere of 3k points to the
+ * ball: 3.2e-3 and 3.6e-3. Dented sphere of 10k points to the ball: 3.4e-4 and 3.7e-4. Two-torus to
+ * its polycube: 1.6e-3 and 1.7e-3. Twisted bar to its box: 3.3e-5 and 1.6e-3.
  *
  * Throws InvalidInput if count < 4 or the surface has no area; Aborted.
  */

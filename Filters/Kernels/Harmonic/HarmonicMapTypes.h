@@ -83,6 +83,8 @@ struct HarmonicVolumeMapResult
     double RMSEVertices = 0.0; ///< at the boundary's points
     double RMSEInside = 0.0;   ///< at one position inside each triangle (ComputeOffCentres)
     double Maximum = 0.0;      ///< maximum error at both
+    /// at all collocation points on the boundary; 0 if there are none, as of FiniteElements
+    double RMSECollocations = 0.0;
     double Seconds = 0.0;
     /// false: no positive factor of this map lowers the residual, so it is left out
     bool Kept = true;

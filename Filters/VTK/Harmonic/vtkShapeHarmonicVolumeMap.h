@@ -29,10 +29,11 @@
  *   With FiniteElements, it is the map of finite elements instead (vtkShapeFiniteElements): the
  *   points of the tetrahedra with `TargetPosition`, and the field data array `Tetrahedra`.
  * - 2: a table of levels: Level, Sources, Collocations, RMSEVertices, RMSEInside, Maximum, Seconds,
- *   Kept, RegionId. Kept is 0 if the level did not reduce the error and was discarded. The errors
- *   refer to the complete boundary, at its points and inside its triangles. They are divided by the
- *   longest edge of the bounding box of the target. With Exact, the errors refer to the boundary of
- *   the region.
+ *   Kept, RegionId, RMSECollocations. Kept is 0 if the level did not reduce the error and was
+ *   discarded. The errors refer to the complete boundary, at its points and inside its triangles;
+ *   RMSECollocations refers to the collocation points on it, and is 0 if there are none. They are
+ *   divided by the longest edge of the bounding box of the target. With Exact, the errors refer to
+ *   the boundary of the region.
  *
  * Facts, with the prefix HarmonicVolumeMap
  * - .RMSEVertices, .RMSEInside, .Maximum, .RMSEFeatures (0 without features), .FeaturePoints.
@@ -138,9 +139,9 @@ public:
   vtkShapeOption(SourceRatio, double);
   vtkShapeOption(OffsetDistance, double);
   vtkShapeEnumOption(CollocationSampling, shape::SamplingMode, shape::SamplingMode::Uniform,
-    shape::SamplingMode::GeometryAdaptive);
+    shape::SamplingMode::Quadric);
   vtkShapeEnumOption(SourceSampling, shape::SamplingMode, shape::SamplingMode::Uniform,
-    shape::SamplingMode::GeometryAdaptive);
+    shape::SamplingMode::Quadric);
   vtkShapeOption(SingularValueThreshold, double);
   vtkSetMacro(FreeBoundary, bool);
   vtkGetMacro(FreeBoundary, bool);

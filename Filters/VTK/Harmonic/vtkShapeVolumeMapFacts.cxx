@@ -75,7 +75,7 @@ void AddBorders(
 void vtkShapeVolumeMapFacts::WriteLevels(
   const std::vector<shape::HarmonicVolumeMapResult>& regions, vtkTable* output)
 {
-  Eigen::MatrixXd columns(0, 9);
+  Eigen::MatrixXd columns(0, 10);
   for (std::size_t region = 0; region < regions.size(); ++region)
   {
     for (const auto& level : regions[region].Levels)
@@ -83,11 +83,11 @@ void vtkShapeVolumeMapFacts::WriteLevels(
       columns.conservativeResize(columns.rows() + 1, Eigen::NoChange);
       columns.bottomRows<1>() << level.Number, level.Sources, level.Collocations,
         level.RMSEVertices, level.RMSEInside, level.Maximum, level.Seconds, level.Kept,
-        static_cast<double>(region);
+        static_cast<double>(region), level.RMSECollocations;
     }
   }
   const char* names[] = { "Level", "Sources", "Collocations", "RMSEVertices", "RMSEInside",
-    "Maximum", "Seconds", "Kept", "RegionId" };
+    "Maximum", "Seconds", "Kept", "RegionId", "RMSECollocations" };
   for (int c = 0; c < columns.cols(); ++c)
   {
     output->AddColumn(vtkShapeConvert::ToArray(columns.col(c), names[c]));

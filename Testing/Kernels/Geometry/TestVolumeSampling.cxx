@@ -107,6 +107,34 @@ TEST(Sampling, AdaptivePutsMorePointsWhereTheSurfaceBends)
     atTips(shape::SamplingMode::GeometryAdaptive), 1.5 * atTips(shape::SamplingMode::Uniform));
 }
 
+TEST(Sampling, QuadricLeavesFlatPartsEmptyAndKeepsTheShape)
+{
+  const shape::Mesh cube = shapetest::Box({ 0, 0, 0 }, { 1, 1, 1 });
+  const Eigen::MatrixXd corners = shape::SampleSurface(cube, 8, shape::SamplingMode::Quadric);
+  // A cube is its eight corners: every other point can go at no cost.
+  ASSERT_EQ(corners.rows(), 8);
+  for (const auto& corner : corners.rowwise())
+  {
+    EXPECT_LT((corner.array() - corner.array().round()).abs().maxCoeff(), 1e-6);
+  }
+}
+
+TEST(Sampling, QuadricPutsMorePointsWhereTheSurfaceBends)
+{
+  shape::Mesh ellipsoid = shapetest::Icosphere(4);
+  ellipsoid.Points.col(0) *= 4.0;
+  const auto points = [&](shape::SamplingMode mode)
+  { return shape::SampleSurface(ellipsoid, 300, mode); };
+  const auto atTips = [](const Eigen::MatrixXd& samples)
+  { return (samples.col(0).array().abs() > 3.0).count(); };
+  const Eigen::MatrixXd quadric = points(shape::SamplingMode::Quadric);
+  EXPECT_NEAR(quadric.rows(), 300, 2);
+  EXPECT_GT(atTips(quadric), 1.5 * atTips(points(shape::SamplingMode::Uniform)));
+  // They lie near the surface: within the sagitta of a chord between neighbours at its sides.
+  EXPECT_LT(shape::SurfaceLocator(ellipsoid).Find(quadric).Distances.maxCoeff(), 0.05);
+  EXPECT_EQ(quadric, points(shape::SamplingMode::Quadric));
+}
+
 TEST(Sampling, AdaptiveLeavesNoFlatPartEmpty)
 {
   // A cube: the whole of its bending is at the edges.
@@ -157,7 +185,8 @@ TEST(Sampling, RefusesAndAborts)
   const shape::Mesh sphere = shapetest::Icosphere(3);
   EXPECT_THROW(shape::SampleSurface(sphere, 3, shape::SamplingMode::Uniform), shape::InvalidInput);
   const shape::Progress stop([](double) { return false; });
-  for (const auto mode : { shape::SamplingMode::Uniform, shape::SamplingMode::GeometryAdaptive })
+  for (const auto mode : { shape::SamplingMode::Uniform, shape::SamplingMode::GeometryAdaptive,
+         shape::SamplingMode::Quadric })
   {
     EXPECT_THROW(shape::SampleSurface(sphere, 100, mode, 1, stop), shape::Aborted);
   }

@@ -1,6 +1,7 @@
 #include "Base/Errors.h"
 #include "Distance/SignedDistance.h"
 #include "Harmonic/HarmonicVolumeMap.h"
+#include "Harmonic/Private/ScaledBoundary.h"
 #include "Support/HarmonicShapes.h"
 #include "Support/Refusals.h"
 #include "Support/SimpleSurfaces.h"
@@ -146,6 +147,45 @@ TEST(HarmonicVolumeMap, TheReportedErrorsAreThoseOfTheMap)
   }
 }
 
+TEST(HarmonicVolumeMap, TheErrorAtTheCollocationPointsIsThatOfTheMap)
+{
+  const shape::Mesh boundary = DentedSphere(3);
+  const Eigen::MatrixXd targets = 5.0 * shapetest::Icosphere(3).Points;
+  const double size = shape::ComputeLongestBoxEdge(targets);
+  const auto error = [&](const shape::HarmonicVolumeMapResult& result,
+                       const Eigen::MatrixXd& points, const Eigen::MatrixXd& images)
+  {
+    const Eigen::MatrixXd left = (shape::Evaluate(result.Map, points) - images) / size;
+    return std::sqrt(left.squaredNorm() / left.rows());
+  };
+  // SingleShot: the samples of its ratio. They are fitted, what is between them is not.
+  auto options = With(Method::SingleShot, 0.4, 0.4);
+  const auto single = shape::ComputeHarmonicVolumeMap(boundary, targets, {}, options);
+  const shape::ScaledBoundary scaled = shape::ScaleBoundary(boundary, targets);
+  const shape::ClosestPoints samples =
+    shape::SurfaceLocator(scaled.Surface)
+      .Find(shape::SampleSurface(shape::SplitComponents(scaled.Surface).front(),
+        static_cast<int>(std::round(0.4 * boundary.Points.rows())), options.CollocationSampling,
+        options.Seed));
+  const Eigen::MatrixXd fitted = (scaled.Size * samples.Positions).rowwise() + scaled.Origin;
+  const Eigen::MatrixXd wanted =
+    (scaled.TargetSize * shape::PullBack(samples, scaled.Surface.Triangles(), scaled.Targets))
+      .rowwise() +
+    scaled.TargetOrigin;
+  const auto& level = single.Levels.back();
+  EXPECT_NEAR(level.RMSECollocations, error(single, fitted, wanted), 1e-8);
+  EXPECT_LT(level.RMSECollocations, level.RMSEInside);
+  // Accelerated, before any refinement: the points and the centroids of the triangles.
+  options.Method = Method::Accelerated;
+  options.MaximumLevels = 1;
+  const auto accelerated = shape::ComputeHarmonicVolumeMap(boundary, targets, {}, options);
+  Eigen::MatrixXd points(boundary.Points.rows() + boundary.Triangles.rows(), 3);
+  Eigen::MatrixXd images(points.rows(), 3);
+  points << boundary.Points, shape::ComputeCentroids(boundary);
+  images << targets, shape::ComputeCentroids(shape::Mesh{ targets, boundary.Triangles });
+  EXPECT_NEAR(accelerated.Levels.back().RMSECollocations, error(accelerated, points, images), 1e-6);
+}
+
 TEST(HarmonicVolumeMap, StopsAtTheTolerance)
 {
   const shape::Mesh boundary = DentedSphere(3);
@@ -232,7 +272,8 @@ TEST(HarmonicVolumeMap, RepeatsItselfForAnyNumberOfThreads)
 {
   const shape::Mesh boundary = DentedSphere(3);
   const Eigen::MatrixXd targets = shapetest::Icosphere(3).Points;
-  for (const auto mode : { shape::SamplingMode::Uniform, shape::SamplingMode::GeometryAdaptive })
+  for (const auto mode : { shape::SamplingMode::Uniform, shape::SamplingMode::GeometryAdaptive,
+         shape::SamplingMode::Quadric })
   {
     auto options = With(Method::MultiLevel, 0.8, 0.4);
     options.CollocationSampling = options.SourceSampling = mode;

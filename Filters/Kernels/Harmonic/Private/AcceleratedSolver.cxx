@@ -155,10 +155,13 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     result.RefinedPoints =
       static_cast<int>(refined.Surface.Points.rows() - boundary.Points().rows());
     // Step 4: the sum.
-    const double gain = problem.Add(system.Sources(), fit.Solution, part.Part(0.95, 1.0));
+    const auto [factors, gain] = problem.Add(system.Sources(), fit.Solution, part.Part(0.95, 1.0));
 
     AddLevel(problem, system.Sources().rows(), system.Rows().rows(), gain, start, result);
-    const HarmonicVolumeMapResult::Level& level = result.Levels.back();
+    HarmonicVolumeMapResult::Level& level = result.Levels.back();
+    // The rows are the collocation points; the scaled map changed the residual there by this much.
+    const Eigen::MatrixXd change = (left - fit.Left) * factors.asDiagonal();
+    level.RMSECollocations = std::sqrt((left - change).squaredNorm() / left.rows());
     // Step 5: stop or refine.
     if (level.RMSEInside <= options.Tolerance)
     {

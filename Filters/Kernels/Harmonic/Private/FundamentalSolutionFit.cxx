@@ -230,7 +230,7 @@ FundamentalSolutionFit::Fit FundamentalSolutionFit::Solve(
   return fit;
 }
 
-double FundamentalSolutionFit::Add(
+FundamentalSolutionFit::Added FundamentalSolutionFit::Add(
   const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges, const Progress& progress)
 {
   const Eigen::Index n = this->Scaled.Surface.Points().rows();
@@ -255,7 +255,7 @@ double FundamentalSolutionFit::Add(
   // The map helps no coordinate: it is left out.
   if (factors.maxCoeff() == 0.0)
   {
-    return 0.0;
+    return { factors, 0.0 };
   }
   const double left = inner(this->Residual, this->Residual).sum();
   this->Residual -= change * factors.asDiagonal();
@@ -266,7 +266,7 @@ double FundamentalSolutionFit::Add(
   this->Sum.Charges.conservativeResize(before + sources.rows(), 3);
   this->Sum.Points.bottomRows(sources.rows()) = sources;
   this->Sum.Charges.bottomRows(sources.rows()) = charges * factors.asDiagonal();
-  return 1.0 - std::sqrt(inner(this->Residual, this->Residual).sum() / left);
+  return { factors, 1.0 - std::sqrt(inner(this->Residual, this->Residual).sum() / left) };
 }
 
 Eigen::MatrixXd FundamentalSolutionFit::WorstPoints(int count, double spacing) const
@@ -305,6 +305,11 @@ HarmonicVolumeMapResult::Level FundamentalSolutionFit::Errors() const
   level.RMSEVertices = std::sqrt(this->Residual.topRows(n).squaredNorm() / n);
   level.RMSEInside = std::sqrt(this->Residual.middleRows(n, m).squaredNorm() / m);
   level.Maximum = this->Residual.topRows(n + m).rowwise().norm().maxCoeff();
+  if (this->Collocations() > 0)
+  {
+    level.RMSECollocations =
+      std::sqrt(this->CollocationResidual.squaredNorm() / this->Collocations());
+  }
   return level;
 }
 

@@ -52,9 +52,14 @@ public:
   Fit Solve(int boundaryRows, const Eigen::MatrixXd& sources, const Progress& progress) const;
 
   /// Adds the charges to the sum, multiplied by one factor >= 0 for each coordinate. The factors
-  /// minimize the residual inside triangles and at features. Returns the relative decrease of the
-  /// root of the summed squared residual; 0 if no factor is positive.
-  double Add(
+  /// minimize the residual inside triangles and at features.
+  struct Added
+  {
+    Eigen::RowVector3d Factors;
+    /// relative decrease of the root of the summed squared residual; 0 if no factor is positive
+    double Gain = 0.0;
+  };
+  Added Add(
     const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges, const Progress& progress);
 
   /// Returns up to `count` boundary points with the largest residual; any two are farther than

@@ -193,7 +193,7 @@ void SolveSingleShot(FundamentalSolutionFit& problem, const HarmonicVolumeMapOpt
   problem.Collocate(SampleBoundary(problem, options, progress.Part(0.15, 0.2)), Progress());
   const FundamentalSolutionFit::Fit fit =
     problem.Solve(problem.Collocations(), sources, progress.Part(0.2, 0.95));
-  const double gain = problem.Add(sources, fit.Charges, progress.Part(0.95, 1.0));
+  const double gain = problem.Add(sources, fit.Charges, progress.Part(0.95, 1.0)).Gain;
   AddLevel(problem, sources.rows(), fit.Rows, gain, start, result);
   const bool kept = gain > 0.0;
   result.Reason = !kept ? HarmonicVolumeMapResult::Stop::NoImprovement
@@ -249,7 +249,7 @@ void SolveMultiLevel(FundamentalSolutionFit& problem, const HarmonicVolumeMapOpt
     Eigen::MatrixXd& subset = sources[(number - 1) % subsets];
     const FundamentalSolutionFit::Fit fit =
       problem.Solve(number == 1 ? coarseRows : problem.Collocations(), subset, part.Part(0.0, 0.8));
-    const double gain = problem.Add(subset, fit.Charges, part.Part(0.8, 1.0));
+    const double gain = problem.Add(subset, fit.Charges, part.Part(0.8, 1.0)).Gain;
 
     AddLevel(problem, subset.rows(), fit.Rows, gain, start, result);
     const HarmonicVolumeMapResult::Level& level = result.Levels.back();
