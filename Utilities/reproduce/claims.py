@@ -1,15 +1,22 @@
 """Facts with what they must be: claims of benchmarks and of reproduced pictures."""
 import sys
 
+WORDS = {True: 'yes', None: 'not met', False: 'NO'}
+
 
 class Claims:
-    """Collects what was measured; finish() prints it and ends the script with 1 if a claim fails."""
+    """Collects what was measured; finish() prints it and ends the script with 1 if a claim fails. What a
+    paper claims of its own data is wanted here, too, and named where it is not met."""
 
     def __init__(self):
-        self.rows = []  # subject, what, measured value, claim, whether it holds
+        self.rows = []  # subject, what, measured value, claim, whether it holds; None: wanted, not met
 
     def check(self, subject, what, value, holds, claim=''):
         self.rows.append((str(subject), what, str(value), claim, bool(holds)))
+
+    def want(self, subject, what, value, holds, claim):
+        """A claim of a paper, which is no claim of ours."""
+        self.rows.append((str(subject), what, str(value), claim, True if holds else None))
 
     def note(self, subject, what, value):
         """A fact of which nothing is claimed."""
@@ -26,13 +33,16 @@ class Claims:
         self.check(subject, what, ', '.join(map(str, found)) or 'none', not found, 'none')
 
     def failed(self):
-        return [row for row in self.rows if not row[-1]]
+        return [row for row in self.rows if row[-1] is False]
+
+    def unmet(self):
+        return [row for row in self.rows if row[-1] is None]
 
     def write(self, path):
         """Writes a Markdown table of all rows."""
         lines = ['| figure | what | measured | claim | held |', '|---|---|---|---|---|']
         lines += ['| %s | %s | %s | %s | %s |' % (
-            *row[:4], ('yes' if row[-1] else 'NO') if row[3] else '') for row in self.rows]
+            *row[:4], WORDS[row[-1]] if row[3] else '') for row in self.rows]
         with open(path, 'w') as file:
             file.write('\n'.join(lines) + '\n')
 
@@ -41,10 +51,11 @@ class Claims:
         print()
         for row in self.rows:
             cells = [cell.ljust(width) for cell, width in zip(row, widths)]
-            print(('FAILS ' if not row[-1] else 'holds ' if row[3] else '      '), *cells, row[3])
+            print({True: 'holds ', None: 'UNMET ', False: 'FAILS '}[row[-1]] if row[3] else '      ', *cells, row[3])
         failed = self.failed()
         if failed:
             sys.stdout.flush()
             sys.exit('%d of %d claims fail: %s' % (len(failed), len(self.rows), '; '.join(
                 ': '.join(filter(None, row[:2])) for row in failed)))
-        print('all claims hold', flush=True)
+        unmet = self.unmet()
+        print('all claims hold' + (', but %d of the paper are not met' % len(unmet) if unmet else ''), flush=True)

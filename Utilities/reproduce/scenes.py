@@ -23,10 +23,11 @@ from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter  # no
 from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry  # noqa: E402
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter  # noqa: E402
 from vtkmodules.vtkFiltersVerdict import vtkMeshQuality  # noqa: E402
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter  # noqa: E402
 
 START = time.time()
 
-MULTI_LEVEL, SINGLE_SHOT = 1, 2  # of Shape Harmonic Volume Map's Method
+ACCELERATED, MULTI_LEVEL, SINGLE_SHOT = 0, 1, 2  # of Shape Harmonic Volume Map's Method
 # Of the scanned models' sphere maps: limbs must stay large enough to compute on, as in demo.py.
 AREA_WEIGHT = 3.0
 
@@ -147,6 +148,19 @@ def with_array(data, values, name):
     result = copy(data)
     add_array(result, values, name)
     return result
+
+
+def write(data, path):
+    """Every bit of a surface or a solid, for read()."""
+    if data.IsA('vtkPolyData'):
+        shapetesting.write(data, path)
+        return
+    writer = vtkXMLUnstructuredGridWriter()
+    writer.SetFileName(path)
+    writer.SetInputData(data)
+    writer.SetDataModeToBinary()
+    if not writer.Write():
+        raise RuntimeError('cannot write ' + path)
 
 
 def triangulated(surface):
