@@ -110,20 +110,6 @@ Eigen::VectorXd Shares(const BoundaryHandle& handle)
   return shares;
 }
 
-/// The rotation that fits the complete handle best.
-Eigen::Matrix3d WholeRotation(const BoundaryHandle& handle, const Eigen::MatrixXd& positions)
-{
-  const Eigen::VectorXd shares = Shares(handle);
-  const auto centred = [&](const Eigen::MatrixXd& rows) -> Eigen::MatrixXd
-  {
-    const Eigen::RowVector3d centre = shares.transpose() * rows / shares.sum();
-    return rows.rowwise() - centre;
-  };
-  const Eigen::Matrix3d products =
-    centred(positions).transpose() * shares.asDiagonal() * centred(handle.Positions);
-  return FitRotation(products, Eigen::Matrix3d::Identity());
-}
-
 /// Columns: along the tangent, across the normal, nearest to the normal; false if tangent and
 /// normal are parallel, or one is 0.
 bool MakeFrame(
@@ -149,7 +135,7 @@ public:
     : Handle(handle)
     , Positions(positions)
     , Near(handle)
-    , Whole(WholeRotation(handle, positions))
+    , Whole(FitHandleRotation(handle, positions))
   {
   }
 
@@ -299,6 +285,19 @@ HandlePose PoseHandle(
     pose.Rotations.push_back(rotation.Of(i, from.row(i).transpose(), to.row(i).transpose()));
   }
   return pose;
+}
+
+Eigen::Matrix3d FitHandleRotation(const BoundaryHandle& handle, const Eigen::MatrixXd& positions)
+{
+  const Eigen::VectorXd shares = Shares(handle);
+  const auto centred = [&](const Eigen::MatrixXd& rows) -> Eigen::MatrixXd
+  {
+    const Eigen::RowVector3d centre = shares.transpose() * rows / shares.sum();
+    return rows.rowwise() - centre;
+  };
+  const Eigen::Matrix3d products =
+    centred(positions).transpose() * shares.asDiagonal() * centred(handle.Positions);
+  return FitRotation(products, Eigen::Matrix3d::Identity());
 }
 
 HandlePose GetRestPose(const BoundaryHandle& handle)

@@ -47,7 +47,7 @@ Eigen::MatrixXd ComputeHandleTangents(
  *
  * With normals, each rotation takes a sample's frame (tangent and normal) to its new frame. The
  * tangents then agree exactly. Without normals, let P be the best rotation of the complete handle
- * (Kabsch 1976), and t the tangent at rest. The rotation is then P, followed by the minimum
+ * (FitHandleRotation), and t the tangent at rest. The rotation is then P, followed by the minimum
  * rotation that takes P t to the new tangent. On surfaces, at branches of curves and at points
  * without a curve, the rotation is the best fit to the neighbours. It is P if the neighbours
  * determine no rotation. All of these rules are equivariant: if the handle moves rigidly, every
@@ -59,6 +59,10 @@ Eigen::MatrixXd ComputeHandleTangents(
  */
 HandlePose PoseHandle(const BoundaryHandle& handle, const Eigen::MatrixXd& positions,
   const Eigen::MatrixXd& normals = {});
+
+/// Returns the rotation that fits the motion of the complete handle to `positions` best (Kabsch
+/// 1976). Samples have weights by the share of the handle that they represent.
+Eigen::Matrix3d FitHandleRotation(const BoundaryHandle& handle, const Eigen::MatrixXd& positions);
 
 /// Returns the pose of the handle at rest.
 HandlePose GetRestPose(const BoundaryHandle& handle);

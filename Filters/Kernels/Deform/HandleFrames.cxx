@@ -120,18 +120,33 @@ void RequireOptions(const PoseOptions& options)
   RequireOption(options.BiasWeight >= 0.0 && options.BiasWeight <= 1.0, "BiasWeight",
     options.BiasWeight, "at least 0 and at most 1");
   const double length = Eigen::Map<const Eigen::Vector3d>(options.BiasFrame.data()).norm();
-  // Without a weight, the direction has no effect, and its length may be 0.
-  RequireOption(std::isfinite(length) && (length > 0.0 || options.BiasWeight == 0.0),
-    "the length of BiasFrame", length, "positive and finite");
+  // A direction without effect may be 0.
+  const bool hasEffect =
+    options.BiasWeight != 0.0 && options.BiasBy == PoseOptions::BiasByType::Direction;
+  RequireOption(std::isfinite(length) && (length > 0.0 || !hasEffect), "the length of BiasFrame",
+    length, "positive and finite");
+  const double angle = Eigen::Map<const Eigen::Vector3d>(options.BiasRotation.data()).norm();
+  RequireOption(std::isfinite(angle), "the angle of BiasRotation", angle, "finite");
 }
 
 /// Section 2.2: interpolation between the original frame and the bias frame by alpha.
 void BiasFrames(const BoundaryHandle& handle, const Eigen::MatrixXd& normals,
-  const PoseOptions& options, HandlePose& pose)
+  const PoseOptions& options, HandlePose& pose, const Eigen::Matrix3d& rest)
 {
   RequireOptions(options);
   if (options.BiasWeight == 0.0)
   {
+    return;
+  }
+  if (options.BiasBy == PoseOptions::BiasByType::Frame)
+  {
+    const Eigen::Map<const Eigen::Vector3d> degrees(options.BiasRotation.data());
+    const Eigen::Matrix3d frame = TurnBy(degrees * M_PI / 180.0) * rest;
+    for (Eigen::Matrix3d& rotation : pose.Rotations)
+    {
+      const Eigen::AngleAxisd turn(Eigen::Matrix3d(frame * rotation.transpose()));
+      rotation = TurnBy(options.BiasWeight * turn.angle() * turn.axis()) * rotation;
+    }
     return;
   }
   const Eigen::Vector3d given = Eigen::Map<const Eigen::Vector3d>(options.BiasFrame.data());

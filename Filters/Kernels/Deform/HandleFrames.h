@@ -10,10 +10,20 @@
 namespace shape
 {
 
+/// The bias of section 2.2: "We include a bias frame F_B, and a parameter alpha that controls
+/// interpolation between the original frame and F_B."
 struct PoseOptions
 {
   std::array<double, 3> BiasFrame = { 0.0, 0.0, 1.0 }; ///< a direction, of any length except 0
-  double BiasWeight = 0.0;                             ///< in [0, 1]; 0 means no bias
+  double BiasWeight = 0.0;                             ///< alpha, in [0, 1]; 0 means no bias
+  enum class BiasByType
+  {
+    Direction, ///< F_B has the normal BiasFrame; the rotation about it is free
+    Frame      ///< F_B is the frame of the undeformed shape, rotated by BiasRotation
+  };
+  BiasByType BiasBy = BiasByType::Direction;
+  /// The axis, of which the length is the angle in degrees. No rotation: F_B is the frame at rest.
+  std::array<double, 3> BiasRotation = { 0.0, 0.0, 0.0 };
 };
 
 /// Rotations that are prescribed at some samples of a handle.
@@ -39,15 +49,22 @@ void AddPrescribedRotations(
 void RequireOptions(const PoseOptions& options);
 
 /**
- * Rotates each frame to bring the shape's posed normal closer to the direction BiasFrame. The angle
- * is BiasWeight times the angle between the two directions (the bias frame F_B and alpha of section
- * 2.2). The pose's rotation about that normal does not change.
+ * Rotates each frame towards the bias frame F_B, about one axis, by BiasWeight times the angle
+ * between the two: along the geodesic of the rotations.
  *
- * normals: s x 3, the normals at rest (ComputeHandleNormals). Samples with a zero normal stay.
- * Throws InvalidInput if an option is out of range.
+ * Direction: F_B is the frame nearest to the posed frame of which the shape's normal points along
+ * BiasFrame. The pose's rotation about that normal does not change. Samples with a zero normal
+ * stay. Frame: all samples have the same F_B, which is the rotation `rest`, followed by
+ * BiasRotation. With BiasWeight 1, every frame of the deformed shape is therefore F_B, and detail
+ * has the same orientation everywhere. A frame half a turn from F_B has two geodesics, of which
+ * either may be taken.
+ *
+ * normals: s x 3, the normals at rest (ComputeHandleNormals). rest: the rotation of the undeformed
+ * shape. Throws InvalidInput if an option is out of range.
  */
 void BiasFrames(const BoundaryHandle& handle, const Eigen::MatrixXd& normals,
-  const PoseOptions& options, HandlePose& pose);
+  const PoseOptions& options, HandlePose& pose,
+  const Eigen::Matrix3d& rest = Eigen::Matrix3d::Identity());
 
 /// Returns the normals of the shape at a handle (s x 3). If the handle has normals, these are
 /// returned. Otherwise, each sample's normal is that of the shape's triangles around the node

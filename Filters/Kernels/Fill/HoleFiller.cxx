@@ -177,7 +177,9 @@ Eigen::MatrixXd HoleDeformation::Points(
     this->PreparedFor = options;
   }
   HandlePose pose = this->Frames.Pose;
-  BiasFrames(this->Handle, this->Handle.Normals, frames, pose);
+  // The frame without bias is that of the flat disk, laid into the hole.
+  BiasFrames(this->Handle, this->Handle.Normals, frames, pose,
+    FitHandleRotation(this->Handle, this->Loop.Points));
   const double all = std::numeric_limits<double>::infinity();
   Eigen::MatrixXd points = this->Prepared->Deform(pose, all, progress.Part(0.7, 1.0)).Points;
   // Exact to the last bit, so that the fill joins the surface.

@@ -83,7 +83,10 @@ public:
   vtkShapeOptionOf(Options.Fill.Filler, EdgeGrowth, double);
   vtkShapeOptionOf(Options.Fill.Filler, OptimizeNormals, bool);
   vtkShapeOptionOf(Options.Fill.Deformation, Scale, double);
+  vtkShapeEnumOptionOf(Options.Fill.Frames, BiasBy, shape::PoseOptions::BiasByType,
+    shape::PoseOptions::BiasByType::Direction, shape::PoseOptions::BiasByType::Frame);
   vtkShapeVectorOptionOf(Options.Fill.Frames, BiasFrame);
+  vtkShapeVectorOptionOf(Options.Fill.Frames, BiasRotation);
   vtkShapeOptionOf(Options.Fill.Frames, BiasWeight, double);
   vtkSetMacro(Dragging, bool);
   vtkGetMacro(Dragging, bool);

@@ -48,7 +48,10 @@ public:
   vtkGetCharFromStdStringMacro(ScaleArray);
   vtkSetStdStringFromCharMacro(SegmentArray);
   vtkGetCharFromStdStringMacro(SegmentArray);
+  vtkShapeEnumOptionOf(Frames, BiasBy, shape::PoseOptions::BiasByType,
+    shape::PoseOptions::BiasByType::Direction, shape::PoseOptions::BiasByType::Frame);
   vtkShapeVectorOptionOf(Frames, BiasFrame);
+  vtkShapeVectorOptionOf(Frames, BiasRotation);
   vtkShapeOptionOf(Frames, BiasWeight, double);
   vtkShapeOption(LaplacianSmoothing, bool);
   ///@}

@@ -213,6 +213,60 @@ TEST(BoundaryHandle, TheBiasFrameDrawsNormalsByItsWeight)
   }
 }
 
+/// The angle between two rotations, in radians.
+double AngleBetween(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b)
+{
+  const double sine = (a - b).norm() / std::sqrt(8.0);
+  const double cosine = std::sqrt(std::max(1.0 + (a * b.transpose()).trace(), 0.0)) / 2.0;
+  return 2.0 * std::atan2(sine, cosine);
+}
+
+TEST(BoundaryHandle, FramesApproachTheBiasFrameAlongGeodesics)
+{
+  // A wavy loop, bent and squeezed: all frames differ.
+  const shape::BoundaryHandle loop = shape::BuildCurveHandle(Wave(24), true);
+  Eigen::MatrixXd bent = Moved(loop.Positions, SomeRotation(), 1.0, Eigen::RowVector3d(1, 2, 3));
+  bent.col(0) *= 0.6;
+  bent.col(2).array() += 0.2 * bent.col(1).array().square();
+  const shape::HandlePose posed = shape::PoseHandle(loop, bent);
+  ASSERT_GT(FarthestFrom(posed, posed.Rotations[0]), 0.1);
+  const Eigen::MatrixXd noNormals = Eigen::MatrixXd::Zero(24, 3);
+  const Eigen::Matrix3d rest =
+    Eigen::AngleAxisd(0.3, Eigen::Vector3d(0, 1, 1).normalized()).toRotationMatrix();
+  const Eigen::Vector3d degrees(20.0, -35.0, 60.0);
+  const Eigen::Matrix3d bias =
+    Eigen::AngleAxisd(degrees.norm() * M_PI / 180.0, degrees.normalized()).toRotationMatrix() *
+    rest;
+  shape::PoseOptions options;
+  options.BiasBy = shape::PoseOptions::BiasByType::Frame;
+  options.BiasFrame = { 0.0, 0.0, 0.0 }; // without effect
+  options.BiasRotation = { degrees.x(), degrees.y(), degrees.z() };
+  for (const double weight : { 0.0, 0.1, 0.5, 0.75, 1.0 })
+  {
+    options.BiasWeight = weight;
+    shape::HandlePose pose = posed;
+    shape::BiasFrames(loop, noNormals, options, pose, rest);
+    EXPECT_EQ(pose.Positions, bent);
+    for (std::size_t i = 0; i < pose.Rotations.size(); ++i)
+    {
+      const Eigen::Matrix3d &before = posed.Rotations[i], &after = pose.Rotations[i];
+      const double whole = AngleBetween(before, bias);
+      EXPECT_GT(whole, 0.01);
+      EXPECT_NEAR(AngleBetween(before, after), weight * whole, 1e-12);
+      EXPECT_NEAR(AngleBetween(after, bias), (1.0 - weight) * whole, 1e-12);
+      EXPECT_LT((after * after.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-12);
+      EXPECT_GT(after.determinant(), 0.0);
+      if (weight == 0.0)
+      {
+        EXPECT_EQ(before, after);
+      }
+    }
+  }
+  options.BiasRotation[1] = std::numeric_limits<double>::quiet_NaN();
+  shape::HandlePose pose = posed;
+  EXPECT_REFUSED(shape::BiasFrames(loop, noNormals, options, pose), "BiasRotation");
+}
+
 TEST(BoundaryHandle, NamesWhatIsWrong)
 {
   shape::BoundaryHandle handle = shape::BuildCurveHandle(Wave(8), true);

@@ -135,6 +135,35 @@ TEST(Deform, WhatFailsOrIsStoppedLeavesNothingWrong)
   EXPECT_EQ(deformer.Deform(problem, target).Points, points);
 }
 
+TEST(Deform, WithTheWholeBiasEveryFrameIsTheBiasFrame)
+{
+  const shape::DeformProblem problem = SomeProblem();
+  const Eigen::MatrixXd& rest = problem.Handle.Positions;
+  const Eigen::Matrix3d tilt =
+    Eigen::AngleAxisd(1.0, Eigen::Vector3d(1, 2, 0).normalized()).toRotationMatrix();
+  const shape::HandleTarget target{ rest * tilt.transpose(), {}, {} };
+  shape::PoseOptions options;
+  options.BiasBy = shape::PoseOptions::BiasByType::Frame;
+  options.BiasWeight = 1.0;
+  // The loop tilts, but the shape keeps its orientation: points move by means of the loop's ways.
+  const shape::DeformedShape upright = shape::Deformer().Deform(problem, target, options);
+  const Eigen::MatrixXd ways = target.Positions - rest;
+  const Eigen::MatrixXd moved = upright.Points - problem.Shape.Points;
+  for (int k = 0; k < 3; ++k)
+  {
+    EXPECT_LT(moved.col(k).maxCoeff(), ways.col(k).maxCoeff() + 1e-12);
+    EXPECT_GT(moved.col(k).minCoeff(), ways.col(k).minCoeff() - 1e-12);
+  }
+  options.BiasRotation = { 0.0, 0.0, 40.0 };
+  const Eigen::Matrix3d turn =
+    Eigen::AngleAxisd(40.0 * M_PI / 180.0, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  for (const Eigen::Matrix3d& rotation :
+    shape::Deformer().Deform(problem, target, options).Rotations)
+  {
+    EXPECT_LT((rotation - turn).norm(), 1e-12);
+  }
+}
+
 TEST(Deform, SetTurnsAndTheBiasTurnFrames)
 {
   const shape::DeformProblem problem = SomeProblem();

@@ -227,6 +227,11 @@ TEST(FillHoles, ParametersShapeTheFillLive)
   options.Frames.BiasFrame = { axis.x(), axis.y(), axis.z() };
   options.Frames.BiasWeight = 0.5;
   EXPECT_LT(height(filler.Fill(options)), height(plain) - 0.02);
+  // With all frames those of the flat disk, the fill is as flat as its loop.
+  options.Frames.BiasBy = shape::PoseOptions::BiasByType::Frame;
+  options.Frames.BiasWeight = 1.0;
+  const Eigen::VectorXd loop = open.Points(loops[0], Eigen::all) * axis.transpose();
+  EXPECT_LT(height(filler.Fill(options)), 2.0 * loop.maxCoeff() - loop.minCoeff());
   // What was tuned before leaves no trace.
   options.Frames = {};
   EXPECT_EQ(filler.Fill(options).Surface.Points, plain.Surface.Points);
