@@ -7,9 +7,10 @@ import tempfile
 import time
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import VTK_POLY_LINE, vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import (
+    VTK_POLY_LINE, vtkCellArray, vtkPolyData, vtkSelection, vtkSelectionNode)
 from vtkmodules.vtkFiltersCore import vtkExtractCells, vtkFeatureEdges
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridReader
@@ -155,6 +156,38 @@ def closed_curves(curves):
 
 def closed_curve(places):
     return closed_curves([places])
+
+
+def torus(major, minor, around, across):
+    """A closed surface of genus 1, around the z axis, with as many quadrilaterals, cut into triangles."""
+    rows, columns = numpy.divmod(numpy.arange(around * across), across)
+    u, v = 2 * numpy.pi * rows / around, 2 * numpy.pi * columns / across
+    distance = major + minor * numpy.cos(v)
+
+    def number(row, column):
+        return (row % around) * across + column % across
+
+    corners = [number(rows, columns), number(rows + 1, columns), number(rows + 1, columns + 1),
+               number(rows, columns + 1)]
+    faces = numpy.concatenate([numpy.column_stack([corners[k] for k in each]) for each in ((0, 1, 2), (0, 2, 3))])
+    surface, cells = vtkPolyData(), vtkCellArray()
+    surface.SetPoints(vtkPoints())
+    set_points(surface, numpy.column_stack([distance * numpy.cos(u), distance * numpy.sin(u), minor * numpy.sin(v)]))
+    cells.SetData(numpy_to_vtkIdTypeArray(3 * numpy.arange(len(faces) + 1), deep=True),
+                  numpy_to_vtkIdTypeArray(faces.ravel(), deep=True))
+    surface.SetPolys(cells)
+    return surface
+
+
+def selection_of(ids, kind):
+    """A selection of cells or points: of the field type `kind` of vtkSelectionNode."""
+    node = vtkSelectionNode()
+    node.SetContentType(vtkSelectionNode.INDICES)
+    node.SetFieldType(kind)
+    node.SetSelectionList(numpy_to_vtkIdTypeArray(numpy.asarray(ids, numpy.int64), deep=True))
+    selection = vtkSelection()
+    selection.AddNode(node)
+    return selection
 
 
 def without_cells(surface, cells):

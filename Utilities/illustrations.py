@@ -625,6 +625,32 @@ def PasteFeatureSoup():
 
 
 @drawing
+def PasteFeatureLoops():
+    """The handle of a cup is cut off along two loops, and pasted on a planet."""
+    ball = '(sqrt(coordsX^2+coordsY^2+coordsZ^2)/20-1)'
+    ring = '(sqrt((sqrt((coordsX-20)^2+coordsZ^2)-12)^2+coordsY^2)/20-0.17)'
+    values = Calculator(Input=Wavelet(WholeExtent=[-24, 38, -24, 24, -24, 24]), ResultArrayName='Cup',
+                        Function='ln(exp(-20*%s)+exp(-20*%s))' % (ball, ring))
+    contour = Contour(Input=values, ContourBy=['POINTS', 'Cup'], Isosurfaces=[0.0])
+    cup = Calculator(Input=contour, CoordinateResults=1, Function='coords/20')
+    feet = []
+    for side in (1.0, -1.0):
+        axis, across = (0.82, 0.0, 0.572 * side), (0.572 * side, 0.0, -0.82)
+        turns = [2 * math.pi * k / 40 for k in range(40)]
+        feet.append(PolyLineSource(Closed=1, Points=[
+            value for t in turns for value in (
+                0.936 * axis[0] + 0.352 * math.cos(t) * across[0], 0.352 * math.sin(t),
+                0.936 * axis[2] + 0.352 * math.cos(t) * across[2])]))
+    handle = ShapeCutFeature(Input=cup, Loop=AppendGeometry(Input=feet))
+    planet = Sphere(ThetaResolution=90, PhiResolution=90, Radius=1.6)
+    pasted = ShapePasteFeature(Feature=handle, Target=planet, Seed=[0.0, 1.0, 1.2], Rotation=90.0, Loops='All')
+    show(OutputPort(handle, 0), (-2.6, 0, 0), colour=ACCENT)
+    show(OutputPort(handle, 1), (-2.9, 0, 0))
+    show(pasted, (1.2, 0, 0), array='Part', kind='CELLS', preset='Cool to Warm')
+    return (0.0, -1.0, 0.5), (0, 0, 1)
+
+
+@drawing
 def DeformRigidity():
     """Rigidity 0.5, 1 and 3: the boundary of a square with a bump is bent."""
     plane = Plane(Origin=[-1, -1, 0], Point1=[1, -1, 0], Point2=[-1, 1, 0], XResolution=50, YResolution=50)

@@ -4,12 +4,12 @@ As an example: a cap of a sphere, along a circle above it that is drawn with Pol
 import numpy
 from paraview import simple
 from vtkmodules.vtkCommonDataModel import (
-    vtkDataObject, vtkMultiBlockDataSet, vtkPolyData, vtkSelection, vtkSelectionNode)
+    vtkDataObject, vtkMultiBlockDataSet, vtkPolyData, vtkSelectionNode)
 from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray, vtk_to_numpy
 import shapemap
 
 import shapetesting
-from shapetesting import array, closed_curve, copy, edges, euler, fact, points, read, triangles
+from shapetesting import array, closed_curve, copy, edges, euler, fact, points, read, selection_of, triangles
 
 
 def circle(height, radius, count=60):
@@ -147,16 +147,6 @@ assert kept[1].GetNumberOfCells() == surface.GetNumberOfCells()
 
 
 # Selections: of cells, of points, and what was extracted.
-def selection_of(ids, kind):
-    node = vtkSelectionNode()
-    node.SetContentType(vtkSelectionNode.INDICES)
-    node.SetFieldType(kind)
-    node.SetSelectionList(numpy_to_vtkIdTypeArray(numpy.asarray(ids, numpy.int64), deep=True))
-    selection = vtkSelection()
-    selection.AddNode(node)
-    return selection
-
-
 heights = -points(surface)[triangles(surface)][:, :, 2]
 chosen = numpy.flatnonzero((heights > 0.6).all(axis=1))
 high = numpy.flatnonzero(points(surface)[:, 2] < -0.6)

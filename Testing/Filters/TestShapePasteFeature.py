@@ -50,28 +50,6 @@ def sphere(resolution=80, radius=0.5):
     return clean(source)
 
 
-def torus(around=100, across=60):
-    rows, columns = numpy.divmod(numpy.arange(around * across), across)
-    u, v = 2 * numpy.pi * rows / around, 2 * numpy.pi * columns / across
-    places = numpy.column_stack([(2.0 + 0.8 * numpy.cos(v)) * numpy.cos(u),
-                                 (2.0 + 0.8 * numpy.cos(v)) * numpy.sin(u), 0.8 * numpy.sin(v)])
-
-    def number(row, column):
-        return (row % around) * across + column % across
-
-    corners = [number(rows, columns), number(rows + 1, columns), number(rows + 1, columns + 1),
-               number(rows, columns + 1)]
-    faces = numpy.concatenate([numpy.column_stack([corners[0], corners[1], corners[2]]),
-                               numpy.column_stack([corners[0], corners[2], corners[3]])])
-    surface, cells = vtkPolyData(), vtkCellArray()
-    surface.SetPoints(vtkPoints())
-    shapetesting.set_points(surface, places)
-    cells.SetData(numpy_to_vtkIdTypeArray(3 * numpy.arange(len(faces) + 1), deep=True),
-                  numpy_to_vtkIdTypeArray(faces.ravel(), deep=True))
-    surface.SetPolys(cells)
-    return surface
-
-
 def horn():
     """A sphere with a horn along +x, and a colour and a height at its points."""
     surface = sphere()
@@ -128,7 +106,7 @@ numbers.SetName('OfCell')
 feature.GetCellData().AddArray(numbers)
 
 # Elsewhere: one closed manifold, of the target's Euler number, smoothly joined.
-for target, number, place in ((torus(), 0, [1.5, 1.5, 1.0]), (sphere(90, 1.2), 2, [0.2, -1.0, 0.5])):
+for target, number, place in ((shapetesting.torus(2.0, 0.8, 100, 60), 0, [1.5, 1.5, 1.0]), (sphere(90, 1.2), 2, [0.2, -1.0, 0.5])):
     result = paste(feature, target, place, Rotation=-70.0, Scale=0.8)
     assert edges(result, 'Boundary') == edges(result, 'NonManifold') == 0
     assert euler(result) == number == fact(result, 'PasteFeature.EulerNumber')

@@ -20,7 +20,8 @@ enum class CoveredRegionFault
   Flipped,       ///< the loop crosses triangles that are flipped in the patch's image
   Overlaps,      ///< the loop crosses two overlapping triangles of the patch
   NotADisk,      ///< the covered region has a hole or a handle
-  Collapsed      ///< consecutive points of the loop coincide on the surface
+  Collapsed,     ///< consecutive points of the loop coincide on the surface
+  Shared         ///< the region of another loop is there, or next to it
 };
 
 /// The region of a surface that a loop in the plane covers.

@@ -57,34 +57,39 @@ std::vector<int> PointsAt(
   return points;
 }
 
-/// The feature's base at a loop, if the hole in the rest was filled.
+/// The feature's bases at the loops whose holes in the rest were filled.
 /// Section 4.2 of the paper: the loop is embedded in the parameterization of the fill region, and
-/// the initial frames are taken from this surface. Of several fills, the base is the one that
-/// shares most points with the loop.
-void FindBase(
-  const Surface& filled, std::vector<int> loop, CutFeatureResult& result, const Progress& progress)
+/// the initial frames are taken from this surface. Of several fills, a base is on the one that
+/// shares most points with its loop.
+void FindBases(const Surface& filled, const std::vector<std::vector<int>>& loops,
+  CutFeatureResult& result, const Progress& progress)
 {
-  const std::vector<int> on = PointsAt(loop, result.Feature, result.Rest);
-  const std::set<int> isOn(on.begin(), on.end());
-  const FilledHole* best = nullptr;
-  int maximum = 0;
-  for (const FilledHole& hole : result.Holes)
+  std::vector<FilledLoop> ofHoles;
+  for (std::vector<int> loop : loops)
   {
-    const auto shared = static_cast<int>(std::count_if(
-      hole.Loop.begin(), hole.Loop.end(), [&](int point) { return isOn.count(point) > 0; }));
-    if (shared > maximum)
+    std::vector<int> on = PointsAt(loop, result.Feature, result.Rest);
+    const std::set<int> isOn(on.begin(), on.end());
+    const FilledHole* best = nullptr;
+    int maximum = 0;
+    for (const FilledHole& hole : result.Holes)
     {
-      maximum = shared;
-      best = &hole;
+      const auto shared = static_cast<int>(std::count_if(
+        hole.Loop.begin(), hole.Loop.end(), [&](int point) { return isOn.count(point) > 0; }));
+      if (shared > maximum)
+      {
+        maximum = shared;
+        best = &hole;
+      }
+    }
+    if (best)
+    {
+      std::vector<int> triangles(best->Triangles);
+      std::iota(triangles.begin(), triangles.end(), best->FirstTriangle);
+      ofHoles.push_back(
+        { FindCenterOfTriangles(filled, triangles), std::move(loop), std::move(on) });
     }
   }
-  if (best)
-  {
-    std::vector<int> triangles(best->Triangles);
-    std::iota(triangles.begin(), triangles.end(), best->FirstTriangle);
-    result.Seed = FindCenterOfTriangles(filled, triangles);
-    result.Base = BuildFootprintOnSurface(filled, result.Seed, std::move(loop), on, progress);
-  }
+  result.Bases = BuildFootprintsOnSurface(filled, ofHoles, progress);
 }
 
 /// Fills the holes that a feature leaves. Even if the loop has many short edges, the number of
@@ -158,11 +163,7 @@ void Divide(const SurfaceDivision& division, const CutFeatureOptions& options,
       division.MeanArea(), options.Fill, progress.Part(0.1, 0.6, "filling the holes"));
     Append(filled, result.Rest);
     result.Holes = std::move(filled.Holes);
-    // The longest loop carries the base; others are inner holes of the feature.
-    if (!loops.empty())
-    {
-      FindBase(filled.Surface, loops.front(), result, progress.Part(0.6, 1.0, "finding the base"));
-    }
+    FindBases(filled.Surface, loops, result, progress.Part(0.6, 1.0, "finding the base"));
   }
   const std::size_t points = result.Rest.Ids.size();
   division.PartPinches(result.Rest);

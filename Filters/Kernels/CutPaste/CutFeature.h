@@ -13,7 +13,6 @@
 #include <Eigen/Core>
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace shape
@@ -35,9 +34,9 @@ struct CutFeatureResult
   DividedPart Feature;
   DividedPart Rest;              ///< the rest of the surface and, if FillHole is set, the fills
   std::vector<FilledHole> Holes; ///< the filled holes of Rest
-  /// The base of the feature, at its longest cut loop, if its hole was filled.
-  std::optional<FeatureFootprint> Base;
-  Eigen::RowVector3d Seed = Eigen::RowVector3d::Zero(); ///< seed of Base: the fill's centre
+  /// The bases of the feature, at each cut loop whose hole was filled, the longest loop first. The
+  /// origin of each is the centre of the fill.
+  std::vector<FeatureFootprint> Bases;
   int WeldedPoints = 0; ///< number of points of the surface that were welded: see WeldedSurface
   int Loops = 0;        ///< number of closed loops along which the feature was cut
   /// Number of ignored parts of curves. A curve that touches itself has several parts, of which
@@ -53,7 +52,7 @@ struct CutFeatureResult
  * the base surface based on a fixed boundary loop, and fill the hole [...]. To ensure that the
  * original mesh is recovered if we drop a feature back in the same position, we embed the loop in a
  * parameterization of the fill region, and also take the initial boundary frames from this new
- * surface." The result's Base stores this loop and these frames.
+ * surface." The result's Bases store the loops and these frames.
  *
  * Curves may have any position on the surface, since triangles that they cross are split
  * (ImprintCurves). Existing holes of the surface remain. If a cut ends at the surface's boundary,

@@ -8,6 +8,21 @@
 namespace shape
 {
 
+bool operator==(const JoinedLoops& a, const JoinedLoops& b)
+{
+  return a.Loops == b.Loops && a.LoopIndex == b.LoopIndex;
+}
+
+std::vector<int> ConcatenateLoops(const std::vector<std::vector<int>>& loops)
+{
+  std::vector<int> all;
+  for (const std::vector<int>& loop : loops)
+  {
+    all.insert(all.end(), loop.begin(), loop.end());
+  }
+  return all;
+}
+
 bool IsSimplePolygon(const Eigen::MatrixXd& polygon)
 {
   const auto corners = static_cast<int>(polygon.rows());

@@ -20,6 +20,7 @@ struct FeatureFootprint
   Eigen::MatrixXd Normals;   ///< n x 3: normals of the surface under the feature, at the loop
   Eigen::RowVector3d Normal; ///< normal of the plane, at the position where the feature was cut
   Eigen::RowVector3d XAxis;  ///< x axis of the plane, at the same position
+  Eigen::RowVector3d Origin = Eigen::RowVector3d::Zero(); ///< this position: the seed
   /// Radius of the patch that was flattened conformally; 0 if the layout is the exponential map.
   double ConformalRadius = 0.0;
   bool IsRefined = false; ///< whether the conformal layout has minimum distortion
@@ -28,6 +29,25 @@ struct FeatureFootprint
   /// returns the loop to its position.
   bool ReturnsInPlace = false;
 };
+
+/// A choice of the loops of a feature along which it is joined to a target.
+struct JoinedLoops
+{
+  enum class LoopsType
+  {
+    One,
+    All ///< all loops that were cut or, if the loop at the seed was not, all loops
+  };
+  LoopsType Loops = LoopsType::One;
+  /// Index of the loop at the seed, in the order of FindBoundaryLoops. 0: the first loop that was
+  /// cut or, if none was, the longest loop.
+  int LoopIndex = 0;
+};
+
+bool operator==(const JoinedLoops& a, const JoinedLoops& b);
+
+/// Returns the points of all loops, one loop after another.
+std::vector<int> ConcatenateLoops(const std::vector<std::vector<int>>& loops);
 
 /// Returns the base's x axis, rotated by the minimum rotation from the base's normal to `normal`.
 Eigen::RowVector3d TurnAxis(const FeatureFootprint& base, const Eigen::RowVector3d& normal);

@@ -103,6 +103,34 @@ void LayOutConformally(PasteTarget& home, const Eigen::RowVector3d& seed, double
   }
 }
 
+/// Returns a patch around the loop's seed that contains the loop, and the rows of the loop's points
+/// in it.
+std::pair<std::vector<int>, ExponentialPatch> FlattenLoop(
+  ExponentialMap& map, const FilledLoop& loop, const Progress& progress)
+{
+  const ClosestPoint position = map.Locator().FindOne(loop.Seed);
+  double radius = 0.0;
+  for (const int point : loop.On)
+  {
+    radius = std::max(radius, (map.Surface().Points().row(point) - position.Position).norm());
+  }
+  // Paths on the surface are longer than straight lines: the patch grows until it has the loop.
+  // The radius grows by 1.5^8 = 26 in total; a loop beyond that is on another component.
+  constexpr int rounds = 8;
+  for (int round = 0; round < rounds; ++round)
+  {
+    radius *= 1.5;
+    ExponentialPatch patch = map.Around(position, radius, Eigen::RowVector3d::Zero(), progress);
+    std::vector<int> rows = RowsOf(loop.On, patch);
+    if (!rows.empty())
+    {
+      return { std::move(rows), std::move(patch) };
+    }
+  }
+  throw InvalidInput("the feature's loop is on another component of the surface than the centre of "
+                     "the fill; keep one component with Connectivity");
+}
+
 } // namespace
 
 Eigen::RowVector3d FindCenterOfTriangles(const Surface& surface, const std::vector<int>& triangles)
@@ -118,8 +146,8 @@ Eigen::RowVector3d FindCenterOfTriangles(const Surface& surface, const std::vect
   return SurfaceLocator(part).FindOne(centroid).Position;
 }
 
-FeatureFootprint BuildFootprintOnSurface(const Surface& filled, const Eigen::RowVector3d& seed,
-  std::vector<int> loop, const std::vector<int>& on, const Progress& progress)
+std::vector<FeatureFootprint> BuildFootprintsOnSurface(
+  const Surface& filled, const std::vector<FilledLoop>& loops, const Progress& progress)
 {
   // Features are pasted on manifolds only: on another surface there is no position to return to.
   std::optional<PasteTarget> home;
@@ -134,36 +162,26 @@ FeatureFootprint BuildFootprintOnSurface(const Surface& filled, const Eigen::Row
     alone.emplace(filled, ExponentialMapOptions(), progress.Part(0.0, 0.2));
   }
   ExponentialMap& map = home ? home->Layout() : *alone;
-  const ClosestPoint position = map.Locator().FindOne(seed);
-  double radius = 0.0;
-  for (const int point : on)
+  std::vector<FeatureFootprint> bases;
+  const auto count = static_cast<double>(loops.size());
+  for (const FilledLoop& loop : loops)
   {
-    radius = std::max(radius, (filled.Points().row(point) - position.Position).norm());
-  }
-  // Paths on the surface are longer than straight lines: the patch grows until it has the loop.
-  // The radius grows by 1.5^8 = 26 in total; a loop beyond that is on another component.
-  constexpr int rounds = 8;
-  for (int round = 0; round < rounds; ++round)
-  {
-    radius *= 1.5;
-    const ExponentialPatch patch =
-      map.Around(position, radius, Eigen::RowVector3d::Zero(), progress.Part(0.2, 0.25));
-    const std::vector<int> rows = RowsOf(on, patch);
-    if (!rows.empty())
+    const auto done = static_cast<double>(bases.size());
+    const Progress part = progress.Part(0.2 + 0.8 * done / count, 0.2 + 0.8 * (done + 1.0) / count);
+    const auto [rows, patch] = FlattenLoop(map, loop, part.Part(0.0, 0.1));
+    FeatureFootprint base{ loop.Loop, patch.Positions(rows, Eigen::all),
+      GetVertexNormals(filled)(loop.On, Eigen::all), patch.Seed.Normal, patch.Seed.XAxis,
+      loop.Seed };
+    base.ReturnsInPlace =
+      home && StaysInPlace(*home, base, loop.On, loop.Seed, part.Part(0.1, 0.4));
+    if (home && !base.ReturnsInPlace)
     {
-      FeatureFootprint base{ std::move(loop), patch.Positions(rows, Eigen::all),
-        GetVertexNormals(filled)(on, Eigen::all), patch.Seed.Normal, patch.Seed.XAxis };
-      base.ReturnsInPlace = home && StaysInPlace(*home, base, on, seed, progress.Part(0.25, 0.5));
-      if (home && !base.ReturnsInPlace)
-      {
-        LayOutConformally(
-          *home, seed, patch.Distances(rows).maxCoeff(), on, base, progress.Part(0.5, 1.0));
-      }
-      return base;
+      LayOutConformally(
+        *home, loop.Seed, patch.Distances(rows).maxCoeff(), loop.On, base, part.Part(0.4, 1.0));
     }
+    bases.push_back(std::move(base));
   }
-  throw InvalidInput("the feature's loop is on another component of the surface than the centre of "
-                     "the fill; keep one component with Connectivity");
+  return bases;
 }
 
 /// Schmidt and Singh, section 4.2: for an arbitrary feature the loop is embedded in the plane by
@@ -181,8 +199,9 @@ FeatureFootprint BuildFootprintOnOwnFill(
   std::vector<int> triangles(filled.Surface.Triangles.rows());
   std::iota(triangles.begin(), triangles.end(), 0);
   const Surface surface(filled.Surface);
-  return BuildFootprintOnSurface(
-    surface, FindCenterOfTriangles(surface, triangles), loop, rim, progress.Part(0.6, 1.0));
+  return std::move(BuildFootprintsOnSurface(
+    surface, { { FindCenterOfTriangles(surface, triangles), loop, rim } }, progress.Part(0.6, 1.0))
+                     .front());
 }
 
 } // namespace shape

@@ -14,16 +14,18 @@ namespace shape
 /// Returns the point of the given triangles that is closest to their centroid.
 Eigen::RowVector3d FindCenterOfTriangles(const Surface& surface, const std::vector<int>& triangles);
 
-/**
- * Builds the footprint of a feature on the surface from which it was cut, after the hole there has
- * been filled.
- *
- * filled: the surface with the fill. seed: the centre of the fill. loop: points of the feature,
- * with the feature to the left. on: for each of these points, the coincident point of `filled`.
- * Throws InvalidInput if the loop and the seed are on different components; Aborted.
- */
-FeatureFootprint BuildFootprintOnSurface(const Surface& filled, const Eigen::RowVector3d& seed,
-  std::vector<int> loop, const std::vector<int>& on, const Progress& progress = {});
+/// A loop of a feature on the surface from which it was cut, after its hole there has been filled.
+struct FilledLoop
+{
+  Eigen::RowVector3d Seed; ///< the centre of the fill
+  std::vector<int> Loop;   ///< points of the feature, with the feature to the left
+  std::vector<int> On;     ///< for each of these points, the coincident point of the surface
+};
+
+/// Builds the footprint of a feature at each of its loops. filled: the surface with the fills.
+/// Throws InvalidInput if a loop and its seed are on different components; Aborted.
+std::vector<FeatureFootprint> BuildFootprintsOnSurface(
+  const Surface& filled, const std::vector<FilledLoop>& loops, const Progress& progress = {});
 
 /**
  * Builds the footprint of a feature if the surface from which it was cut is not known. A smooth

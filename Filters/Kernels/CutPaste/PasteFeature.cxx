@@ -8,8 +8,10 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -44,22 +46,53 @@ void RequireSimple(const Eigen::MatrixXd& loop)
   }
 }
 
-BoundaryHandle LoopHandle(const Surface& feature, const FeatureFootprint& base)
+std::vector<std::vector<int>> LoopsOf(const std::vector<FeatureFootprint>& bases)
 {
-  const auto size = static_cast<Eigen::Index>(base.Loop.size());
-  if (size < 3 || base.LoopPositions.rows() != size || base.Normals.rows() != size)
+  std::vector<std::vector<int>> loops;
+  for (const FeatureFootprint& base : bases)
   {
-    throw InvalidInput("the feature's loop has " + std::to_string(size) + " points, " +
-      std::to_string(base.LoopPositions.rows()) + " positions in the plane and " +
-      std::to_string(base.Normals.rows()) +
-      " normals, but these numbers must be equal and at least 3; cut the feature again");
+    loops.push_back(base.Loop);
   }
-  Eigen::MatrixXd positions(size, 3);
-  for (Eigen::Index i = 0; i < size; ++i)
+  return loops;
+}
+
+std::vector<std::array<int, 2>> ChordsOf(
+  const Eigen::MatrixXi& triangles, const std::vector<FeatureFootprint>& bases)
+{
+  std::set<std::array<int, 2>> chords;
+  for (const FeatureFootprint& base : bases)
   {
-    positions.row(i) = feature.Points().row(base.Loop[i]);
+    const std::vector<std::array<int, 2>> own = FindLoopChords(triangles, base.Loop);
+    chords.insert(own.begin(), own.end());
   }
-  return BuildCurveHandle(positions, true, base.Normals);
+  return { chords.begin(), chords.end() };
+}
+
+/// Closed curves, one for each base.
+BoundaryHandle BuildLoopHandle(const Surface& feature, const std::vector<FeatureFootprint>& bases)
+{
+  const std::vector<int> loop = ConcatenateLoops(LoopsOf(bases));
+  const auto samples = static_cast<Eigen::Index>(loop.size());
+  BoundaryHandle handle{ feature.Points()(loop, Eigen::all), Eigen::MatrixXi(samples, 2), {},
+    Eigen::MatrixXd(samples, 3) };
+  Eigen::Index first = 0;
+  for (const FeatureFootprint& base : bases)
+  {
+    const auto size = static_cast<Eigen::Index>(base.Loop.size());
+    if (size < 3 || base.LoopPositions.rows() != size || base.Normals.rows() != size)
+    {
+      throw InvalidInput("the feature's loop has " + std::to_string(size) + " points, " +
+        std::to_string(base.LoopPositions.rows()) + " positions in the plane and " +
+        std::to_string(base.Normals.rows()) +
+        " normals, but these numbers must be equal and at least 3; cut the feature again");
+    }
+    handle.Segments.middleRows(first, size) =
+      BuildCurveHandle(handle.Positions.middleRows(first, size), true).Segments.array() +
+      static_cast<int>(first);
+    handle.Normals.middleRows(first, size) = base.Normals;
+    first += size;
+  }
+  return handle;
 }
 
 /// The maximum angle between one of the rotations and the first, in radians.
@@ -109,6 +142,19 @@ Eigen::VectorXd AnglesAcross(
   return angles;
 }
 
+/// Returns the rotations from one pose to another.
+PrescribedRotations TurnsBetween(const HandlePose& from, const HandlePose& to)
+{
+  const auto samples = static_cast<Eigen::Index>(from.Rotations.size());
+  PrescribedRotations turns{ Eigen::MatrixXd(samples, 3), Eigen::VectorXi::Ones(samples) };
+  for (Eigen::Index i = 0; i < samples; ++i)
+  {
+    const Eigen::AngleAxisd turn(Eigen::Matrix3d(to.Rotations[i] * from.Rotations[i].transpose()));
+    turns.Turns.row(i) = turn.angle() * turn.axis().transpose();
+  }
+  return turns;
+}
+
 /// The distance from the loop within which SeamNormals acts, in mean edges of the loop.
 constexpr double TurningWidth = 4.0;
 
@@ -136,28 +182,31 @@ double ComputePercentile(const Eigen::VectorXd& values, double share)
   return sorted[static_cast<std::size_t>(std::ceil(std::clamp(share, 0.0, 1.0) * last))];
 }
 
-FeatureToPaste::FeatureToPaste(const shape::Surface& feature, FeatureFootprint base,
+FeatureToPaste::FeatureToPaste(const shape::Surface& feature, std::vector<FeatureFootprint> bases,
   const DeformOptions& options, const DeformFields& fields, const Progress& progress)
   : Feature(feature)
-  , Stand(std::move(base))
-  , Cut(SplitEdges(this->Feature.Triangles(),
-      FindLoopChords(this->Feature.Triangles(), this->Stand.Loop),
+  , Stands(std::move(bases))
+  , Loop(ConcatenateLoops(LoopsOf(this->Stands)))
+  , Cut(SplitEdges(this->Feature.Triangles(), ChordsOf(this->Feature.Triangles(), this->Stands),
       static_cast<int>(this->Feature.Points().rows())))
   , Fans(this->Cut.Triangles,
       this->Feature.Points().rows() + static_cast<Eigen::Index>(this->Cut.Midpoints.size()))
-  , Handle(LoopHandle(this->Feature, this->Stand))
+  , Handle(BuildLoopHandle(this->Feature, this->Stands))
   , NormalsBefore(this->LoopNormals(this->WithMidpoints(this->Feature.Points())))
 {
-  RequireSimple(this->Stand.LoopPositions);
+  for (const FeatureFootprint& base : this->Stands)
+  {
+    RequireSimple(base.LoopPositions);
+  }
   this->Prepared =
     PrepareDeformation(BuildPointGraph(this->Feature), this->Handle, options, fields, progress);
   // The midpoints are on chords of the loop, at which the front starts.
   Eigen::VectorXd arrivals = Eigen::VectorXd::Zero(this->Fans.First.size() - 1);
   arrivals.head(this->Feature.Points().rows()) = this->Prepared->Arrivals();
   const Mesh cut{ this->WithMidpoints(this->Feature.Points()), this->Cut.Triangles };
-  this->NormalReach = ReachOfRing(cut, this->Fans, this->Stand.Loop, arrivals);
+  this->NormalReach = ReachOfRing(cut, this->Fans, this->Loop, arrivals);
   this->Turning = std::make_unique<SeamNormals>(
-    cut, this->Fans, this->Stand.Loop, arrivals, TurningWidth * MeanSide(this->Handle));
+    cut, this->Fans, LoopsOf(this->Stands), arrivals, TurningWidth * MeanSide(this->Handle));
 }
 
 void FeatureToPaste::Check(const PastedFeature& pasted) const
@@ -179,7 +228,7 @@ void FeatureToPaste::Check(const PastedFeature& pasted) const
 Eigen::MatrixXd FeatureToPaste::LoopNormals(const Eigen::MatrixXd& points) const
 {
   return ComputeVertexNormals(
-    points, this->Cut.Triangles, this->Fans, this->Stand.Loop, NormalWeight::Angle);
+    points, this->Cut.Triangles, this->Fans, this->Loop, NormalWeight::Angle);
 }
 
 Eigen::MatrixXd FeatureToPaste::WithMidpoints(const Eigen::MatrixXd& points) const
@@ -196,8 +245,8 @@ Eigen::MatrixXd FeatureToPaste::WithMidpoints(const Eigen::MatrixXd& points) con
 }
 
 /// The boundary optimisation of section 4.2, which is that of section 4.1: a single angle while the
-/// feature is dragged, one angle for each sample when it is released.
-Eigen::MatrixXd FeatureToPaste::Smoothly(HandlePose pose, const Eigen::MatrixXd& normals,
+/// feature is dragged, one angle for each sample when it is released. pose: its frames rotate.
+Eigen::MatrixXd FeatureToPaste::Smoothly(HandlePose& pose, const Eigen::MatrixXd& normals,
   const PasteFeatureOptions& options, const Progress& progress) const
 {
   constexpr double rigid = 5.0 * M_PI / 180.0;
@@ -233,7 +282,7 @@ Eigen::MatrixXd FeatureToPaste::Smoothly(HandlePose pose, const Eigen::MatrixXd&
   return deformed;
 }
 
-/// positions, normals: those of the target at the loop's points.
+/// positions, normals: those of the target at the points of the loops.
 /// Offsets within the feature grow with Scale, so the feature is deformed at its original size to a
 /// pose divided by Scale.
 FeatureToPaste::Deformed FeatureToPaste::DeformTo(const Eigen::MatrixXd& positions,
@@ -241,7 +290,8 @@ FeatureToPaste::Deformed FeatureToPaste::DeformTo(const Eigen::MatrixXd& positio
   const Progress& progress) const
 {
   constexpr double all = std::numeric_limits<double>::infinity();
-  HandlePose pose = PoseHandle(this->Handle, positions / scale, normals);
+  const HandlePose posed = PoseHandle(this->Handle, positions / scale, normals);
+  HandlePose pose = posed;
   BiasFrames(this->Handle, this->Handle.Normals, options.Frames, pose);
   Eigen::MatrixXd wanted = normals;
   for (Eigen::Index i = 0; i < wanted.rows() && options.Frames.BiasWeight > 0.0; ++i)
@@ -258,35 +308,47 @@ FeatureToPaste::Deformed FeatureToPaste::DeformTo(const Eigen::MatrixXd& positio
     : this->WithMidpoints(this->Prepared->Deform(pose, all, progress).Points);
   result.AnglesAfter = AnglesAcross(this->LoopNormals(deformed), wanted, tangents);
   result.Points = scale * deformed;
+  result.Turns = TurnsBetween(posed, pose);
   return result;
 }
 
 // Section 4.2 of the paper:
-// 1. Map the loop to the target by the exponential maps of both (PasteTarget::Land).
-// 2. Deform the feature to follow its loop, with frames that rotate the base's normals to the
+// 1. Map the loops to the target by the exponential maps of both (PasteTarget::Land).
+// 2. Deform the feature to follow its loops, with frames that rotate the bases' normals to the
 //    target's.
-// 3. Optimise the frames, and remove the remaining angles at the loop (Smoothly).
-// 4. Remove the covered triangles, and join both by the band (JoinFeatureAndTarget).
+// 3. Optimise the frames, and remove the remaining angles at the loops (Smoothly).
+// 4. Remove the covered triangles, and join both by the bands (JoinFeatureAndTarget).
 // 5. Check that the result is a manifold with the expected Euler number.
 PastedFeature FeatureToPaste::PasteOn(PasteTarget& target, const PastePlacement& placement,
   const PasteFeatureOptions& options, const Progress& progress) const
 {
-  LoopOnTarget landing = target.Land(this->Stand, placement, !options.Dragging,
+  std::vector<LoopOnTarget> landings = target.Land(this->Stands, placement, !options.Dragging,
     progress.Part(0.0, 0.3, "placing the base on the target"));
-  Deformed deformed = this->DeformTo(landing.Positions, landing.Normals, placement.Scale, options,
-    progress.Part(0.3, 0.9, "deforming the feature"));
-  // If the loop replaces the ring, point for point, no edge can exist twice.
+  Eigen::MatrixXd positions(this->Loop.size(), 3), normals(this->Loop.size(), 3);
+  Eigen::Index row = 0;
+  bool fits = true;
+  for (const LoopOnTarget& landing : landings)
+  {
+    positions.middleRows(row, landing.Positions.rows()) = landing.Positions;
+    normals.middleRows(row, landing.Normals.rows()) = landing.Normals;
+    row += landing.Positions.rows();
+    fits = fits && landing.Join.Triangles.rows() == 0;
+  }
+  Deformed deformed = this->DeformTo(
+    positions, normals, placement.Scale, options, progress.Part(0.3, 0.9, "deforming the feature"));
+  // If the loops replace the rings, point for point, no edge can exist twice.
   const auto given = static_cast<int>(this->Feature.Points().rows());
-  const bool fits = landing.Join.Triangles.rows() == 0;
   PastedFeature result = JoinFeatureAndTarget(target.Surface(),
-    fits ? SplitEdges(this->Feature.Triangles(), {}, given) : this->Cut, this->Stand, landing,
+    fits ? SplitEdges(this->Feature.Triangles(), {}, given) : this->Cut, this->Stands, landings,
     deformed.Points.topRows(fits ? given : deformed.Points.rows()));
   result.AnglesBefore = std::move(deformed.AnglesBefore);
   result.AnglesAfter = std::move(deformed.AnglesAfter);
   result.Facts = this->Prepared->Facts();
-  result.Position = std::move(landing);
-  // A disk is removed from the target, and the feature is joined along a circle.
-  result.EulerNumber = target.EulerNumber() - 1 + this->Feature.Topology().EulerNumber;
+  result.Loop = { std::move(positions), std::move(normals), std::move(deformed.Turns) };
+  // Disks are removed from the target, and the feature is joined along their circles.
+  result.EulerNumber =
+    target.EulerNumber() - static_cast<int>(landings.size()) + this->Feature.Topology().EulerNumber;
+  result.Landings = std::move(landings);
   if (!options.Dragging)
   {
     this->Check(result);
@@ -299,20 +361,30 @@ PastedFeature FeatureToPaste::PasteOn(PasteTarget& target, const PastePlacement&
 PastedFeature FeatureToPaste::PasteOn(SoupTarget& target, const PastePlacement& placement,
   const PasteFeatureOptions& options, const Progress& progress) const
 {
+  if (this->Stands.size() > 1)
+  {
+    throw InvalidInput("the target is a polygon soup, to which only one loop can be joined, but "
+                       "the feature has " +
+      std::to_string(this->Stands.size()) +
+      " loops to join; set Loops to One, or repair the target with Shape Solidify");
+  }
+  const FeatureFootprint& base = this->Stands.front();
   const LoopOnSoup landing =
-    target.Land(this->Stand, placement, progress.Part(0.0, 0.4, "placing the base on the target"));
+    target.Land(base, placement, progress.Part(0.0, 0.4, "placing the base on the target"));
   Deformed deformed = this->DeformTo(landing.Positions, landing.Normals, placement.Scale, options,
     progress.Part(0.4, 0.9, "deforming the feature"));
-  PastedFeature result = JoinFeatureAndSoup(this->Feature.Triangles(), this->Stand, landing,
+  PastedFeature result = JoinFeatureAndSoup(this->Feature.Triangles(), base, landing,
     deformed.Points.topRows(this->Feature.Points().rows()));
   RequireFinite(result.Surface.Points, "the joined surface");
   result.AnglesBefore = std::move(deformed.AnglesBefore);
   result.AnglesAfter = std::move(deformed.AnglesAfter);
   result.Facts = this->Prepared->Facts();
-  result.Position.Seed = landing.Seed;
-  result.Position.Positions = landing.Positions;
-  result.Position.Normals = landing.Normals;
-  result.Position.Cover.Positions = target.Closest().Find(landing.Positions);
+  result.Loop = { landing.Positions, landing.Normals, std::move(deformed.Turns) };
+  LoopOnTarget& onSoup = result.Landings.front();
+  onSoup.Seed = landing.Seed;
+  onSoup.Positions = landing.Positions;
+  onSoup.Normals = landing.Normals;
+  onSoup.Cover.Positions = target.Closest().Find(landing.Positions);
   progress(1.0);
   return result;
 }

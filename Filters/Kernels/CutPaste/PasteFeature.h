@@ -14,6 +14,7 @@
 #include <Eigen/Core>
 
 #include <memory>
+#include <vector>
 
 namespace shape
 {
@@ -38,22 +39,32 @@ double ComputePercentile(const Eigen::VectorXd& values, double share);
 class FeatureToPaste
 {
 public:
+  ///@{
   /**
-   * feature: any triangles. base: the footprint of its loop. Throws InvalidInput if the loop is not
+   * feature: any triangles. bases: the footprints of the loops along which it is joined to a
+   * target; the first one is at the seed. Throws InvalidInput if there is none, or if a loop is not
    * a closed curve of at least 3 points of the feature, crosses itself in the plane, or runs
    * clockwise there. Throws the exceptions of PrepareDeformation; Aborted.
    */
-  FeatureToPaste(const shape::Surface& feature, FeatureFootprint base,
+  FeatureToPaste(const shape::Surface& feature, std::vector<FeatureFootprint> bases,
     const DeformOptions& options = {}, const DeformFields& fields = {},
     const Progress& progress = {});
+  FeatureToPaste(const shape::Surface& feature, const FeatureFootprint& base,
+    const DeformOptions& options = {}, const DeformFields& fields = {},
+    const Progress& progress = {})
+    : FeatureToPaste(feature, std::vector<FeatureFootprint>{ base }, options, fields, progress)
+  {
+  }
+  ///@}
 
   /**
-   * Pastes the feature: its loop is mapped to the target (PasteTarget::Land), the feature is
-   * deformed to follow it, and a band of triangles joins both. See section 4.2 of Schmidt and
-   * Singh, "Drag-and-drop surface composition" (Graphics Interface 2010).
+   * Pastes the feature: its loops are mapped to the target (PasteTarget::Land), the feature is
+   * deformed to follow them, and a band of triangles at each joins both. See section 4.2 of Schmidt
+   * and Singh, "Drag-and-drop surface composition" (Graphics Interface 2010).
    *
    * The result is a 2-manifold if both inputs are; it is watertight if the target is and the
-   * feature has no other boundary loop. A feature returns to its position if it is pasted at the
+   * feature has no other boundary loop. Each joined loop after the first adds a handle, or connects
+   * two components of the target. A feature returns to its position if it is pasted at the
    * seed of its base, with Scale 1 and Rotation 0, on the surface from which it was cut. The
    * deformation's scale is multiplied by the placement's Scale.
    *
@@ -77,25 +88,30 @@ public:
    * split where the soup's edges meet them. A sheet farther from the seam than a quarter of the
    * loop's edge stays separate, and LargestGap says how far away it is.
    *
+   * Throws InvalidInput if the feature has several bases, as only one loop can be joined to a soup.
    * Throws the exceptions of SoupTarget::Land; Aborted.
    */
   PastedFeature PasteOn(SoupTarget& target, const PastePlacement& placement,
     const PasteFeatureOptions& options = {}, const Progress& progress = {}) const;
 
   const shape::Surface& Surface() const { return this->Feature; }
-  const FeatureFootprint& Base() const { return this->Stand; }
+  const std::vector<FeatureFootprint>& Bases() const { return this->Stands; }
+  /// The points of all joined loops, one loop after another.
+  const std::vector<int>& LoopPoints() const { return this->Loop; }
   const ShapeDeformation& Deformation() const { return *this->Prepared; }
+  const BoundaryHandle& LoopHandle() const { return this->Handle; }
 
 private:
-  /// The feature deformed to a loop.
+  /// The feature deformed to loops.
   struct Deformed
   {
     Eigen::MatrixXd Points; ///< with midpoints
+    PrescribedRotations Turns;
     Eigen::VectorXd AnglesBefore, AnglesAfter;
   };
   Deformed DeformTo(const Eigen::MatrixXd& positions, const Eigen::MatrixXd& normals, double scale,
     const PasteFeatureOptions& options, const Progress& progress) const;
-  Eigen::MatrixXd Smoothly(HandlePose pose, const Eigen::MatrixXd& normals,
+  Eigen::MatrixXd Smoothly(HandlePose& pose, const Eigen::MatrixXd& normals,
     const PasteFeatureOptions& options, const Progress& progress) const;
   Eigen::MatrixXd LoopNormals(const Eigen::MatrixXd& points) const;
   Eigen::MatrixXd WithMidpoints(const Eigen::MatrixXd& points) const;
@@ -103,12 +119,14 @@ private:
   void Check(const PastedFeature& pasted) const;
 
   shape::Surface Feature;
-  FeatureFootprint Stand;
-  /// The feature's triangles, split at the chords of its loop so that all of them can rotate there.
+  std::vector<FeatureFootprint> Stands;
+  std::vector<int> Loop;
+  /// The feature's triangles, split at the chords of its loops so that all of them can rotate
+  /// there.
   CutTriangles Cut;
   TriangleFans Fans; ///< the fans of these triangles
   BoundaryHandle Handle;
-  Eigen::MatrixXd NormalsBefore; ///< of the undeformed feature, at the points of its loop
+  Eigen::MatrixXd NormalsBefore; ///< of the undeformed feature, at the points of its loops
   double NormalReach;            ///< maximum arrival time of a point on which the normals depend
   std::unique_ptr<ShapeDeformation> Prepared;
   std::unique_ptr<SeamNormals> Turning;

@@ -6,7 +6,9 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -58,6 +60,8 @@ std::string Reason(const CoveredRegion& cover)
       return "it would extend beyond the boundary of the target there";
     case CoveredRegionFault::Collapsed:
       return "an edge of its loop shrinks to a point when the target is flattened there";
+    case CoveredRegionFault::Shared:
+      return "the region that it would cover there touches that of another loop";
     default:
       return "the region that it would cover there extends beyond the flattened part of the target";
   }
@@ -81,6 +85,23 @@ bool IsCollapsed(const Eigen::MatrixXd& positions, const Eigen::MatrixXd& image)
   return false;
 }
 
+/// The axes of a plane as columns.
+Eigen::Matrix3d AxesOf(const Eigen::RowVector3d& axis, const Eigen::RowVector3d& normal)
+{
+  Eigen::Matrix3d axes;
+  axes << axis.transpose(), normal.cross(axis).transpose(), normal.transpose();
+  return axes;
+}
+
+/// The rotation that lays a base on a surface with a normal, and rotates it there by degrees.
+Eigen::Matrix3d RotationOnto(
+  const FeatureFootprint& base, const Eigen::RowVector3d& normal, double degrees)
+{
+  const Eigen::AngleAxisd turn(degrees * M_PI / 180.0, normal.transpose());
+  return turn.toRotationMatrix() * AxesOf(TurnAxis(base, normal), normal) *
+    AxesOf(base.XAxis, base.Normal).transpose();
+}
+
 } // namespace
 
 /// A loop on the target, or its fault.
@@ -98,6 +119,46 @@ PasteTarget::PasteTarget(
   , Finder(surface)
   , MeanEdge(MeanEdgeLength(surface))
 {
+}
+
+/// Lays out one loop after another, until one has a fault.
+std::vector<PasteTarget::Trial> PasteTarget::TryAll(const std::vector<FeatureFootprint>& bases,
+  const ClosestPoint& seed, const PastePlacement& placement, bool quick, const Progress& progress)
+{
+  std::vector<Trial> trials;
+  trials.push_back(this->Try(bases[0], seed, placement, quick, progress));
+  const Eigen::Matrix3d turn =
+    RotationOnto(bases[0], this->Map.Normal(seed), placement.Rotation).transpose();
+  std::set<int> covered; // points of the regions
+  while (trials.size() < bases.size() && trials.back().Cover.Fault == CoveredRegionFault::None)
+  {
+    for (const int triangle : trials.back().Cover.Triangles)
+    {
+      const auto corners = this->Surface().Triangles().row(triangle);
+      covered.insert(corners.begin(), corners.end());
+    }
+    FeatureFootprint base = bases[trials.size()];
+    const Eigen::RowVector3d position =
+      seed.Position + placement.Scale * (base.Origin - bases[0].Origin) * turn;
+    base.Normal *= turn;
+    base.XAxis *= turn;
+    Trial trial = this->Try(base, this->Map.Locator().FindOne(position),
+      { position, 0.0, placement.Scale }, quick, progress);
+    const auto isShared = [&](int triangle)
+    {
+      const auto corners = this->Surface().Triangles().row(triangle);
+      return std::any_of(
+        corners.begin(), corners.end(), [&](int point) { return covered.count(point) > 0; });
+    };
+    const std::vector<int>& own = trial.Cover.Triangles;
+    if (trial.Cover.Fault == CoveredRegionFault::None &&
+      std::any_of(own.begin(), own.end(), isShared))
+    {
+      trial.Cover.Fault = CoveredRegionFault::Shared;
+    }
+    trials.push_back(std::move(trial));
+  }
+  return trials;
 }
 
 /// First the layout of the base, if that is conformal; then the exponential map; then, if the fault
@@ -204,10 +265,17 @@ CoveredRegionFault PasteTarget::TryConformally(const ExponentialPatch& patch, bo
   return other.Cover.Fault;
 }
 
-/// The plane of the base is laid on the target's tangent plane at the seed. Rotation and Scale act
-/// in the plane (Schmidt and Singh, section 4.2).
 LoopOnTarget PasteTarget::Land(const FeatureFootprint& base, const PastePlacement& placement,
   bool search, const Progress& progress)
+{
+  return std::move(
+    this->Land(std::vector<FeatureFootprint>{ base }, placement, search, progress).front());
+}
+
+/// The plane of the base is laid on the target's tangent plane at the seed. Rotation and Scale act
+/// in the plane (Schmidt and Singh, section 4.2).
+std::vector<LoopOnTarget> PasteTarget::Land(const std::vector<FeatureFootprint>& bases,
+  const PastePlacement& placement, bool search, const Progress& progress)
 {
   RequireOption(
     placement.Scale > 0.0 && std::isfinite(placement.Scale), "Scale", placement.Scale, "positive");
@@ -215,11 +283,16 @@ LoopOnTarget PasteTarget::Land(const FeatureFootprint& base, const PastePlacemen
   RequireFinite(placement.Seed, "Seed");
   const ClosestPoint seed = this->Map.Locator().FindOne(placement.Seed, this->LastTriangle);
   this->LastTriangle = seed.Triangle;
-  Trial trial = this->Try(base, seed, placement, !search, progress);
-  if (trial.Cover.Fault != CoveredRegionFault::None)
+  std::vector<Trial> trials = this->TryAll(bases, seed, placement, !search, progress);
+  if (trials.back().Cover.Fault != CoveredRegionFault::None)
   {
     std::ostringstream words;
-    words << "the feature does not fit at the seed: " << Reason(trial.Cover);
+    words << "the feature does not fit at the seed: ";
+    if (bases.size() > 1)
+    {
+      words << "at the loop with index " << trials.size() - 1 << " of " << bases.size() << ", ";
+    }
+    words << Reason(trials.back().Cover);
     if (search)
     {
       PastePlacement smaller = placement;
@@ -229,8 +302,8 @@ LoopOnTarget PasteTarget::Land(const FeatureFootprint& base, const PastePlacemen
       for (int step = 0; step < 8; ++step)
       {
         smaller.Scale = (good + bad) / 2.0;
-        const bool fits =
-          this->Try(base, seed, smaller, true, progress).Cover.Fault == CoveredRegionFault::None;
+        const bool fits = this->TryAll(bases, seed, smaller, true, progress).back().Cover.Fault ==
+          CoveredRegionFault::None;
         (fits ? good : bad) = smaller.Scale;
       }
       if (good > 0.0)
@@ -239,7 +312,9 @@ LoopOnTarget PasteTarget::Land(const FeatureFootprint& base, const PastePlacemen
       }
       else
       {
-        words << ", at any Scale down to " << bad << "; move Seed";
+        const bool isShared = trials.back().Cover.Fault == CoveredRegionFault::Shared;
+        words << ", at any Scale down to " << bad << "; move Seed"
+              << (isShared ? ", or refine the target there" : "");
       }
     }
     else
@@ -248,17 +323,22 @@ LoopOnTarget PasteTarget::Land(const FeatureFootprint& base, const PastePlacemen
     }
     throw InvalidInput(words.str());
   }
-  LoopOnTarget landing;
-  landing.Layout = trial.Layout;
-  landing.Seed = trial.Seed;
-  const Eigen::MatrixXi& triangles = this->Surface().Triangles();
-  landing.Positions = this->GetLoopPositions(trial.Cover);
-  landing.Normals = PullBack(trial.Cover.Positions, triangles, GetVertexNormals(this->Surface()))
-                      .rowwise()
-                      .normalized();
-  landing.Cover = std::move(trial.Cover);
-  landing.Join = std::move(trial.Join);
-  return landing;
+  std::vector<LoopOnTarget> landings;
+  for (Trial& trial : trials)
+  {
+    LoopOnTarget landing;
+    landing.Layout = trial.Layout;
+    landing.Seed = trial.Seed;
+    const Eigen::MatrixXi& triangles = this->Surface().Triangles();
+    landing.Positions = this->GetLoopPositions(trial.Cover);
+    landing.Normals = PullBack(trial.Cover.Positions, triangles, GetVertexNormals(this->Surface()))
+                        .rowwise()
+                        .normalized();
+    landing.Cover = std::move(trial.Cover);
+    landing.Join = std::move(trial.Join);
+    landings.push_back(std::move(landing));
+  }
+  return landings;
 }
 
 } // namespace shape

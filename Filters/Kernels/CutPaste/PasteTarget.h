@@ -9,6 +9,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace shape
 {
 
@@ -30,7 +32,7 @@ enum class TargetLayout
   MinimumDistortion
 };
 
-/// A feature's loop on a target.
+/// A loop of a feature on a target.
 struct LoopOnTarget
 {
   TargetLayout Layout = TargetLayout::ExponentialMap;
@@ -70,8 +72,16 @@ public:
   LoopOnTarget Land(const FeatureFootprint& base, const PastePlacement& placement,
     bool search = true, const Progress& progress = {});
 
+  /// The same for several loops of a feature. The first base is laid at the seed. The rigid motion
+  /// and the scale that take its frame there take the other bases to the positions of which the
+  /// closest points of the surface are their seeds. The regions must not share a point.
+  std::vector<LoopOnTarget> Land(const std::vector<FeatureFootprint>& bases,
+    const PastePlacement& placement, bool search = true, const Progress& progress = {});
+
 private:
   struct Trial;
+  std::vector<Trial> TryAll(const std::vector<FeatureFootprint>& bases, const ClosestPoint& seed,
+    const PastePlacement& placement, bool quick, const Progress& progress);
   Trial Try(const FeatureFootprint& base, const ClosestPoint& seed, const PastePlacement& placement,
     bool quick, const Progress& progress);
   void TryOn(const ExponentialPatch& patch, const Eigen::MatrixXd& loop, Trial& trial);

@@ -12,12 +12,12 @@ namespace
 class Assembly
 {
 public:
-  Assembly(const Surface& target, const CutTriangles& feature, const FeatureFootprint& base,
-    const LoopOnTarget& landing)
+  Assembly(const Surface& target, const CutTriangles& feature,
+    const std::vector<FeatureFootprint>& bases, const std::vector<LoopOnTarget>& landings)
     : Target(target)
     , Feature(feature)
-    , Base(base)
-    , Position(landing)
+    , Bases(bases)
+    , Landings(landings)
   {
   }
 
@@ -28,20 +28,22 @@ public:
   {
     PastedFeature result;
     std::vector<bool> isGone(this->Target.Triangles().rows(), false);
-    for (const int triangle : this->Position.Cover.Triangles)
+    Eigen::Index count = this->Target.Triangles().rows(), midpoints = 0;
+    for (const LoopOnTarget& landing : this->Landings)
     {
-      isGone[triangle] = true;
+      for (const int triangle : landing.Cover.Triangles)
+      {
+        isGone[triangle] = true;
+        --count;
+      }
+      result.BandTriangles += static_cast<int>(landing.Join.Triangles.rows());
+      midpoints += static_cast<Eigen::Index>(landing.Join.Midpoints.size());
     }
     std::vector<int> targetPoints;
     const std::vector<int> number = this->Number(targetPoints);
     const auto kept = static_cast<int>(targetPoints.size());
-    const auto count = this->Target.Triangles().rows() -
-      static_cast<Eigen::Index>(this->Position.Cover.Triangles.size());
-    const Eigen::MatrixXi& band = this->Position.Join.Triangles;
-    result.BandTriangles = static_cast<int>(band.rows());
     const Eigen::Index given =
       deformed.rows() - static_cast<Eigen::Index>(this->Feature.Midpoints.size());
-    const auto midpoints = static_cast<Eigen::Index>(this->Position.Join.Midpoints.size());
     result.Surface.Points.resize(kept + deformed.rows() + midpoints, 3);
     ProvenanceWriter ofTarget(this->Target.Points().rows());
     ProvenanceWriter ofFeature(given);
@@ -55,7 +57,7 @@ public:
     ofTarget.AddNone(given);
     result.Surface.Points.middleRows(kept, deformed.rows()) = deformed;
     Eigen::MatrixXi& triangles = result.Surface.Triangles;
-    triangles.resize(count + band.rows() + this->Feature.Triangles.rows(), 3);
+    triangles.resize(count + result.BandTriangles + this->Feature.Triangles.rows(), 3);
     Eigen::VectorXi targetCells = Eigen::VectorXi::Constant(triangles.rows(), -1);
     Eigen::VectorXi featureCells = targetCells;
     int next = 0;
@@ -70,16 +72,6 @@ public:
         targetCells(next++) = t;
       }
     }
-    const auto loop = static_cast<int>(this->Base.Loop.size());
-    const auto ring = static_cast<int>(this->Position.Cover.Ring.size());
-    const int last = kept + static_cast<int>(deformed.rows());
-    // The band's indices: the loop, then the ring, then its midpoints.
-    const auto numberOf = [&](int corner)
-    {
-      return corner < loop     ? kept + this->Base.Loop[corner]
-        : corner < loop + ring ? number[this->Position.Cover.Ring[corner - loop]]
-                               : last + corner - loop - ring;
-    };
     const auto addMidpoint = [&](int a, int b)
     {
       ofTarget.AddMean({ a, b });
@@ -89,21 +81,35 @@ public:
     {
       addMidpoint(kept + a, kept + b);
     }
-    for (Eigen::Index i = 0; i < midpoints; ++i)
+    int last = kept + static_cast<int>(deformed.rows()); // the next midpoint of a band
+    for (std::size_t l = 0; l < this->Landings.size(); ++l)
     {
-      const int a = numberOf(this->Position.Join.Midpoints[i][0]);
-      const int b = numberOf(this->Position.Join.Midpoints[i][1]);
-      addMidpoint(a, b);
-      result.Surface.Points.row(last + i) =
-        0.5 * (result.Surface.Points.row(a) + result.Surface.Points.row(b));
-    }
-    const std::vector<int> under = this->TrianglesUnderBand();
-    for (Eigen::Index t = 0; t < band.rows(); ++t, ++next)
-    {
-      targetCells(next) = under[t];
-      for (int k = 0; k < 3; ++k)
+      const SeamBand& band = this->Landings[l].Join;
+      const std::vector<int>& loop = this->Bases[l].Loop;
+      const std::vector<int>& ring = this->Landings[l].Cover.Ring;
+      const auto inner = static_cast<int>(loop.size());
+      const int outer = inner + static_cast<int>(ring.size());
+      // The band's indices: the loop, then the ring, then its midpoints.
+      const auto numberOf = [&, first = last](int corner)
       {
-        triangles(next, k) = numberOf(band(t, k));
+        return corner < inner ? kept + loop[corner]
+          : corner < outer    ? number[ring[corner - inner]]
+                              : first + corner - outer;
+      };
+      for (const auto& [a, b] : band.Midpoints)
+      {
+        addMidpoint(numberOf(a), numberOf(b));
+        result.Surface.Points.row(last++) =
+          0.5 * (result.Surface.Points.row(numberOf(a)) + result.Surface.Points.row(numberOf(b)));
+      }
+      const std::vector<int> under = this->TrianglesUnderBand(this->Landings[l]);
+      for (Eigen::Index t = 0; t < band.Triangles.rows(); ++t, ++next)
+      {
+        targetCells(next) = under[t];
+        for (int k = 0; k < 3; ++k)
+        {
+          triangles(next, k) = numberOf(band.Triangles(t, k));
+        }
       }
     }
     triangles.bottomRows(this->Feature.Triangles.rows()) = this->Feature.Triangles.array() + kept;
@@ -115,10 +121,10 @@ public:
   }
 
 private:
-  /// Returns, for each triangle of the band, the target's triangle at one of its corners.
-  std::vector<int> TrianglesUnderBand() const
+  /// Returns, for each triangle of a band, the target's triangle at one of its corners.
+  std::vector<int> TrianglesUnderBand(const LoopOnTarget& landing) const
   {
-    const CoveredRegion& cover = this->Position.Cover;
+    const CoveredRegion& cover = landing.Cover;
     const auto loop = static_cast<int>(cover.Loop.rows());
     std::map<int, int> around; // a covered triangle at each point of the ring
     for (const int triangle : cover.Triangles)
@@ -129,7 +135,7 @@ private:
       }
     }
     std::vector<int> triangles;
-    for (const auto& corners : this->Position.Join.Triangles.rowwise())
+    for (const auto& corners : landing.Join.Triangles.rowwise())
     {
       const int corner = corners.minCoeff(); // points of the loop come before those of the ring
       triangles.push_back(
@@ -139,25 +145,37 @@ private:
   }
 
   /// Returns, for each point of the target, its index in the result, or -1. points: the kept ones.
-  /// Three groups: points strictly inside the region are dropped, points of the ring are kept
+  /// Three groups: points strictly inside the regions are dropped, points of the rings are kept
   /// unless a point of the loop coincides with them, all others are kept.
   std::vector<int> Number(std::vector<int>& points) const
   {
     std::vector<int> number(this->Target.Points().rows(), 0);
-    for (const int triangle : this->Position.Cover.Triangles)
+    for (const LoopOnTarget& landing : this->Landings)
     {
-      for (int k = 0; k < 3; ++k)
+      for (const int triangle : landing.Cover.Triangles)
       {
-        number[this->Target.Triangles()(triangle, k)] = -1;
+        for (int k = 0; k < 3; ++k)
+        {
+          number[this->Target.Triangles()(triangle, k)] = -1;
+        }
       }
     }
-    const std::vector<int>& ring = this->Position.Cover.Ring;
-    const auto loop = static_cast<int>(this->Base.Loop.size());
-    for (std::size_t i = 0; i < ring.size(); ++i)
+    // A point of the loop replaces coincident points of the ring.
+    std::map<int, int> replaced; // by the point of the feature
+    for (std::size_t l = 0; l < this->Landings.size(); ++l)
     {
-      // A point of the loop replaces coincident points of the ring.
-      number[ring[i]] =
-        this->Position.Join.RingPoints(static_cast<Eigen::Index>(i)) < loop ? -1 : 0;
+      const std::vector<int>& ring = this->Landings[l].Cover.Ring;
+      const std::vector<int>& loop = this->Bases[l].Loop;
+      for (std::size_t i = 0; i < ring.size(); ++i)
+      {
+        const int same = this->Landings[l].Join.RingPoints(static_cast<Eigen::Index>(i));
+        number[ring[i]] = 0;
+        if (same < static_cast<int>(loop.size()))
+        {
+          number[ring[i]] = -1;
+          replaced[ring[i]] = loop[same];
+        }
+      }
     }
     for (int point = 0; point < static_cast<int>(number.size()); ++point)
     {
@@ -167,29 +185,26 @@ private:
         points.push_back(point);
       }
     }
-    for (std::size_t i = 0; i < ring.size(); ++i)
+    for (const auto& [point, by] : replaced)
     {
-      const int same = this->Position.Join.RingPoints(static_cast<Eigen::Index>(i));
-      if (same < loop)
-      {
-        number[ring[i]] = static_cast<int>(points.size()) + this->Base.Loop[same];
-      }
+      number[point] = static_cast<int>(points.size()) + by;
     }
     return number;
   }
 
   const Surface& Target;
   const CutTriangles& Feature;
-  const FeatureFootprint& Base;
-  const LoopOnTarget& Position;
+  const std::vector<FeatureFootprint>& Bases;
+  const std::vector<LoopOnTarget>& Landings;
 };
 
 } // namespace
 
 PastedFeature JoinFeatureAndTarget(const Surface& target, const CutTriangles& feature,
-  const FeatureFootprint& base, const LoopOnTarget& landing, const Eigen::MatrixXd& deformed)
+  const std::vector<FeatureFootprint>& bases, const std::vector<LoopOnTarget>& landings,
+  const Eigen::MatrixXd& deformed)
 {
-  return Assembly(target, feature, base, landing).Make(deformed);
+  return Assembly(target, feature, bases, landings).Make(deformed);
 }
 
 } // namespace shape

@@ -2,12 +2,15 @@
 
 #include "CutPaste/FeatureFootprint.h"
 #include "CutPaste/PasteTarget.h"
+#include "Deform/Deform.h"
 #include "Deform/ShapeDeformation.h"
 #include "Mesh/EdgeMidpoints.h"
 #include "Mesh/Provenance.h"
 #include "Mesh/Surface.h"
 
 #include <Eigen/Core>
+
+#include <vector>
 
 namespace shape
 {
@@ -23,8 +26,13 @@ struct PastedFeature
   Provenance Target;     ///< from the target, which also gives the triangles of the band their data
   Provenance Feature;    ///< from the feature
   int BandTriangles = 0; ///< number of triangles of the band
-  LoopOnTarget Position;
-  /// The angle between the normals of the feature and the target at each point of the loop (n
+  std::vector<LoopOnTarget> Landings; ///< of the joined loops
+  /// The handle by which the feature was deformed, at its target: the loops with all rotations of
+  /// their frames. Deformer deforms anything else like the feature if it takes LoopHandle here and
+  /// the same options, with the placement's Scale as a factor of Scale. SeamNormals acts
+  /// afterwards.
+  HandleTarget Loop;
+  /// The angle between the normals of the feature and the target at each point of the loops (n
   /// values), in degrees about the loop's tangent. It is given before and after the optimisation of
   /// the frames.
   Eigen::VectorXd AnglesBefore, AnglesAfter;
@@ -41,9 +49,10 @@ struct PastedFeature
   double JoinedShare = 1.0;
 };
 
-/// Joins target and feature. feature: its triangles, split at the chords of its loop. deformed: its
-/// deformed points, the midpoints last.
+/// Joins target and feature. feature: its triangles, split at the chords of its loops. landings: of
+/// the loops of `bases`, in order. deformed: the deformed points, the midpoints last.
 PastedFeature JoinFeatureAndTarget(const Surface& target, const CutTriangles& feature,
-  const FeatureFootprint& base, const LoopOnTarget& landing, const Eigen::MatrixXd& deformed);
+  const std::vector<FeatureFootprint>& bases, const std::vector<LoopOnTarget>& landings,
+  const Eigen::MatrixXd& deformed);
 
 } // namespace shape

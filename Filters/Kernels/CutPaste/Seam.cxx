@@ -1,5 +1,6 @@
 #include "CutPaste/Seam.h"
 
+#include "CutPaste/FeatureFootprint.h"
 #include "Mesh/EdgeMidpoints.h"
 #include "Mesh/HalfEdges.h"
 #include "Planar/PlanarDelaunay.h"
@@ -44,21 +45,25 @@ struct Hinge
 
 /// The tangent at a point is the direction from the previous point to the next one, as in equation
 /// 12. Inwards is orthogonal to it and to the target's normal.
-std::vector<Hinge> HingesOf(
-  const Eigen::MatrixXd& points, const std::vector<int>& loop, const Eigen::MatrixXd& normals)
+std::vector<Hinge> HingesOf(const Eigen::MatrixXd& points,
+  const std::vector<std::vector<int>>& loops, const Eigen::MatrixXd& normals)
 {
-  const std::size_t size = loop.size();
-  std::vector<Hinge> hinges(size);
-  for (std::size_t i = 0; i < size; ++i)
+  std::vector<Hinge> hinges;
+  for (const std::vector<int>& loop : loops)
   {
-    const RowVector3d along =
-      points.row(loop[(i + 1) % size]) - points.row(loop[(i + size - 1) % size]);
-    Hinge& hinge = hinges[i];
-    hinge.Position = points.row(loop[i]);
-    hinge.Along = along.stableNormalized();
-    hinge.Inwards =
-      RowVector3d(normals.row(static_cast<Eigen::Index>(i))).cross(hinge.Along).stableNormalized();
-    hinge.Up = hinge.Along.cross(hinge.Inwards);
+    const std::size_t size = loop.size();
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      const RowVector3d along =
+        points.row(loop[(i + 1) % size]) - points.row(loop[(i + size - 1) % size]);
+      const RowVector3d normal = normals.row(static_cast<Eigen::Index>(hinges.size()));
+      Hinge hinge;
+      hinge.Position = points.row(loop[i]);
+      hinge.Along = along.stableNormalized();
+      hinge.Inwards = normal.cross(hinge.Along).stableNormalized();
+      hinge.Up = hinge.Along.cross(hinge.Inwards);
+      hinges.push_back(hinge);
+    }
   }
   return hinges;
 }
@@ -90,9 +95,10 @@ std::vector<std::array<int, 2>> RingChords(const SeamBand& band, int loop)
 } // namespace
 
 SeamNormals::SeamNormals(const Mesh& feature, const TriangleFans& fans,
-  const std::vector<int>& loop, const Eigen::VectorXd& distances, double width)
-  : Loop(loop)
+  const std::vector<std::vector<int>>& loops, const Eigen::VectorXd& distances, double width)
+  : Loops(loops)
 {
+  const std::vector<int> loop = ConcatenateLoops(loops);
   // Beyond the ring the rotation is already small and smooth; a few samples suffice.
   constexpr int nearest = 6;
   std::vector<int> row(feature.Points.rows(), -1); // in the ring
@@ -157,7 +163,7 @@ SeamNormals::SeamNormals(const Mesh& feature, const TriangleFans& fans,
 /// the angles found there, which fade out.
 void SeamNormals::Apply(Eigen::MatrixXd& points, const Eigen::MatrixXd& normals, double share) const
 {
-  const std::vector<Hinge> hinges = HingesOf(points, this->Loop, normals);
+  const std::vector<Hinge> hinges = HingesOf(points, this->Loops, normals);
   Eigen::VectorXd angles = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(hinges.size()));
   Eigen::VectorXd sums = angles;
   for (const Turned& turned : this->Ring)

@@ -12,7 +12,7 @@ namespace shape
 {
 
 /**
- * Rotates the points of a deformed feature about its loop until the feature has the wanted normals
+ * Rotates the points of a deformed feature about its loops until the feature has the wanted normals
  * there. This removes the angles that equation 12 (OptimizeBoundaryNormals) leaves. Such angles
  * remain because the frames of neighbouring samples are blended and the feature is rough at its
  * boundary.
@@ -26,14 +26,14 @@ namespace shape
 class SeamNormals
 {
 public:
-  /// feature: the undeformed feature, any triangles. fans: built from these triangles. loop: points
-  /// of the feature in order, with the feature to the left. distances: for each point of the
-  /// feature, its distance from the loop. width: a distance in the same unit.
-  SeamNormals(const Mesh& feature, const TriangleFans& fans, const std::vector<int>& loop,
-    const Eigen::VectorXd& distances, double width);
+  /// feature: the undeformed feature, any triangles. fans: built from these triangles. loops:
+  /// points of the feature in order, with the feature to the left. distances: for each point of the
+  /// feature, its distance from the loops. width: a distance in the same unit.
+  SeamNormals(const Mesh& feature, const TriangleFans& fans,
+    const std::vector<std::vector<int>>& loops, const Eigen::VectorXd& distances, double width);
 
   /// Rotates the points of the deformed feature. normals: n x 3, the wanted unit normals at the
-  /// loop's points. share: the factor of all angles, 0 to 1. Points of the loop stay.
+  /// points of all loops. share: the factor of all angles, 0 to 1. Points of the loop stay.
   void Apply(Eigen::MatrixXd& points, const Eigen::MatrixXd& normals, double share) const;
 
 private:
@@ -42,11 +42,11 @@ private:
   {
     int Point;
     double Fade;              ///< the factor by which the angles are reduced at this point
-    std::vector<int> Samples; ///< indices in the loop
+    std::vector<int> Samples; ///< indices of points of all loops
     std::vector<double> Weights;
   };
 
-  std::vector<int> Loop;
+  std::vector<std::vector<int>> Loops;
   std::vector<Turned> Ring;   ///< points next to the loop; Weights are computed each time
   std::vector<Turned> Beyond; ///< other points within the width
 };

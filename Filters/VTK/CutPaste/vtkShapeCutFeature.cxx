@@ -47,7 +47,8 @@ vtkShapeCutFeature::vtkShapeCutFeature()
     "Selection", PortData::Selection, PortUse::Optional, { "vtkSelection", "vtkDataSet" });
   this->DeclareOutput("vtkPolyData");
   this->DeclareOutput("vtkPolyData");
-  this->DeclareFacts({ { 0, { "SeedNormal", "SeedDirection", "ConformalRadius", "Refined" } } });
+  this->DeclareFacts(
+    { { 0, { "Seed", "SeedNormal", "SeedDirection", "ConformalRadius", "Refined" } } });
   this->DeclareMeasures({ "Normals" });
 }
 

@@ -22,20 +22,22 @@
  *   output 1 is the unchanged Input without further arrays.
  * In parallel, the first process has both outputs.
  *
- * The feature stores its base (shape::FeatureFootprint), which is the surface on which it stood.
- * With it, vtkShapePasteFeature can paste the feature back at its original position. The points of
- * its longest filled loop have these arrays, which are 0 elsewhere:
- * - `LoopCoordinates` (double, 3): u, v and 0, the coordinates of the point in the exponential map
- *   of the filled rest around the centre of the fill.
+ * The feature stores its bases (shape::FeatureFootprint), one for each filled loop: the surface on
+ * which it stood. With them, vtkShapePasteFeature can paste the feature back at its original
+ * position. The points of these loops have two arrays, which are 0 elsewhere:
+ * - `LoopCoordinates` (double, 3): u and v, the coordinates of the point in the exponential map of
+ *   the filled rest around the centre of the fill. The third number is that of the loop: 0 for the
+ *   longest.
  * - `LoopNormal` (double, 3): the unit normal of the filled rest.
- * The feature also has field data, which are facts, too, with the prefix CutFeature:
+ * The feature also has field data, which are facts, too, with the prefix CutFeature and a tuple for
+ * each of these loops:
+ * - .Seed (3 numbers): the origin of the exponential map.
  * - .SeedNormal, .SeedDirection (3 numbers each): the normal and the u axis of the exponential map.
  * - .ConformalRadius: 0 unless the layout is conformal.
  * - .Refined: 1 if the layout minimises distortion.
  *
  * Facts, with the prefix CutFeature
- * - .Seed (3 numbers): the origin of the exponential map.
- * - .ReturnsInPlace: 1 if the loop returns to its position when it is pasted there.
+ * - .ReturnsInPlace: 1 if each loop returns to its position when it is pasted there.
  * - .Loops: number of closed loops that were cut. .LoopsLeftOut: number of ignored parts of curves
  *   that touch themselves. Only the longest part of such a curve is used.
  * - .CutLength: length of the cut. .FeatureArea: area of the feature. .WeldedPoints: number of

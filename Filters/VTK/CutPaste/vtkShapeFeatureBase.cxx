@@ -13,6 +13,7 @@
 #include "Mesh/BoundaryLoops.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
@@ -23,19 +24,18 @@ namespace
 
 const std::string Positions = "LoopCoordinates", Normals = "LoopNormal", Facts = "CutFeature.";
 
-/// Returns numbers of the field data, if they exist.
-std::optional<Eigen::RowVectorXd> Fact(vtkPolyData* data, const std::string& name, int count)
+/// Returns the numbers of a base in the field data, if they exist.
+std::optional<Eigen::RowVectorXd> Fact(
+  vtkPolyData* data, const std::string& name, int base, int count)
 {
   vtkDataArray* values = data->GetFieldData()->GetArray((Facts + name).c_str());
-  if (!values || values->GetNumberOfValues() != count)
+  if (!values || values->GetNumberOfComponents() != count || base < 0 ||
+    base >= values->GetNumberOfTuples())
   {
     return {};
   }
   Eigen::RowVectorXd numbers(count);
-  for (int k = 0; k < count; ++k)
-  {
-    numbers(k) = values->GetVariantValue(k).ToDouble();
-  }
+  values->GetTuple(base, numbers.data());
   return numbers;
 }
 
@@ -55,85 +55,142 @@ bool WasCut(const std::vector<int>& loop, const Eigen::MatrixXd& normals)
       loop.begin(), loop.end(), [&](int point) { return normals.row(point).squaredNorm() > 0.0; });
 }
 
-std::vector<int> ChooseLoop(const shape::Mesh& feature, const Eigen::MatrixXd& normals, int index)
+/// Returns the number of the base at a loop, which is the third of its coordinates; -1 if the loop
+/// was not cut.
+int FindBase(
+  const std::vector<int>& loop, const Eigen::MatrixXd& positions, const Eigen::MatrixXd& normals)
 {
-  const std::vector<std::vector<int>> loops = shape::FindBoundaryLoops(feature).Loops;
-  if (loops.empty())
+  return WasCut(loop, normals) ? static_cast<int>(std::lround(positions(loop.front(), 2))) : -1;
+}
+
+/// Returns the loops to join, the one at the seed first.
+std::vector<std::vector<int>> ChooseLoops(const shape::Mesh& feature,
+  const Eigen::MatrixXd& positions, const Eigen::MatrixXd& normals,
+  const shape::JoinedLoops& joined)
+{
+  const int index = joined.LoopIndex;
+  std::vector<std::vector<int>> loops = shape::FindBoundaryLoops(feature).Loops;
+  const auto count = static_cast<int>(loops.size());
+  if (count == 0)
   {
     throw shape::InvalidInput(
       "the Feature has no open loop; cut it from its surface with Shape Cut Feature");
   }
-  if (index < 0 || index >= static_cast<int>(loops.size()))
+  if (index < 0 || index >= count)
   {
     throw shape::InvalidInput("Loop Index is " + std::to_string(index) + ", but the Feature has " +
-      std::to_string(loops.size()) + " open loops; choose one of them, numbered from 0");
+      std::to_string(count) + " open loops; choose one of them, numbered from 0");
   }
-  const auto wasCut = std::find_if(loops.begin(), loops.end(),
-    [&](const std::vector<int>& loop) { return WasCut(loop, normals); });
-  // By default, the loop at which the feature was cut, even if another loop is longer.
-  return index == 0 && wasCut != loops.end() ? *wasCut : loops[index];
+  // By default, the first loop at which the feature was cut, even if another loop is longer.
+  const auto baseOf = [&](int loop) { return FindBase(loops[loop], positions, normals); };
+  int first = index;
+  for (int loop = 0; index == 0 && loop < count; ++loop)
+  {
+    const int base = baseOf(loop);
+    if (base >= 0 && (baseOf(first) < 0 || base < baseOf(first)))
+    {
+      first = loop;
+    }
+  }
+  std::vector<std::vector<int>> chosen = { loops[first] };
+  for (int loop = 0; joined.Loops == shape::JoinedLoops::LoopsType::All && loop < count; ++loop)
+  {
+    // Loops that were not cut are holes of the surface, and stay, unless the seed is at one.
+    if (loop != first && (baseOf(loop) >= 0) == (baseOf(first) >= 0))
+    {
+      chosen.push_back(loops[loop]);
+    }
+  }
+  return chosen;
 }
 
 } // namespace
 
 void vtkShapeFeatureBase::Write(const shape::CutFeatureResult& cut, vtkPolyData* feature)
 {
-  if (!cut.Base)
+  if (cut.Bases.empty())
   {
     return;
   }
-  const shape::FeatureFootprint& base = *cut.Base;
-  // Points are found by position, because points on a seam are duplicated, and all copies must
-  // store the base.
-  std::map<int, Eigen::Index> rows; // of the loop, by the position on the surface
-  for (std::size_t i = 0; i < base.Loop.size(); ++i)
-  {
-    rows[cut.Feature.Ids[base.Loop[i]]] = static_cast<Eigen::Index>(i);
-  }
   Eigen::MatrixXd positions = Eigen::MatrixXd::Zero(cut.Feature.Surface.Points.rows(), 3);
   Eigen::MatrixXd normals = positions;
-  for (Eigen::Index point = 0; point < positions.rows(); ++point)
+  const auto bases = static_cast<Eigen::Index>(cut.Bases.size());
+  Eigen::MatrixXd seeds(bases, 3), planes(bases, 3), axes(bases, 3), radii(bases, 1),
+    refined(bases, 1);
+  bool returns = true;
+  for (Eigen::Index k = 0; k < bases; ++k)
   {
-    const auto row = rows.find(cut.Feature.Ids[point]);
-    if (row != rows.end())
+    const shape::FeatureFootprint& base = cut.Bases[k];
+    // Points are found by position, because points on a seam are duplicated, and all copies must
+    // store the base.
+    std::map<int, Eigen::Index> rows; // of the loop, by the position on the surface
+    for (std::size_t i = 0; i < base.Loop.size(); ++i)
     {
-      positions.row(point).head(2) = base.LoopPositions.row(row->second);
-      normals.row(point) = base.Normals.row(row->second);
+      rows[cut.Feature.Ids[base.Loop[i]]] = static_cast<Eigen::Index>(i);
     }
+    for (Eigen::Index point = 0; point < positions.rows(); ++point)
+    {
+      const auto row = rows.find(cut.Feature.Ids[point]);
+      if (row != rows.end())
+      {
+        positions.row(point) << base.LoopPositions.row(row->second), static_cast<double>(k);
+        normals.row(point) = base.Normals.row(row->second);
+      }
+    }
+    seeds.row(k) = base.Origin;
+    planes.row(k) = base.Normal;
+    axes.row(k) = base.XAxis;
+    radii(k) = base.ConformalRadius;
+    refined(k) = base.IsRefined ? 1.0 : 0.0;
+    returns = returns && base.ReturnsInPlace;
   }
   feature->GetPointData()->AddArray(vtkShapeConvert::ToArray(positions, Positions));
   feature->GetPointData()->AddArray(vtkShapeConvert::ToArray(normals, Normals));
-  const std::pair<const char*, Eigen::RowVector3d> facts[] = { { "Seed", cut.Seed },
-    { "SeedNormal", base.Normal }, { "SeedDirection", base.XAxis } };
-  for (const auto& [fact, value] : facts)
+  const std::pair<const char*, const Eigen::MatrixXd&> facts[] = { { "Seed", seeds },
+    { "SeedNormal", planes }, { "SeedDirection", axes }, { "ConformalRadius", radii },
+    { "Refined", refined } };
+  for (const auto& [fact, values] : facts)
   {
-    feature->GetFieldData()->AddArray(vtkShapeConvert::ToArray(value, Facts + fact));
+    feature->GetFieldData()->AddArray(vtkShapeConvert::ToArray(values, Facts + fact));
   }
-  vtkShapeConvert::AddFact(feature, Facts + "ConformalRadius", base.ConformalRadius);
-  vtkShapeConvert::AddFact(feature, Facts + "Refined", base.IsRefined ? 1.0 : 0.0);
-  vtkShapeConvert::AddFact(feature, Facts + "ReturnsInPlace", base.ReturnsInPlace ? 1.0 : 0.0);
+  vtkShapeConvert::AddFact(feature, Facts + "ReturnsInPlace", returns ? 1.0 : 0.0);
 }
 
-vtkShapeFeatureBase::Feature vtkShapeFeatureBase::Read(
-  vtkPolyData* data, const shape::Mesh& surface, int loopIndex, const shape::Progress& progress)
+vtkShapeFeatureBase::Feature vtkShapeFeatureBase::Read(vtkPolyData* data,
+  const shape::Mesh& surface, const shape::JoinedLoops& joined, const shape::Progress& progress)
 {
   const Eigen::MatrixXd positions = LoopArray(data, Positions);
   Eigen::MatrixXd normals = LoopArray(data, Normals);
-  const auto normal = Fact(data, "SeedNormal", 3), axis = Fact(data, "SeedDirection", 3);
   // A base is used only if it is complete.
-  if (positions.rows() == 0 || !normal || !axis)
+  if (positions.rows() == 0 || !Fact(data, "SeedNormal", 0, 3) ||
+    !Fact(data, "SeedDirection", 0, 3))
   {
     normals.resize(0, 3);
   }
-  const std::vector<int> loop = ChooseLoop(surface, normals, loopIndex);
-  if (!WasCut(loop, normals))
+  Feature feature{ {}, false };
+  const std::vector<std::vector<int>> loops = ChooseLoops(surface, positions, normals, joined);
+  for (const std::vector<int>& loop : loops)
   {
-    // The feature was not made by Shape Cut Feature, or its hole was not filled.
-    return { shape::BuildFootprintOnOwnFill(surface, loop, progress), true };
+    const auto done = static_cast<double>(feature.Bases.size());
+    const int base = FindBase(loop, positions, normals);
+    const auto normal = Fact(data, "SeedNormal", base, 3);
+    const auto axis = Fact(data, "SeedDirection", base, 3);
+    if (!normal || !axis)
+    {
+      // The feature was not made by Shape Cut Feature, or its hole was not filled.
+      const auto count = static_cast<double>(loops.size());
+      feature.Bases.push_back(shape::BuildFootprintOnOwnFill(
+        surface, loop, progress.Part(done / count, (done + 1.0) / count)));
+      feature.HasOwnFill = true;
+      continue;
+    }
+    const auto seed = Fact(data, "Seed", base, 3), radius = Fact(data, "ConformalRadius", base, 1),
+               refined = Fact(data, "Refined", base, 1);
+    feature.Bases.push_back({ loop, vtkShapeConvert::Rows(positions, loop).leftCols(2),
+      vtkShapeConvert::Rows(normals, loop), *normal, *axis,
+      // Features that earlier versions cut have one base, and its position is not needed.
+      seed ? Eigen::RowVector3d(*seed) : Eigen::RowVector3d::Zero(), radius ? (*radius)(0) : 0.0,
+      refined && (*refined)(0) != 0.0 });
   }
-  const auto radius = Fact(data, "ConformalRadius", 1), refined = Fact(data, "Refined", 1);
-  return { { loop, vtkShapeConvert::Rows(positions, loop).leftCols(2),
-             vtkShapeConvert::Rows(normals, loop), *normal, *axis, radius ? (*radius)(0) : 0.0,
-             refined && (*refined)(0) != 0.0 },
-    false };
+  return feature;
 }

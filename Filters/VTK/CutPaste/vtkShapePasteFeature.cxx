@@ -15,6 +15,7 @@
 #include "Base/Errors.h"
 #include "Mesh/Topology.h"
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -65,7 +66,7 @@ struct vtkShapePasteFeature::Kept
 {
   vtkShapeSeenInput FeatureInput, TargetInput;
   vtkShapePastedData::Part Feature, Target;
-  int LoopIndex = 0;
+  shape::JoinedLoops Joined;
   shape::DeformOptions Deformation;
   std::vector<std::string> Fields; ///< the names of their arrays
   shape::ExponentialMapOptions Flattening;
@@ -75,8 +76,8 @@ struct vtkShapePasteFeature::Kept
   bool BridgesGaps = false;
   std::string SoupReason; ///< why the target is a soup
   bool HasOwnFill = false;
-  int NonManifold = 0;            ///< edges and points of the feature
-  vtkNew<vtkPolyData> LastResult; ///< empty if there was none
+  int NonManifold = 0;                      ///< edges and points of the feature
+  vtkNew<vtkPolyData> LastResult, LastLoop; ///< empty if there were none
 };
 
 vtkShapePasteFeature::vtkShapePasteFeature()
@@ -84,6 +85,7 @@ vtkShapePasteFeature::vtkShapePasteFeature()
 {
   this->DeclareInput("Feature", PortData::WholePolygons, PortUse::Required, { "vtkPolyData" });
   this->DeclareInput("Target", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareOutput("vtkPolyData");
   this->DeclareOutput("vtkPolyData");
   this->DeclareFacts();
 }
@@ -104,9 +106,10 @@ void vtkShapePasteFeature::Execute(const shape::Progress& progress)
   this->Paste.Frames = this->Frames;
   this->Placement.Seed << this->Seed[0], this->Seed[1], this->Seed[2];
   auto* output = vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
+  auto* loop = vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
   try
   {
-    this->PasteInto(output, progress.Part(0.3, 1.0));
+    this->PasteInto(output, loop, progress.Part(0.3, 1.0));
   }
   catch (const std::runtime_error& refusal)
   {
@@ -116,11 +119,13 @@ void vtkShapePasteFeature::Execute(const shape::Progress& progress)
     }
     // Until the mouse reaches a valid position, the last result is kept.
     output->ShallowCopy(this->Cache->LastResult);
+    loop->ShallowCopy(this->Cache->LastLoop);
     vtkShapeConvert::AddFact(output, "PasteFeature.Refused", 1.0);
     vtkShapeConvert::AddFact(output, "PasteFeature.Refusal", refusal.what());
     return;
   }
   this->Cache->LastResult->ShallowCopy(output);
+  this->Cache->LastLoop->ShallowCopy(loop);
 }
 
 /// The feature's weights do not depend on the target nor on the placement: dragging reuses them.
@@ -130,23 +135,24 @@ void vtkShapePasteFeature::PrepareFeature(const shape::Progress& progress)
   const std::vector<std::string> fields = { this->RigidityArray, this->ScaleArray,
     this->SegmentArray };
   if (!kept.FeatureInput.IsNew(*this, 0, this->GetGatheredInput(0).Data) && kept.Paste &&
-    kept.LoopIndex == this->LoopIndex && kept.Deformation == this->Options && kept.Fields == fields)
+    kept.Joined == this->Joined && kept.Deformation == this->Options && kept.Fields == fields)
   {
     return;
   }
   kept.Paste.reset();
   kept.LastResult->Initialize();
+  kept.LastLoop->Initialize();
   kept.Feature = vtkShapePastedData::Read(
     this->GetGatheredInput(0).Data, "the Feature", progress.Part(0.0, 0.1));
   const shape::Mesh& surface = kept.Feature.Surface;
   vtkShapeFeatureBase::Feature feature =
-    vtkShapeFeatureBase::Read(kept.Feature.Data, surface, this->LoopIndex, progress.Part(0.1, 0.5));
+    vtkShapeFeatureBase::Read(kept.Feature.Data, surface, this->Joined, progress.Part(0.1, 0.5));
   kept.HasOwnFill = feature.HasOwnFill;
   const shape::Topology topology = shape::ComputeTopology(surface);
   kept.NonManifold = topology.NonManifoldEdges + topology.NonManifoldPoints;
-  kept.Paste = std::make_unique<shape::FeatureToPaste>(surface, std::move(feature.Base),
+  kept.Paste = std::make_unique<shape::FeatureToPaste>(surface, std::move(feature.Bases),
     this->Options, this->ReadFields(kept.Feature.Data, "the Feature"), progress.Part(0.5, 1.0));
-  kept.LoopIndex = this->LoopIndex;
+  kept.Joined = this->Joined;
   kept.Deformation = this->Options;
   kept.Fields = fields;
 }
@@ -164,6 +170,7 @@ void vtkShapePasteFeature::PrepareTarget(const shape::Progress& progress)
   kept.Position.reset();
   kept.Soup.reset();
   kept.LastResult->Initialize();
+  kept.LastLoop->Initialize();
   kept.Target =
     vtkShapePastedData::Read(this->GetGatheredInput(1).Data, "the Target", progress.Part(0.0, 0.3));
   kept.SoupReason = DescribeFaults(kept.Target.Surface);
@@ -181,7 +188,8 @@ void vtkShapePasteFeature::PrepareTarget(const shape::Progress& progress)
   kept.BridgesGaps = this->BridgeGaps;
 }
 
-void vtkShapePasteFeature::PasteInto(vtkPolyData* output, const shape::Progress& progress)
+void vtkShapePasteFeature::PasteInto(
+  vtkPolyData* output, vtkPolyData* loop, const shape::Progress& progress)
 {
   const Kept& kept = *this->Cache;
   const shape::PastedFeature pasted = kept.Soup
@@ -189,6 +197,7 @@ void vtkShapePasteFeature::PasteInto(vtkPolyData* output, const shape::Progress&
     : kept.Paste->PasteOn(*kept.Position, this->Placement, this->Paste, progress);
   vtkShapePastedData::Write(
     pasted, *kept.Paste, kept.Target, kept.Feature, this->BlendWidth, output);
+  vtkShapePastedData::WriteLoop(pasted, *kept.Paste, loop);
   if (kept.NonManifold > 0)
   {
     this->Warn("the Feature has " + std::to_string(kept.NonManifold) +
@@ -205,21 +214,28 @@ void vtkShapePasteFeature::PasteInto(vtkPolyData* output, const shape::Progress&
           << "; for a manifold, repair the Target with Shape Solidify";
     this->Warn(words.str());
   }
-  const std::pair<const char*, Eigen::RowVector3d> frame[] = { { "Seed",
-                                                                 pasted.Position.Seed.Origin },
-    { "Normal", pasted.Position.Seed.Normal }, { "Direction", pasted.Position.Seed.XAxis } };
+  const shape::TangentFrame& seed = pasted.Landings.front().Seed;
+  const std::pair<const char*, Eigen::RowVector3d> frame[] = { { "Seed", seed.Origin },
+    { "Normal", seed.Normal }, { "Direction", seed.XAxis } };
   for (const auto& [fact, value] : frame)
   {
     output->GetFieldData()->AddArray(
       vtkShapeConvert::ToArray(value, std::string("PasteFeature.") + fact));
+  }
+  int flipped = 0;
+  shape::TargetLayout layout = shape::TargetLayout::ExponentialMap;
+  for (const shape::LoopOnTarget& landing : pasted.Landings)
+  {
+    flipped += landing.Cover.Flipped;
+    layout = std::max(layout, landing.Layout);
   }
   const std::pair<const char*, double> facts[] = {
     { "DeviationBefore", shape::ComputePercentile(pasted.AnglesBefore, 0.5) },
     { "Deviation95Before", shape::ComputePercentile(pasted.AnglesBefore, 0.95) },
     { "DeviationAfter", shape::ComputePercentile(pasted.AnglesAfter, 0.5) },
     { "Deviation95After", shape::ComputePercentile(pasted.AnglesAfter, 0.95) },
-    { "BandTriangles", pasted.BandTriangles },
-    { "FlippedTriangles", pasted.Position.Cover.Flipped }, { "EulerNumber", pasted.EulerNumber },
+    { "BandTriangles", pasted.BandTriangles }, { "FlippedTriangles", flipped },
+    { "EulerNumber", pasted.EulerNumber }, { "Loops", static_cast<double>(pasted.Landings.size()) },
     { "NonManifold", kept.NonManifold }, { "Soup", pasted.IsOnSoup ? 1.0 : 0.0 },
     { "LargestGap", pasted.LargestGap }, { "JoinedShare", pasted.JoinedShare },
     { "WeldedPoints", kept.Feature.WeldedPoints + kept.Target.WeldedPoints }
@@ -228,7 +244,7 @@ void vtkShapePasteFeature::PasteInto(vtkPolyData* output, const shape::Progress&
   {
     vtkShapeConvert::AddFact(output, std::string("PasteFeature.") + fact, value);
   }
-  vtkShapeConvert::AddFact(output, "PasteFeature.Layout", NameOf(pasted.Position.Layout));
+  vtkShapeConvert::AddFact(output, "PasteFeature.Layout", NameOf(layout));
   vtkShapeConvert::AddFact(output, "PasteFeature.Refused", 0.0);
   vtkShapeConvert::AddFact(
     output, "PasteFeature.Base", kept.HasOwnFill ? "own fill" : "where it was cut");

@@ -12,11 +12,19 @@
  * In both inputs, polygons are triangulated, seams are closed (shape::WeldedSurface), and points
  * without triangles are removed.
  *
- * Output: the target without its covered region, a seam band, and the feature, deformed to fit. It
- * is watertight if the target is watertight and the feature has no other loop. Points and cells
- * keep their arrays (see vtkShapePastedData). The cell array `Part` is 0 on the target, 1 on the
- * seam band and 2 on the feature. A soup is cut along the loop instead and has no band; triangles
- * of it near the loop are split.
+ * Output 0: the target without its covered region, a seam band, and the feature, deformed to fit.
+ * It is watertight if the target is watertight and the feature has no other loop. With several
+ * joined loops, .Seed, .Normal and .Direction are those of the first. Points and cells keep their
+ * arrays (see vtkShapePastedData). The cell array `Part` is 0 on the target, 1 on the seam band and
+ * 2 on the feature. A soup is cut along the loop instead and has no band; triangles of it near the
+ * loop are split.
+ *
+ * Output 1: the loop of the feature on the target, as lines. With it as the Boundary and with the
+ * same properties, vtkShapeDeform deforms anything that belongs to the feature in the same way. Its
+ * point arrays (double, 3) are
+ * - `SourcePosition`, `SourceNormal`: the position on the feature, and the normal of its base.
+ * - `TargetNormal`: the normal of the target.
+ * - `FrameRotation`, with `FrameSet` (int) 1: how the bias and OptimizeNormals rotate the frames.
  *
  * Facts, with the prefix PasteFeature
  * - .Seed, .Normal, .Direction (3 numbers each): the position on the target, its normal, and the
@@ -34,6 +42,7 @@
  * - .Base: "where it was cut" or "own fill".
  * - .EulerNumber, .BandTriangles, .WeldedPoints (number of welded points of both inputs),
  *   .NonManifold (number of non-manifold edges and points of the feature).
+ * - .Loops: number of loops along which the feature was joined.
  * - .FlippedTriangles: number of triangles of the target, below the feature, that are flipped when
  *   the target is flattened.
  *
@@ -61,13 +70,15 @@ public:
 
   ///@{
   /// The properties. Effects and ranges: vtkShapePasteFeature.xml. Enumerations and defaults:
-  /// shape::PasteFeatureOptions, shape::PastePlacement, shape::ExponentialMapOptions.
+  /// shape::PasteFeatureOptions, shape::PastePlacement, shape::JoinedLoops,
+  /// shape::ExponentialMapOptions.
   vtkSetVector3Macro(Seed, double);
   vtkGetVector3Macro(Seed, double);
   vtkShapeOptionOf(Placement, Rotation, double);
   vtkShapeOptionOf(Placement, Scale, double);
-  vtkSetMacro(LoopIndex, int);
-  vtkGetMacro(LoopIndex, int);
+  vtkShapeEnumOptionOf(Joined, Loops, shape::JoinedLoops::LoopsType,
+    shape::JoinedLoops::LoopsType::One, shape::JoinedLoops::LoopsType::All);
+  vtkShapeOptionOf(Joined, LoopIndex, int);
   vtkShapeOptionOf(Paste, OptimizeNormals, bool);
   vtkSetMacro(BlendWidth, double);
   vtkGetMacro(BlendWidth, double);
@@ -87,12 +98,12 @@ private:
   vtkShapePasteFeature(const vtkShapePasteFeature&) = delete;
   void operator=(const vtkShapePasteFeature&) = delete;
 
-  void PasteInto(vtkPolyData* output, const shape::Progress& progress);
+  void PasteInto(vtkPolyData* output, vtkPolyData* loop, const shape::Progress& progress);
   void PrepareFeature(const shape::Progress& progress);
   void PrepareTarget(const shape::Progress& progress);
 
   double Seed[3] = { 0.0, 0.0, 0.0 };
-  int LoopIndex = 0;
+  shape::JoinedLoops Joined;
   double BlendWidth = 0.25;
   bool BridgeGaps = false;
   shape::PastePlacement Placement;

@@ -5,6 +5,7 @@
 #include "vtkShapeConvert.h"
 #include "vtkShapePreciseMap.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkIntArray.h"
@@ -31,7 +32,7 @@ vtkSmartPointer<vtkPolyData> Blend(const shape::PastedFeature& pasted,
 {
   const Eigen::VectorXd& depths = feature.Deformation().Arrivals();
   const double reach = width * depths.maxCoeff();
-  const std::vector<int>& loop = feature.Base().Loop;
+  const std::vector<int>& loop = feature.LoopPoints();
   const Eigen::MatrixXd& points = feature.Surface().Points();
   auto blended = vtkSmartPointer<vtkPolyData>::New();
   blended->ShallowCopy(featurePart.Data);
@@ -47,10 +48,15 @@ vtkSmartPointer<vtkPolyData> Blend(const shape::PastedFeature& pasted,
       continue;
     }
     const Eigen::MatrixXd values = vtkShapeCarry::GetTuples(own);
-    const Eigen::MatrixXd differences =
-      shape::PullBack(pasted.Position.Cover.Positions, target.Surface.Triangles,
-        vtkShapeCarry::GetTuples(array)) -
-      vtkShapeConvert::Rows(values, loop);
+    Eigen::MatrixXd differences = -vtkShapeConvert::Rows(values, loop);
+    Eigen::Index row = 0;
+    for (const shape::LoopOnTarget& landing : pasted.Landings)
+    {
+      const Eigen::MatrixXd there = shape::PullBack(
+        landing.Cover.Positions, target.Surface.Triangles, vtkShapeCarry::GetTuples(array));
+      differences.middleRows(row, there.rows()) += there;
+      row += there.rows();
+    }
     auto copy = vtkSmartPointer<vtkDataArray>::Take(own->NewInstance());
     copy->DeepCopy(own);
     vtkShapeCarry::SetTuples(shape::BlendAtSeam(values, points, differences,
@@ -98,4 +104,27 @@ void vtkShapePastedData::Write(const shape::PastedFeature& pasted,
   const Eigen::Index ofBoth = (parts.array() == 0).count();
   parts.segment(ofBoth - pasted.BandTriangles, pasted.BandTriangles).setOnes();
   output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(parts, "Part"));
+}
+
+void vtkShapePastedData::WriteLoop(
+  const shape::PastedFeature& pasted, const shape::FeatureToPaste& feature, vtkPolyData* output)
+{
+  const shape::BoundaryHandle& handle = feature.LoopHandle();
+  const shape::HandleTarget& loop = pasted.Loop;
+  vtkShapeConvert::FromMesh({ loop.Positions, Eigen::MatrixXi(0, 3) }, output);
+  vtkNew<vtkCellArray> lines;
+  for (const auto& segment : handle.Segments.rowwise())
+  {
+    lines->InsertNextCell({ segment(0), segment(1) });
+  }
+  output->SetLines(lines);
+  const std::pair<const char*, const Eigen::MatrixXd&> arrays[] = {
+    { "SourcePosition", handle.Positions }, { "SourceNormal", handle.Normals },
+    { "TargetNormal", loop.Normals }, { "FrameRotation", loop.Turns.Turns }
+  };
+  for (const auto& [name, values] : arrays)
+  {
+    output->GetPointData()->AddArray(vtkShapeConvert::ToArray(values, name));
+  }
+  output->GetPointData()->AddArray(vtkShapeConvert::ToIntegers(loop.Turns.IsSet, "FrameSet"));
 }

@@ -35,4 +35,10 @@ Part Read(vtkPolyData* data, const std::string& name, const shape::Progress& pro
 void Write(const shape::PastedFeature& pasted, const shape::FeatureToPaste& feature,
   const Part& target, const Part& featurePart, double blendWidth, vtkPolyData* output);
 
+/// Writes the loop of the feature on the target as lines, which are a Boundary of vtkShapeDeform:
+/// with the point arrays `SourcePosition`, `SourceNormal`, `TargetNormal`, `FrameRotation` and
+/// `FrameSet`.
+void WriteLoop(
+  const shape::PastedFeature& pasted, const shape::FeatureToPaste& feature, vtkPolyData* output);
+
 } // namespace vtkShapePastedData

@@ -125,7 +125,7 @@ void Drop(benchmark::Arguments& arguments, benchmark::Figures& figures)
   }
   Require(feature);
   const shape::Mesh& part = feature->Cut.Feature.Surface;
-  const shape::FeatureFootprint& base = *feature->Cut.Base;
+  const shape::FeatureFootprint& base = feature->Cut.Bases.front();
   benchmark::Row row;
   row.Add("draws", draws)
     .Add("triangles", part.Triangles.rows())
@@ -138,7 +138,8 @@ void Drop(benchmark::Arguments& arguments, benchmark::Figures& figures)
   {
     const shape::FeatureToPaste paste(part, base);
     shape::PasteTarget home(feature->Cut.Rest.Surface);
-    const shape::PastedFeature back = paste.PasteOn(home, { feature->Cut.Seed, 0.0, 1.0 });
+    const shape::PastedFeature back =
+      paste.PasteOn(home, { feature->Cut.Bases.front().Origin, 0.0, 1.0 });
     const auto inPlace =
       back.Surface.Points.middleRows((back.Target.Points.array() >= 0).count(), part.Points.rows());
     row.Add("inplace", (inPlace - part.Points).cwiseAbs().maxCoeff() / size);
@@ -147,7 +148,7 @@ void Drop(benchmark::Arguments& arguments, benchmark::Figures& figures)
     const shape::Topology before = shape::ComputeTopology(goal);
     const shape::Topology after = shape::ComputeTopology(pasted.Surface);
     row.Add("conformal", base.ConformalRadius > 0.0)
-      .Add("layout", static_cast<int>(pasted.Position.Layout))
+      .Add("layout", static_cast<int>(pasted.Landings.front().Layout))
       .Add("target", before.EulerNumber)
       .Add("result", after.EulerNumber)
       .Add("openbefore", before.BoundaryLoops)
@@ -193,10 +194,11 @@ void Drag(benchmark::Arguments& arguments, benchmark::Figures& figures)
     }
   }
   Require(feature);
-  const shape::FeatureToPaste paste(feature->Cut.Feature.Surface, *feature->Cut.Base);
+  const shape::FeatureToPaste paste(feature->Cut.Feature.Surface, feature->Cut.Bases.front());
   shape::PasteTarget target(goal);
   shape::PastePlacement position;
-  position.Scale = 0.08 * shape::ComputeBoxDiagonal(goal.Points) / LoopRadius(*feature->Cut.Base);
+  position.Scale =
+    0.08 * shape::ComputeBoxDiagonal(goal.Points) / LoopRadius(feature->Cut.Bases.front());
   shape::PasteFeatureOptions options;
   options.Dragging = true;
   int refused = 0;

@@ -98,7 +98,7 @@ TEST(CutFeature, ADiskFromAPlane)
   EXPECT_NEAR(cut.CutLength, 300 * 1.2 * std::sin(M_PI / 300), 1e-10);
   EXPECT_EQ(cut.Loops, 1);
   EXPECT_EQ(cut.LoopsLeftOut, 0);
-  EXPECT_FALSE(cut.Base.has_value());
+  EXPECT_TRUE(cut.Bases.empty());
   // Moved to points and edges nearby it is as large but for a twentieth of an edge.
   EXPECT_NEAR(AreaOf(shape::CutFeature(plane, { circle }, WithoutFill()).Feature.Surface),
     0.36 * M_PI, 1.2 * M_PI * 0.05 * 0.1);
@@ -240,14 +240,14 @@ TEST(CutFeature, WhatIsLeftIsFilled)
   // The fill goes on as the sphere does, and so the base is that of the sphere: a circle in the
   // plane as long as its meridians, and normals that point away from the middle.
   EXPECT_LT((cut.Rest.Surface.Points.rowwise().norm().array() - 1.0).abs().maxCoeff(), 0.01);
-  ASSERT_TRUE(cut.Base.has_value());
-  EXPECT_LT((cut.Seed - Eigen::RowVector3d(1, 0, 0)).norm(), 0.02);
-  const std::vector<int>& loop = cut.Base->Loop;
+  ASSERT_FALSE(cut.Bases.empty());
+  EXPECT_LT((cut.Bases[0].Origin - Eigen::RowVector3d(1, 0, 0)).norm(), 0.02);
+  const std::vector<int>& loop = cut.Bases[0].Loop;
   EXPECT_EQ(loop, shape::FindManifoldBoundaryLoops(cut.Feature.Surface).front());
   const Eigen::MatrixXd positions = cut.Feature.Surface.Points(loop, Eigen::all);
-  EXPECT_LT((cut.Base->LoopPositions.rowwise().norm().array() - angle).abs().maxCoeff(), 0.03);
-  EXPECT_LT((cut.Base->Normals - positions).rowwise().norm().maxCoeff(), 0.05);
-  EXPECT_GT(cut.Base->Normal.dot(cut.Seed), 0.99);
+  EXPECT_LT((cut.Bases[0].LoopPositions.rowwise().norm().array() - angle).abs().maxCoeff(), 0.03);
+  EXPECT_LT((cut.Bases[0].Normals - positions).rowwise().norm().maxCoeff(), 0.05);
+  EXPECT_GT(cut.Bases[0].Normal.dot(cut.Bases[0].Origin), 0.99);
   // Holes that were there stay.
   shape::Mesh open = sphere;
   open.Triangles = sphere.Triangles.bottomRows(sphere.Triangles.rows() - 1);
@@ -271,7 +271,7 @@ TEST(CutFeature, SelectedTriangles)
   EXPECT_EQ(
     cut.Feature.Surface.Triangles.rows(), std::count(isSelected.begin(), isSelected.end(), 1));
   EXPECT_EQ(shape::RequireClosedSurface(cut.Rest.Surface, "the rest").EulerNumber, 2);
-  EXPECT_TRUE(cut.Base.has_value());
+  EXPECT_FALSE(cut.Bases.empty());
   EXPECT_GE(cut.Feature.Provenance.Points.minCoeff(), 0);
   EXPECT_THROW(
     shape::CutFeature(sphere, std::vector<char>(isSelected.size(), 0)), shape::InvalidInput);
@@ -313,10 +313,10 @@ TEST(CutFeature, SeamsSoupsAndTrianglesWithoutArea)
               .norm()
               .maxCoeff(),
     1e-12);
-  ASSERT_TRUE(cut.Base.has_value());
-  EXPECT_EQ(cut.Base->LoopPositions.rows(), whole.Base->LoopPositions.rows());
-  EXPECT_EQ(cut.Base->ConformalRadius, 0.0);
-  EXPECT_LT((cut.Base->Normal - whole.Base->Normal).norm(), 1e-12);
+  ASSERT_FALSE(cut.Bases.empty());
+  EXPECT_EQ(cut.Bases[0].LoopPositions.rows(), whole.Bases[0].LoopPositions.rows());
+  EXPECT_EQ(cut.Bases[0].ConformalRadius, 0.0);
+  EXPECT_LT((cut.Bases[0].Normal - whole.Bases[0].Normal).norm(), 1e-12);
 }
 
 TEST(CutFeature, PointsWithinTheToleranceAreOne)
@@ -438,7 +438,7 @@ TEST(CutFeature, RandomLoopsOnModels)
       ExpectParts(mesh, cut);
       const shape::Topology rest = shape::RequireManifold(cut.Rest.Surface, "the rest");
       EXPECT_EQ(rest.BoundaryLoops, shape::ComputeTopology(mesh).BoundaryLoops) << name << " " << i;
-      EXPECT_TRUE(cut.Base.has_value());
+      EXPECT_FALSE(cut.Bases.empty());
       ++filled;
     }
   }

@@ -77,7 +77,7 @@ TEST(FeatureFootprint, ASurfaceKnowsTheLoopOfWhatWasCutFromIt)
   std::vector<int> numbers(loop.size());
   std::iota(numbers.begin(), numbers.end(), 0);
   const shape::FeatureFootprint base =
-    shape::BuildFootprintOnSurface(sphere, Eigen::RowVector3d(0, 0, 1), numbers, loop);
+    shape::BuildFootprintsOnSurface(sphere, { { { 0, 0, 1 }, numbers, loop } }).front();
   EXPECT_EQ(base.Loop, numbers);
   for (Eigen::Index i = 0; i < base.LoopPositions.rows(); ++i)
   {
@@ -85,8 +85,8 @@ TEST(FeatureFootprint, ASurfaceKnowsTheLoopOfWhatWasCutFromIt)
     EXPECT_NEAR(base.LoopPositions.row(i).norm(), std::acos(sphere.Points(loop[i], 2)), 0.01);
   }
   const shape::Mesh two = shapetest::Twice(sphere, { 0, 0, 5 });
-  EXPECT_THROW(shape::BuildFootprintOnSurface(two, Eigen::RowVector3d(0, 0, 6), numbers, loop),
-    shape::InvalidInput);
+  EXPECT_THROW(
+    shape::BuildFootprintsOnSurface(two, { { { 0, 0, 6 }, numbers, loop } }), shape::InvalidInput);
 }
 
 TEST(FeatureFootprint, TheMiddleOfTrianglesIsOnThem)

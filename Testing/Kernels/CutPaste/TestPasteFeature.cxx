@@ -4,6 +4,7 @@
 // with a scale that does fit.
 
 #include "Base/Errors.h"
+#include "CutPaste/CutFeature.h"
 #include "CutPaste/PasteFeature.h"
 #include "Deform/Deform.h"
 #include "Geometry/VertexNormals.h"
@@ -21,6 +22,8 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -158,7 +161,7 @@ TEST(PasteFeature, FieldsAndBiasActAsInDeform)
     Eigen::MatrixXd loop = cut.Feature.Points(cut.Base.Loop, Eigen::all);
     problem.Handle = shape::BuildCurveHandle(loop, true, cut.Base.Normals);
     const shape::DeformedShape deformed = shape::Deformer().Deform(
-      problem, { pasted.Position.Positions, pasted.Position.Normals, {} }, options.Frames);
+      problem, { pasted.Landings[0].Positions, pasted.Landings[0].Normals, {} }, options.Frames);
     EXPECT_LT((FeaturePoints(pasted) - deformed.Points).cwiseAbs().maxCoeff(), 1e-12);
 
     // Each of them changes the result.
@@ -218,6 +221,111 @@ TEST(PasteFeature, DroppedInPlaceNothingHasMoved)
       1e-12 * shape::ComputeBoxDiagonal(base.Points));
     EXPECT_EQ(shape::ComputeTopology(pasted.Surface).EulerNumber, isSphere ? 2 : 1);
   }
+}
+
+/// Cuts out the triangles of a closed surface that a function chooses.
+shape::CutFeatureResult CutWhere(
+  const shape::Mesh& surface, const std::function<bool(const Eigen::RowVector3d&)>& isFeature)
+{
+  std::vector<char> selected;
+  for (Eigen::Index t = 0; t < surface.Triangles.rows(); ++t)
+  {
+    selected.push_back(isFeature(shape::GetCorners(surface, t).colwise().mean()) ? 1 : 0);
+  }
+  return shape::CutFeature(surface, selected);
+}
+
+/// One half of a torus, cut out: a tube with two loops.
+shape::CutFeatureResult HalfOfTorus()
+{
+  return CutWhere(shapetest::Torus(3.0, 1.0, 60, 24),
+    [](const Eigen::RowVector3d& centre) { return centre.x() > 0.0; });
+}
+
+/// The largest distance of a point of one surface from the nearest point of the other.
+double FarthestFromPoints(const shape::Mesh& a, const shape::Mesh& b)
+{
+  double farthest = 0.0;
+  for (const auto& point : a.Points.rowwise())
+  {
+    farthest = std::max(farthest, (b.Points.rowwise() - point).rowwise().squaredNorm().minCoeff());
+  }
+  return std::sqrt(farthest);
+}
+
+TEST(PasteFeature, SeveralLoopsDroppedInPlaceGiveTheOriginal)
+{
+  // A tube closes a torus; pants join three caps of a sphere, which are components of their own.
+  const shape::Mesh torus = shapetest::Torus(3.0, 1.0, 60, 24), sphere = shapetest::Icosphere(4);
+  const shape::CutFeatureResult pants = CutWhere(sphere,
+    [](const Eigen::RowVector3d& centre) { return centre.maxCoeff() < 0.8 * centre.norm(); });
+  for (const auto& [whole, cut] : { std::pair(torus, HalfOfTorus()), std::pair(sphere, pants) })
+  {
+    const bool isTorus = whole.Points.rows() == torus.Points.rows();
+    ASSERT_EQ(cut.Bases.size(), isTorus ? 2U : 3U);
+    const shape::Topology rest = shape::RequireClosedSurface(cut.Rest.Surface, "the rest");
+    EXPECT_EQ(rest.EulerNumber, isTorus ? 2 : 6);
+    shape::PasteTarget target(cut.Rest.Surface);
+    shape::PastePlacement placement;
+    placement.Seed = cut.Bases[0].Origin;
+    const shape::PastedFeature back =
+      shape::FeatureToPaste(cut.Feature.Surface, cut.Bases).PasteOn(target, placement);
+    EXPECT_EQ(back.BandTriangles, 0);
+    EXPECT_EQ(back.Surface.Points.rows(), whole.Points.rows());
+    EXPECT_EQ(back.Surface.Triangles.rows(), whole.Triangles.rows());
+    const double tolerance = 1e-12 * shape::ComputeBoxDiagonal(whole.Points);
+    EXPECT_LT(FarthestFromPoints(back.Surface, whole), tolerance);
+    EXPECT_LT(FarthestFromPoints(whole, back.Surface), tolerance);
+    const shape::Topology topology = shape::RequireClosedSurface(back.Surface, "the result");
+    EXPECT_EQ(topology.EulerNumber, isTorus ? 0 : 2);
+    EXPECT_EQ(topology.Components, 1);
+    EXPECT_EQ(back.EulerNumber, topology.EulerNumber);
+  }
+}
+
+TEST(PasteFeature, ATubeWithTwoLoopsIsAHandleOfTheTarget)
+{
+  const shape::CutFeatureResult cut = HalfOfTorus();
+  const shape::FeatureToPaste tube(cut.Feature.Surface, cut.Bases);
+  shape::Mesh sphere = shapetest::Icosphere(5);
+  sphere.Points *= 9.0;
+  shape::PasteTarget target(sphere);
+  for (const double rotation : { 0.0, 70.0 })
+  {
+    shape::PastePlacement placement{ { 1.0, 2.0, -9.0 }, rotation, 0.8 };
+    const shape::PastedFeature pasted = tube.PasteOn(target, placement);
+    const shape::Topology topology = shape::RequireClosedSurface(pasted.Surface, "the result");
+    EXPECT_EQ(topology.EulerNumber, 0); // genus 1
+    EXPECT_EQ(topology.Components, 1);
+    ASSERT_EQ(pasted.Landings.size(), 2U);
+    // The loops are as far apart as on the torus, up to the curvature of both surfaces.
+    const double apart = (pasted.Landings[0].Seed.Origin - pasted.Landings[1].Seed.Origin).norm();
+    EXPECT_NEAR(apart, 0.8 * (cut.Bases[0].Origin - cut.Bases[1].Origin).norm(), 1.0);
+  }
+}
+
+TEST(PasteFeature, LoopsThatDoNotAllFitAreRefused)
+{
+  const shape::CutFeatureResult cut = HalfOfTorus();
+  const shape::FeatureToPaste tube(cut.Feature.Surface, cut.Bases);
+  // One loop fits on the square, but not two.
+  shape::Mesh square = shapetest::FlatSquare(40, 0.0);
+  square.Points *= 2.5;
+  shape::PasteTarget target(square);
+  const std::string words = shapetest::Refusal([&] { tube.PasteOn(target, {}); });
+  EXPECT_NE(words.find("at the loop with index 1 of 2"), std::string::npos) << words;
+  EXPECT_NE(words.find("move Seed"), std::string::npos) << words;
+  shape::FeatureToPaste(cut.Feature.Surface, cut.Bases[0]).PasteOn(target, {});
+  // Both loops at one position.
+  std::vector<shape::FeatureFootprint> same = cut.Bases;
+  same[1].Origin = same[0].Origin;
+  shape::Mesh plane = shapetest::FlatSquare(60, 0.0);
+  plane.Points *= 10.0;
+  shape::PasteTarget wide(plane);
+  EXPECT_REFUSED(shape::FeatureToPaste(cut.Feature.Surface, same).PasteOn(wide, {}),
+    "touches that of another loop, at any Scale down to 0.00390625; move Seed, or refine");
+  shape::SoupTarget soup(plane);
+  EXPECT_REFUSED(tube.PasteOn(soup, {}), "set Loops to One");
 }
 
 TEST(PasteFeature, AnywhereElseTheResultIsAClosedManifold)

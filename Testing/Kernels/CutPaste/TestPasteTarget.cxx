@@ -158,7 +158,7 @@ struct CutBase
     this->On = shape::FindManifoldBoundaryLoops(part).front();
     std::vector<int> loop(this->On.size());
     std::iota(loop.begin(), loop.end(), 0);
-    this->Base = shape::BuildFootprintOnSurface(surface, seed, loop, this->On);
+    this->Base = shape::BuildFootprintsOnSurface(surface, { { seed, loop, this->On } }).front();
     for (int t = 0; t < static_cast<int>(surface.Triangles.rows()); ++t)
     {
       if (isNear(shape::GetCorners(surface, t).colwise().mean()))

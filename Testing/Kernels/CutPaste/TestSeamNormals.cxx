@@ -32,7 +32,7 @@ struct Cone
   Eigen::MatrixXd Turned(double share, double width) const
   {
     Eigen::MatrixXd points = this->Surface.Points;
-    shape::SeamNormals(this->Surface, this->Fans, this->Loop, this->Distances, width)
+    shape::SeamNormals(this->Surface, this->Fans, { this->Loop }, this->Distances, width)
       .Apply(points, this->Up, share);
     return points;
   }
@@ -83,7 +83,7 @@ TEST(SeamNormals, NothingIsTurnedByAShareOfZero)
 TEST(SeamNormals, TurnsWithTheSpace)
 {
   const Cone cone;
-  const shape::SeamNormals turning(cone.Surface, cone.Fans, cone.Loop, cone.Distances, 0.45);
+  const shape::SeamNormals turning(cone.Surface, cone.Fans, { cone.Loop }, cone.Distances, 0.45);
   const Eigen::Matrix3d turn =
     Eigen::AngleAxisd(1.3, Eigen::Vector3d(2, -1, 3).normalized()).toRotationMatrix();
   const Eigen::RowVector3d shift(3, -7, 2);

@@ -296,7 +296,8 @@ PastedFeature JoinFeatureAndSoup(const Eigen::MatrixXi& feature, const FeatureFo
   }
   MeasureSeam(rest, along, soupPoints, result);
   result.EulerNumber = ComputeTopology(result.Surface).EulerNumber;
-  result.Position.Cover.Triangles.resize(landing.Covered);
+  result.Landings.resize(1);
+  result.Landings.front().Cover.Triangles.resize(landing.Covered);
   return result;
 }
 
