@@ -642,8 +642,8 @@ def PasteFeatureLoops():
                 0.936 * axis[0] + 0.352 * math.cos(t) * across[0], 0.352 * math.sin(t),
                 0.936 * axis[2] + 0.352 * math.cos(t) * across[2])]))
     handle = ShapeCutFeature(Input=cup, Loop=AppendGeometry(Input=feet))
-    planet = Sphere(ThetaResolution=90, PhiResolution=90, Radius=1.6)
-    pasted = ShapePasteFeature(Feature=handle, Target=planet, Seed=[0.0, 1.0, 1.2], Rotation=90.0, Loops='All')
+    planet = Sphere(ThetaResolution=90, PhiResolution=90, Radius=1.4)
+    pasted = ShapePasteFeature(Feature=handle, Target=planet, Seed=[-0.6, -1.0, 0.9], Rotation=30.0, Loops='All')
     show(OutputPort(handle, 0), (-2.6, 0, 0), colour=ACCENT)
     show(OutputPort(handle, 1), (-2.9, 0, 0))
     show(pasted, (1.2, 0, 0), array='Part', kind='CELLS', preset='Cool to Warm')
