@@ -21,8 +21,8 @@
 #include "Mesh/Topology.h"
 
 #include <algorithm>
-#include <array>
-#include <numeric>
+#include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkShapeStructuredBlocks);
@@ -122,6 +122,61 @@ std::vector<std::vector<int>> SortCells(const std::vector<shape::GridBlock>& blo
   return cells;
 }
 
+/// The hexahedra of all blocks, with the positions to which the map array takes their points.
+struct MappedGrid
+{
+  vtkUnstructuredGrid* Grid;
+  std::string MapArray;
+  Eigen::MatrixXd Positions, Targets;
+};
+
+MappedGrid ReadGrid(vtkUnstructuredGrid* grid, const std::string& mapArray)
+{
+  MappedGrid mapped{ grid, mapArray, vtkShapeConvert::ToPoints(grid),
+    vtkShapeConvert::ToPointArray(grid, mapArray, 3, "the Input") };
+  shape::RequireFinite(mapped.Positions, "the Input");
+  shape::RequireFinite(mapped.Targets, "the Input's " + mapArray);
+  return mapped;
+}
+
+/// A block, and the control net of the spline over it.
+struct FittedBlock
+{
+  vtkSmartPointer<vtkStructuredGrid> Nodes, Controls;
+  Eigen::VectorXd Errors; ///< the distance of each node from the spline
+};
+
+/// cells: the block's, in its order.
+FittedBlock FitBlock(const MappedGrid& mapped, const shape::GridBlock& block,
+  const std::vector<int>& cells, const shape::BlockSplineOptions& options,
+  const shape::Progress& progress)
+{
+  progress(0.0);
+  const std::vector<int> rows(block.Nodes.begin(), block.Nodes.end());
+  const Eigen::MatrixXd values = mapped.Targets(rows, Eigen::all);
+  const shape::BlockSpline spline = shape::FitBlockSpline(block.Counts, values, options);
+  progress(0.3);
+  const Eigen::MatrixXd fitted =
+    shape::Evaluate(spline, shape::NodeParameters(block.Counts), progress.Part(0.3, 0.7));
+  progress(0.7);
+  FittedBlock result{ MakeGrid(block.Counts, values), MakeGrid(spline.Counts, spline.Controls),
+    (fitted - values).rowwise().norm() };
+  vtkPointData* data = result.Nodes->GetPointData();
+  CopyRows(mapped.Grid->GetPointData(), rows, { mapped.MapArray }, data);
+  CopyRows(
+    mapped.Grid->GetCellData(), cells, { "Block", "BlockIndex" }, result.Nodes->GetCellData());
+  data->AddArray(vtkShapeConvert::ToArray(mapped.Positions(rows, Eigen::all), "SourcePosition"));
+  data->AddArray(vtkShapeConvert::ToArray(fitted, "SplinePosition"));
+  data->AddArray(vtkShapeConvert::ToArray(result.Errors, "SplineError"));
+  const char* names[] = { "KnotsI", "KnotsJ", "KnotsK" };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    result.Controls->GetFieldData()->AddArray(
+      vtkShapeConvert::ToArray(spline.Knots[axis], names[axis]));
+  }
+  return result;
+}
+
 } // namespace
 
 void vtkShapeStructuredBlocks::Execute(const shape::Progress& progress)
@@ -133,68 +188,42 @@ void vtkShapeStructuredBlocks::Execute(const shape::Progress& progress)
     return;
   }
   vtkUnstructuredGrid* input = this->GetGatheredInput(0).Grid;
-  const Eigen::MatrixXd positions = vtkShapeConvert::ToPoints(input),
-                        targets =
-                          vtkShapeConvert::ToPointArray(input, this->MapArray, 3, "the Input");
-  shape::RequireFinite(positions, "the Input");
-  shape::RequireFinite(targets, "the Input's " + this->MapArray);
+  const MappedGrid mapped = ReadGrid(input, this->MapArray);
   const Eigen::VectorXi blockOf = vtkShapeConvert::ToCellIntegers(
     input, "Block", "the Input", "give the third output of Shape Hex Remesh");
   const Eigen::MatrixXi indices = ReadIndices(input);
   const std::vector<shape::GridBlock> blocks =
-    shape::FindGridBlocks(ReadHexahedra(input), positions, blockOf, indices);
+    shape::FindGridBlocks(ReadHexahedra(input), mapped.Positions, blockOf, indices);
   const std::vector<std::vector<int>> cells = SortCells(blocks, blockOf, indices);
   auto* nodes = vtkMultiBlockDataSet::SafeDownCast(this->GetOutputDataObject(0));
   auto* controls = vtkMultiBlockDataSet::SafeDownCast(this->GetOutputDataObject(1));
+  const auto count = [](auto number) { return static_cast<double>(number); };
   double largest = 0.0, sum = 0.0;
-  Eigen::Index nodeCount = 0, controlCount = 0;
+  vtkIdType nodeCount = 0, controlCount = 0;
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    const auto all = static_cast<double>(blocks.size());
-    const shape::Progress part = progress.Part(
-      static_cast<double>(i) / all, (static_cast<double>(i) + 1.0) / all, "fitting splines");
-    part(0.0);
-    const shape::GridBlock& block = blocks[i];
-    const std::vector<int> rows(block.Nodes.begin(), block.Nodes.end());
-    const Eigen::MatrixXd values = targets(rows, Eigen::all);
-    const shape::BlockSpline spline = shape::FitBlockSpline(block.Counts, values, this->Options);
-    part(0.3);
-    const Eigen::MatrixXd fitted =
-      shape::Evaluate(spline, shape::NodeParameters(block.Counts), part.Part(0.3, 0.7));
-    part(0.7);
-    const Eigen::VectorXd errors = (fitted - values).rowwise().norm();
-    const auto grid = MakeGrid(block.Counts, values);
-    CopyRows(input->GetPointData(), rows, { this->MapArray }, grid->GetPointData());
-    CopyRows(input->GetCellData(), cells[i], { "Block", "BlockIndex" }, grid->GetCellData());
-    grid->GetPointData()->AddArray(
-      vtkShapeConvert::ToArray(positions(rows, Eigen::all), "SourcePosition"));
-    grid->GetPointData()->AddArray(vtkShapeConvert::ToArray(fitted, "SplinePosition"));
-    grid->GetPointData()->AddArray(vtkShapeConvert::ToArray(errors, "SplineError"));
-    nodes->SetBlock(static_cast<unsigned int>(i), grid);
-    const auto net = MakeGrid(spline.Counts, spline.Controls);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const char* names[] = { "KnotsI", "KnotsJ", "KnotsK" };
-      net->GetFieldData()->AddArray(vtkShapeConvert::ToArray(spline.Knots[axis], names[axis]));
-    }
-    controls->SetBlock(static_cast<unsigned int>(i), net);
-    largest = std::max(largest, errors.maxCoeff());
-    sum += errors.sum();
-    nodeCount += errors.size();
-    controlCount += spline.Controls.rows();
+    const FittedBlock block = FitBlock(mapped, blocks[i], cells[i], this->Options,
+      progress.Part(
+        count(i) / count(blocks.size()), count(i + 1) / count(blocks.size()), "fitting splines"));
+    nodes->SetBlock(static_cast<unsigned int>(i), block.Nodes);
+    controls->SetBlock(static_cast<unsigned int>(i), block.Controls);
+    largest = std::max(largest, block.Errors.maxCoeff());
+    sum += block.Errors.sum();
+    nodeCount += block.Nodes->GetNumberOfPoints();
+    controlCount += block.Controls->GetNumberOfPoints();
   }
-  const auto count = [](auto number) { return static_cast<double>(number); };
+  const std::pair<const char*, double> facts[] = { { "Blocks", count(blocks.size()) },
+    { "Nodes", count(nodeCount) }, { "ControlPoints", count(controlCount) },
+    { "SplineError", largest },
+    { "MeanSplineError", sum / count(std::max<vtkIdType>(nodeCount, 1)) },
+    { "RelativeError", largest / shape::ComputeBoxDiagonal(mapped.Targets) } };
   for (vtkDataObject* output : { this->GetOutputDataObject(0), this->GetOutputDataObject(1) })
   {
     output->GetFieldData()->PassData(input->GetFieldData());
-    vtkShapeConvert::AddFact(output, "StructuredBlocks.Blocks", count(blocks.size()));
-    vtkShapeConvert::AddFact(output, "StructuredBlocks.Nodes", count(nodeCount));
-    vtkShapeConvert::AddFact(output, "StructuredBlocks.ControlPoints", count(controlCount));
-    vtkShapeConvert::AddFact(output, "StructuredBlocks.SplineError", largest);
-    vtkShapeConvert::AddFact(output, "StructuredBlocks.MeanSplineError",
-      sum / count(std::max<Eigen::Index>(nodeCount, 1)));
-    vtkShapeConvert::AddFact(
-      output, "StructuredBlocks.RelativeError", largest / shape::ComputeBoxDiagonal(targets));
+    for (const auto& [fact, value] : facts)
+    {
+      vtkShapeConvert::AddFact(output, std::string("StructuredBlocks.") + fact, value);
+    }
   }
   progress(1.0);
 }
