@@ -85,9 +85,9 @@ class vtkUnstructuredGrid;
     return this->options.name.data();                                                              \
   }
 
-/// Set/Get a field of this->`options` that is an enumeration. Its values are integers from `first`
-/// to `last`; other integers are errors.
-#define vtkShapeEnumOptionOf(options, name, type, first, last)                                     \
+/// Set/Get this->`field`, which is an enumeration. Its values are integers from `first` to `last`;
+/// other integers are errors.
+#define vtkShapeEnumOptionAs(field, name, type, first, last)                                       \
   virtual void Set##name(int value)                                                                \
   {                                                                                                \
     if (value < static_cast<int>(first) || value > static_cast<int>(last))                         \
@@ -96,16 +96,20 @@ class vtkUnstructuredGrid;
                     << " does not exist; use a value from " << static_cast<int>(first) << " to "   \
                     << static_cast<int>(last));                                                    \
     }                                                                                              \
-    else if (this->options.name != static_cast<type>(value))                                       \
+    else if (this->field != static_cast<type>(value))                                              \
     {                                                                                              \
-      this->options.name = static_cast<type>(value);                                               \
+      this->field = static_cast<type>(value);                                                      \
       this->Modified();                                                                            \
     }                                                                                              \
   }                                                                                                \
   virtual int Get##name()                                                                          \
   {                                                                                                \
-    return static_cast<int>(this->options.name);                                                   \
+    return static_cast<int>(this->field);                                                          \
   }
+
+/// vtkShapeEnumOptionAs for a field of this->`options` with the name of the property.
+#define vtkShapeEnumOptionOf(options, name, type, first, last)                                     \
+  vtkShapeEnumOptionAs(options.name, name, type, first, last)
 
 /// vtkShapeEnumOptionOf for a field of this->Options.
 #define vtkShapeEnumOption(name, type, first, last)                                                \

@@ -54,20 +54,6 @@ vtkShapeCutFeature::vtkShapeCutFeature()
 
 vtkShapeCutFeature::~vtkShapeCutFeature() = default;
 
-void vtkShapeCutFeature::SetFillMethod(int method)
-{
-  if (method < 0 || method > static_cast<int>(shape::FillMethod::Membrane))
-  {
-    vtkErrorMacro(<< this->GetLabel() << ": FillMethod " << method
-                  << " does not exist; use a value from 0 to 3");
-  }
-  else if (method != this->GetFillMethod())
-  {
-    this->Options.Fill.Method = static_cast<shape::FillMethod>(method);
-    this->Modified();
-  }
-}
-
 void vtkShapeCutFeature::SetNumberOfLoopPoints(int count)
 {
   vtkShapeList::Resize(this, this->LoopPoints, count, 3);

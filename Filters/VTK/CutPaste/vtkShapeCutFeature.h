@@ -80,8 +80,8 @@ public:
   vtkSetMacro(KeepOriginal, bool);
   vtkGetMacro(KeepOriginal, bool);
   vtkShapeOption(SnapShare, double);
-  void SetFillMethod(int method);
-  int GetFillMethod() { return static_cast<int>(this->Options.Fill.Method); }
+  vtkShapeEnumOptionAs(Options.Fill.Method, FillMethod, shape::FillMethod,
+    shape::FillMethod::Automatic, shape::FillMethod::Membrane);
   vtkShapeOptionOf(Options.Fill.Filler, EdgeGrowth, double);
   vtkShapeOptionOf(Options.Fill.Filler, OptimizeNormals, bool);
   vtkShapeOptionOf(Options.Fill.Deformation, Scale, double);

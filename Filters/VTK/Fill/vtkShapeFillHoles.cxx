@@ -46,20 +46,6 @@ vtkShapeFillHoles::vtkShapeFillHoles()
 
 vtkShapeFillHoles::~vtkShapeFillHoles() = default;
 
-void vtkShapeFillHoles::SetFillMethod(int method)
-{
-  if (method < 0 || method > static_cast<int>(shape::FillMethod::Membrane))
-  {
-    vtkErrorMacro(<< this->GetLabel() << ": FillMethod " << method
-                  << " does not exist; use a value from 0 to 3");
-  }
-  else if (method != this->GetFillMethod())
-  {
-    this->Fill.Method = static_cast<shape::FillMethod>(method);
-    this->Modified();
-  }
-}
-
 void vtkShapeFillHoles::SetNumberOfLoopIndices(int count)
 {
   if (static_cast<std::size_t>(std::max(count, 0)) != this->Choice.Indices.size())

@@ -60,8 +60,8 @@ public:
   ///@{
   /// The properties. Effects and ranges: vtkShapeFillHoles.xml. Enumerations and defaults:
   /// shape::FillHolesOptions, shape::LoopChoice.
-  void SetFillMethod(int method);
-  int GetFillMethod() { return static_cast<int>(this->Fill.Method); }
+  vtkShapeEnumOptionAs(Fill.Method, FillMethod, shape::FillMethod, shape::FillMethod::Automatic,
+    shape::FillMethod::Membrane);
   vtkShapeOptionOf(Fill.Filler, OptimizeNormals, bool);
   vtkShapeEnumOptionOf(Choice, Loops, shape::LoopChoice::LoopsType,
     shape::LoopChoice::LoopsType::All, shape::LoopChoice::LoopsType::Chosen);
