@@ -242,6 +242,11 @@ std::string WhoMakes(const std::string& array)
 
 } // namespace
 
+bool vtkShapeConvert::IsChosen(const std::string& array)
+{
+  return !array.empty() && array != "None";
+}
+
 Eigen::MatrixXd vtkShapeConvert::ToPointArray(vtkDataSet* data, const std::string& array,
   int components, const std::string& name, const std::string& remedy)
 {

@@ -52,6 +52,9 @@ Eigen::MatrixXd ToPoints(vtkDataSet* data);
 shape::CellSimplices ToSimplices(
   vtkDataSet* data, const std::string& name, const shape::Progress& progress = {});
 
+/// Returns whether the property of an optional array names one: "None" and "" do not.
+bool IsChosen(const std::string& array);
+
 /// Returns a point array (n x components). The array may be missing in data without points, such as
 /// an empty piece of distributed data. Throws shape::InvalidInput if the array is missing or has
 /// another number of components or tuples; the message lists the existing arrays. remedy: said if

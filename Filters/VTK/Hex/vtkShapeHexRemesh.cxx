@@ -77,11 +77,6 @@ int CountMissing(const Eigen::VectorXi& all, const Eigen::VectorXi& some)
   return static_cast<int>(missing.size());
 }
 
-bool IsChosen(const std::string& array)
-{
-  return !array.empty() && array != "None";
-}
-
 ///@{
 /// Points that no triangle uses must not change the size of the solid.
 std::vector<int> FindUsed(const shape::Mesh& surface)
@@ -147,7 +142,7 @@ double* vtkShapeHexRemesh::GetSurfaceSize()
 shape::HexRemeshGuides vtkShapeHexRemesh::ReadGuides(const std::vector<int>& used)
 {
   shape::HexRemeshGuides guides;
-  if (IsChosen(this->SizeArray))
+  if (vtkShapeConvert::IsChosen(this->SizeArray))
   {
     guides.Sizes = vtkShapeConvert::ToPointArray(
       this->GetGatheredInput(0).Data, this->SizeArray, 1, "the Surface")(used, 0);
@@ -169,7 +164,7 @@ shape::HexRemeshGuides vtkShapeHexRemesh::ReadGuides(const std::vector<int>& use
 Eigen::VectorXi vtkShapeHexRemesh::ReadPatches(
   vtkPolyData* surface, const std::vector<int>& cellOf) const
 {
-  if (!IsChosen(this->PatchArray))
+  if (!vtkShapeConvert::IsChosen(this->PatchArray))
   {
     return {};
   }
@@ -186,7 +181,7 @@ Eigen::VectorXi vtkShapeHexRemesh::ReadPatches(
 void vtkShapeHexRemesh::RequireRegionsAlone(const std::string& regions)
 {
   if (this->GetNumberOfInputConnections(1) > 0 || this->GetNumberOfInputConnections(2) > 0 ||
-    IsChosen(this->SizeArray) || IsChosen(this->PatchArray))
+    vtkShapeConvert::IsChosen(this->SizeArray) || vtkShapeConvert::IsChosen(this->PatchArray))
   {
     throw shape::InvalidInput(regions +
       " divides the solid already, and its hexahedra are cells of a regular grid; disconnect "
