@@ -76,6 +76,7 @@ public:
   vtkGetVector3Macro(Seed, double);
   vtkShapeOptionOf(Placement, Rotation, double);
   vtkShapeOptionOf(Placement, Scale, double);
+  vtkShapeFieldOptions();
   vtkShapeEnumOptionOf(Joined, Loops, shape::JoinedLoops::LoopsType,
     shape::JoinedLoops::LoopsType::One, shape::JoinedLoops::LoopsType::All);
   vtkShapeOptionOf(Joined, LoopIndex, int);

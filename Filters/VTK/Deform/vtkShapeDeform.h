@@ -58,6 +58,7 @@ public:
   ///@{
   /// The properties. Effects and ranges: vtkShapeDeform.xml. Defaults: shape::DeformOptions.
   vtkShapeOption(Scale, double);
+  vtkShapeFieldOptions();
   ///@}
 
 protected:

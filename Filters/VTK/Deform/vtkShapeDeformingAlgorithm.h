@@ -2,7 +2,9 @@
  * @class   vtkShapeDeformingAlgorithm
  * @brief   base of the filters that deform a shape by its boundary: its parameters
  *
- * RigidityArray, ScaleArray and SegmentArray are arrays of the shape that is deformed.
+ * RigidityArray, ScaleArray and SegmentArray are arrays of the shape that is deformed. They are
+ * properties of the filters whose shape is an input (vtkShapeFieldOptions); the disk that fills a
+ * hole has no arrays.
  *
  * All these parameters may be changed interactively. The source is Schmidt and Singh,
  * "Drag-and-drop surface composition" (Graphics Interface 2010), section 2.
@@ -18,6 +20,15 @@
 #include <string> // for array names
 
 class vtkDataSet;
+
+/// Set/Get the names of the arrays of the deformed shape.
+#define vtkShapeFieldOptions()                                                                     \
+  vtkSetStdStringFromCharMacro(RigidityArray);                                                     \
+  vtkGetCharFromStdStringMacro(RigidityArray);                                                     \
+  vtkSetStdStringFromCharMacro(ScaleArray);                                                        \
+  vtkGetCharFromStdStringMacro(ScaleArray);                                                        \
+  vtkSetStdStringFromCharMacro(SegmentArray);                                                      \
+  vtkGetCharFromStdStringMacro(SegmentArray)
 
 class VTKSHAPEFILTERS_EXPORT vtkShapeDeformingAlgorithm : public vtkShapeAlgorithm
 {
@@ -42,12 +53,6 @@ public:
   vtkShapeEnumOption(Multiresolution, shape::DeformOptions::MultiresolutionType,
     shape::DeformOptions::MultiresolutionType::Automatic,
     shape::DeformOptions::MultiresolutionType::Off);
-  vtkSetStdStringFromCharMacro(RigidityArray);
-  vtkGetCharFromStdStringMacro(RigidityArray);
-  vtkSetStdStringFromCharMacro(ScaleArray);
-  vtkGetCharFromStdStringMacro(ScaleArray);
-  vtkSetStdStringFromCharMacro(SegmentArray);
-  vtkGetCharFromStdStringMacro(SegmentArray);
   vtkShapeEnumOptionOf(Frames, BiasBy, shape::PoseOptions::BiasByType,
     shape::PoseOptions::BiasByType::Direction, shape::PoseOptions::BiasByType::Frame);
   vtkShapeVectorOptionOf(Frames, BiasFrame);
