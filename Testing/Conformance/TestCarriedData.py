@@ -271,8 +271,8 @@ target = with_data(read('DentedSphere600.vtp'), first=10000)
 own = numpy_to_vtk(numpy.full(target.GetNumberOfPoints(), 5, dtype=numpy.int32), deep=True)
 own.SetName('OfTheTarget')
 target.GetPointData().AddArray(own)
-pasted, = run('ShapePasteFeature', {0: with_data(filters.good_input('ShapePasteFeature', 0)), 1: target},
-              Seed=(-0.3, 0.2, 0.9))
+pasted, _ = run('ShapePasteFeature', {0: with_data(filters.good_input('ShapePasteFeature', 0)), 1: target},
+                Seed=(-0.3, 0.2, 0.9))
 parts = vtk_to_numpy(pasted.GetCellData().GetArray('Part'))
 of_target = numpy.zeros(pasted.GetNumberOfPoints(), dtype=bool)
 of_target[shapetesting.triangles(pasted)[parts == 0]] = True
