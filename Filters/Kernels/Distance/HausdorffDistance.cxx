@@ -1,5 +1,6 @@
 #include "Distance/HausdorffDistance.h"
 
+#include "Geometry/Sampling.h"
 #include "Mesh/UsedPoints.h"
 
 #include <utility>
@@ -27,33 +28,43 @@ ComparedPositions ChoosePositions(const Surface& surface)
   const Eigen::MatrixXi& triangles = surface.Triangles();
   const std::vector<int> used = FindUsedPoints(triangles, surface.Points().rows());
   ComparedPositions positions;
+  const Eigen::MatrixXd between = SampleRandomly(surface, random, seed);
   positions.OfSurface.resize(static_cast<Eigen::Index>(used.size()) + random, 3);
-  positions.OfSurface << surface.Points()(used, Eigen::all), SampleRandomly(surface, random, seed);
+  positions.OfSurface << surface.Points()(used, Eigen::all),
+    between(FindSpatialOrder(between), Eigen::all);
   return positions;
+}
+
+const Eigen::MatrixXd& GetComparedPositions(const Surface& surface)
+{
+  return surface.Cached<ComparedPositions>([&]() { return ChoosePositions(surface); })->OfSurface;
 }
 
 } // namespace
 
 SampledDistances ComputeDistancesToSurface(
-  const Surface& from, const SurfaceLocator& to, const Progress& progress)
+  const Surface& from, const SurfaceLocator& to, const Progress& progress, double enough)
 {
   SampledDistances result;
-  result.Positions =
-    from.Cached<ComparedPositions>([&]() { return ChoosePositions(from); })->OfSurface;
-  ClosestPoints closest = to.Find(result.Positions, progress);
+  result.Positions = GetComparedPositions(from);
+  ClosestPoints closest = to.Find(result.Positions, progress, enough);
   result.Nearest = std::move(closest.Positions);
   result.Distances = std::move(closest.Distances);
   return result;
+}
+
+double ComputeLargestDistanceToSurface(
+  const Surface& from, const SurfaceLocator& to, const Progress& progress)
+{
+  return to.FindLargestDistance(GetComparedPositions(from), progress);
 }
 
 HausdorffDistances ComputeHausdorffDistance(
   const Surface& first, const Surface& second, const Progress& progress)
 {
   return {
-    ComputeDistancesToSurface(first, SurfaceLocator(second), progress.Part(0.0, 0.5))
-      .Distances.maxCoeff(),
-    ComputeDistancesToSurface(second, SurfaceLocator(first), progress.Part(0.5, 1.0))
-      .Distances.maxCoeff(),
+    ComputeLargestDistanceToSurface(first, SurfaceLocator(second), progress.Part(0.0, 0.5)),
+    ComputeLargestDistanceToSurface(second, SurfaceLocator(first), progress.Part(0.5, 1.0)),
   };
 }
 

@@ -18,8 +18,14 @@ struct SampledDistances
 
 /// Computes the distances of positions on `from` to the surface `to`. The positions are the points
 /// used by triangles of `from`, and 50,000 uniformly distributed random positions. They are cached
-/// in `from`. Throws InvalidInput if `from` has no triangle; Aborted.
-SampledDistances ComputeDistancesToSurface(
+/// in `from`, in an order in which neighbours in space are mostly neighbours. enough: distances
+/// below this value may be too large, but are below it (SurfaceLocator). Throws InvalidInput if
+/// `from` has no triangle; Aborted.
+SampledDistances ComputeDistancesToSurface(const Surface& from, const SurfaceLocator& to,
+  const Progress& progress = {}, double enough = 0.0);
+
+/// Computes the largest of these distances, in a fraction of the time. Throws in the same way.
+double ComputeLargestDistanceToSurface(
   const Surface& from, const SurfaceLocator& to, const Progress& progress = {});
 
 /// The distances between two surfaces, in their units.

@@ -27,6 +27,8 @@ using MethodType = HexRemeshOptions::MethodType;
 
 /// Hexahedra of a polycube that are this good are accepted without comparison with a grid.
 constexpr double MinimumScaledJacobian = 0.3, LargestDistance = 0.01;
+/// The same for hexahedra of a grid, if a grid is tried first.
+constexpr double GoodGridScaledJacobian = 0.55;
 /// Snapping seldom brings a polycube from farther than this, as a fraction of the diagonal, to
 /// LargestDistance: a grid is tried first.
 constexpr double SnappedDistance = 2.0 * LargestDistance;
@@ -189,18 +191,91 @@ bool IsBetter(const HexFit& one, const HexFit& other)
     other.MinimumScaledJacobian / std::max(other.Distance, 1e-300);
 }
 
+/// Returns the largest share of the area whose normals deviate by at most 10 degrees from one of
+/// six directions, which are chosen one after another. A cube has 1, a sphere 0.05.
+double ComputeFlatShare(const Surface& surface)
+{
+  constexpr int directions = 6, candidates = 100;
+  const double cosine = std::cos(10.0 * EIGEN_PI / 180.0);
+  const Eigen::MatrixXd& vectors = surface.AreaVectors();
+  const Eigen::VectorXd areas = vectors.rowwise().norm();
+  const Eigen::MatrixXd normals = vectors.rowwise().normalized();
+  const Eigen::Index step = 1 + normals.rows() / candidates;
+  Eigen::ArrayXd left = areas.array();
+  double flat = 0.0;
+  for (int i = 0; i < directions; ++i)
+  {
+    double most = 0.0;
+    Eigen::ArrayXd others = left;
+    for (Eigen::Index t = 0; t < normals.rows(); t += step)
+    {
+      const Eigen::ArrayXd near =
+        ((normals * normals.row(t).transpose()).array() >= cosine).cast<double>();
+      if (const double area = (near * left).sum(); area > most)
+      {
+        most = area;
+        others = (1.0 - near) * left;
+      }
+    }
+    flat += most;
+    left = std::move(others);
+  }
+  return flat / areas.sum();
+}
+
+/// Whether a polycube is likely to be good: it needs creases that its edges follow, or flat parts
+/// that its faces follow.
+bool SuitsPolycube(const Surface& surface, const HexRemeshOptions& options)
+{
+  constexpr double minimum = 0.25; // of the area; about that of a cube whose edges are rounded
+  return !FindFeatures(surface, options, 0.0).Curves.empty() ||
+    ComputeFlatShare(surface) >= minimum;
+}
+
+bool IsGoodGrid(const HexFit& fit, double diagonal)
+{
+  return fit.Inverted == 0 && fit.MinimumScaledJacobian >= GoodGridScaledJacobian &&
+    fit.Distance <= LargestDistance * diagonal;
+}
+
 /// A polycube is tried first: its hexahedra have few singular edges. A grid is built only if there
-/// is no polycube or it is not good enough.
+/// is no polycube or it is not good enough. If the surface has nothing that a polycube could
+/// follow, a grid is tried first, and a polycube only if the grid is not good enough.
 HexRemeshResult ByTheBetter(
   const Surface& surface, const HexRemeshOptions& options, const Progress& progress)
 {
   const double diagonal = ComputeBoxDiagonal(surface);
-  std::optional<HexRemeshResult> polycube;
-  std::string why;
-  // Whether a grid follows is known only after the polycube: either way, progress is not far off.
+  std::optional<HexRemeshResult> polycube, grid;
+  std::string why, whyNoGrid;
+  const auto tryGrid = [&](const Progress& part)
+  {
+    try
+    {
+      grid = ByGrid(surface, options, part);
+    }
+    catch (const SolveFailure& failure)
+    {
+      whyNoGrid = failure.what();
+    }
+  };
+  const bool isGridFirst = !SuitsPolycube(surface, options);
+  if (isGridFirst)
+  {
+    tryGrid(progress.Part(0.0, 0.8));
+    if (grid && IsGoodGrid(grid->Fit, diagonal))
+    {
+      progress(1.0);
+      grid->Reason = "good, and the surface has neither creases nor flat parts that the edges and "
+                     "faces of a polycube could follow";
+      return std::move(*grid);
+    }
+  }
+  // Whether the other method follows is known only after the first: either way, progress is not far
+  // off.
+  const Progress ofPolycube = isGridFirst ? progress.Part(0.8, 0.97) : progress.Part(0.0, 0.8);
   try
   {
-    polycube = ByPolycube(surface, options, progress.Part(0.0, 0.8), SnappedDistance * diagonal);
+    polycube = ByPolycube(surface, options, ofPolycube, SnappedDistance * diagonal);
     const HexFit& fit = polycube->Fit;
     if (fit.CreasesKept && fit.MinimumScaledJacobian >= MinimumScaledJacobian &&
       fit.Distance <= LargestDistance * diagonal)
@@ -217,29 +292,37 @@ HexRemeshResult ByTheBetter(
   {
     why = failure.what();
   }
-  HexRemeshResult grid = ByGrid(surface, options, progress.Part(0.8, 0.97));
+  if (!isGridFirst)
+  {
+    tryGrid(progress.Part(0.8, 0.97));
+  }
+  if (!polycube && !grid)
+  {
+    throw SolveFailure(whyNoGrid + "; no polycube: " + why);
+  }
   if (!polycube)
   {
-    grid.Reason = "no polycube: " + why;
+    grid->Reason = "no polycube: " + why;
   }
-  else if (IsBetter(polycube->Fit, grid.Fit))
+  else if (!grid || IsBetter(polycube->Fit, grid->Fit))
   {
     if (polycube->Fit.Distance > SnappedDistance * diagonal)
     {
       SnapIfFar(
         polycube->Fit, surface, progress.Part(0.97, 1.0, "moving the boundary onto the surface"));
     }
-    polycube->Reason = "better than a grid: a polycube with " + polycube->Reason;
+    polycube->Reason = (grid ? "better than a grid" : "no grid (" + whyNoGrid + ")") +
+      ": a polycube with " + polycube->Reason;
     return std::move(*polycube);
   }
   else
   {
-    grid.Reason = "better than the polycube, whose minimum scaled Jacobian is " +
+    grid->Reason = "better than the polycube, whose minimum scaled Jacobian is " +
       FormatNumber(polycube->Fit.MinimumScaledJacobian) + ", at a distance from the surface of " +
       FormatNumber(polycube->Fit.Distance / diagonal) + " of the diagonal" +
       (polycube->Fit.CreasesKept ? "" : ", without the creases");
   }
-  return grid;
+  return std::move(*grid);
 }
 
 bool NeedsGrid(const HexRemeshGuides& guides)
@@ -263,6 +346,13 @@ void RequireAgreement(
   if (NeedsGrid(guides) && options.Method == MethodType::Polycube)
   {
     throw InvalidInput("a SizeArray or InnerSurfaces need a grid; choose Method Automatic or Grid");
+  }
+  if (options.Draft &&
+    (options.Method == MethodType::Polycube || guides.Polycube.Surface.Triangles.rows() > 0))
+  {
+    throw InvalidInput(
+      "a Draft uses the cells of a grid; choose Method Automatic or Grid without a "
+      "Polycube, or no Draft");
   }
   if (guides.Polycube.Surface.Triangles.rows() > 0 &&
     (NeedsGrid(guides) || options.Method == MethodType::Grid))
@@ -342,14 +432,17 @@ HexRemeshResult Made(const Surface& surface, const HexRemeshOptions& options,
     result.Reason = "chosen as Method, with " + result.Reason;
     return result;
   }
-  if (options.Method == MethodType::Grid || NeedsGrid(guides))
+  if (options.Method == MethodType::Grid || NeedsGrid(guides) || options.Draft)
   {
     result = ByGrid(surface, options, progress, guides);
     result.Reason = options.Method == MethodType::Grid ? "chosen as Method"
+      : !NeedsGrid(guides)                             ? "a draft uses the cells of a grid"
       : guides.InnerSurfaces.empty()
       ? "a SizeArray is given, and the cells of a polycube cannot have given sizes"
       : "InnerSurfaces are given, and polycubes do not contain them";
     result.Reason += result.InnerCreasesKept ? "" : "; creases of InnerSurfaces are rounded";
+    result.Reason +=
+      options.Draft ? "; these are a draft: apply without Draft for better ones" : "";
     return result;
   }
   if (const int crossings =

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -74,8 +75,9 @@ struct Nearest
 };
 
 /// Searches depth first, the nearer box first. Without the queue of Eigen's search this takes a
-/// third of the time.
-void Search(const BoxTree& tree, const std::vector<Facet>& facets, Nearest& nearest)
+/// third of the time. Ends as soon as the squared distance is below enough2.
+void Search(
+  const BoxTree& tree, const std::vector<Facet>& facets, Nearest& nearest, double enough2 = 0.0)
 {
   struct Box
   {
@@ -88,6 +90,10 @@ void Search(const BoxTree& tree, const std::vector<Facet>& facets, Nearest& near
   while (count > 0)
   {
     const Box box = open[--count];
+    if (nearest.Triangle >= 0 && nearest.Bound2 < enough2)
+    {
+      return;
+    }
     if (box.Distance2 > nearest.Bound2)
     {
       continue;
@@ -187,7 +193,51 @@ SurfaceLocator::SurfaceLocator(const Surface& surface)
   this->Impl = surface.Cached<Tree>(build);
 }
 
-ClosestPoints SurfaceLocator::Find(const Eigen::MatrixXd& points, const Progress& progress) const
+/// Searches for one position after another. Consecutive positions are usually neighbours: the
+/// triangle found last gives a bound, which does not change the result.
+class SurfaceLocator::Sequence
+{
+public:
+  explicit Sequence(const Tree& tree)
+    : Searched(tree)
+  {
+  }
+
+  Nearest Next(const RowVector3d& position, double enough2)
+  {
+    constexpr double margin = 1.0 + 1e-9, maximum = std::numeric_limits<double>::max();
+    Nearest nearest{ position, maximum };
+    if (this->Last >= 0)
+    {
+      nearest.Look(this->Searched.Facets[this->Last], this->Last);
+      if (nearest.Bound2 < enough2)
+      {
+        return nearest;
+      }
+      // With a margin, so that triangles at the same distance are found in the same order.
+      nearest.Bound2 =
+        std::max(std::min(margin * nearest.Bound2, maximum), std::numeric_limits<double>::min());
+      nearest.Triangle = -1;
+    }
+    Search(*this->Searched.Boxes, this->Searched.Facets, nearest, enough2);
+    if (nearest.Triangle < 0 && nearest.Bound2 < maximum)
+    {
+      // For a point on the surface, rounding can exceed the margin.
+      nearest = { position, maximum };
+      Search(*this->Searched.Boxes, this->Searched.Facets, nearest, enough2);
+    }
+    RequireFound(nearest);
+    this->Last = nearest.Triangle;
+    return nearest;
+  }
+
+private:
+  const Tree& Searched;
+  int Last = -1;
+};
+
+ClosestPoints SurfaceLocator::Find(
+  const Eigen::MatrixXd& points, const Progress& progress, double enough) const
 {
   const Eigen::Index n = points.rows();
   ClosestPoints result{ { Eigen::VectorXi(n), Eigen::MatrixXd(n, 3) }, Eigen::MatrixXd(n, 3),
@@ -196,32 +246,42 @@ ClosestPoints SurfaceLocator::Find(const Eigen::MatrixXd& points, const Progress
     static_cast<int>(n), 256,
     [&](int begin, int end)
     {
-      // Consecutive points are usually neighbours. The previous result is therefore a good bound,
-      // which with a margin for rounding does not change the result.
-      constexpr double margin = 1.0 + 1e-9, maximum = std::numeric_limits<double>::max();
-      RowVector3d before = RowVector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+      Sequence sequence(*this->Impl);
       for (int i = begin; i < end; ++i)
       {
-        const RowVector3d place = points.row(i);
-        const double bound2 = i == begin ? maximum : margin * (place - before).squaredNorm();
-        Nearest nearest{ place, bound2 };
-        Search(*this->Impl->Boxes, this->Impl->Facets, nearest);
-        if (nearest.Triangle < 0 && bound2 < maximum)
-        {
-          // For a point on the surface, rounding can exceed the margin.
-          nearest.Bound2 = maximum;
-          Search(*this->Impl->Boxes, this->Impl->Facets, nearest);
-        }
-        RequireFound(nearest);
+        const RowVector3d point = points.row(i);
+        const Nearest nearest = sequence.Next(point, enough * enough);
+        const RowVector3d position =
+          nearest.Barycentric * this->Impl->Facets[nearest.Triangle].Corners;
         result.Triangles(i) = nearest.Triangle;
         result.Barycentrics.row(i) = nearest.Barycentric;
-        before = nearest.Barycentric * this->Impl->Facets[nearest.Triangle].Corners;
-        result.Positions.row(i) = before;
-        result.Distances(i) = (before - place).norm();
+        result.Positions.row(i) = position;
+        result.Distances(i) = (position - point).norm();
       }
     },
     progress);
   return result;
+}
+
+double SurfaceLocator::FindLargestDistance(
+  const Eigen::MatrixXd& points, const Progress& progress) const
+{
+  constexpr int grain = 2048; // each chunk has to find a far point of its own
+  const auto n = static_cast<int>(points.rows());
+  std::vector<double> largest2(1 + n / grain, 0.0);
+  ParallelFor(
+    n, grain,
+    [&](int begin, int end)
+    {
+      Sequence sequence(*this->Impl);
+      double& own2 = largest2[begin / grain];
+      for (int i = begin; i < end; ++i)
+      {
+        own2 = std::max(own2, sequence.Next(points.row(i), own2).Bound2);
+      }
+    },
+    progress);
+  return std::sqrt(*std::max_element(largest2.begin(), largest2.end()));
 }
 
 ClosestPoint SurfaceLocator::FindOne(const RowVector3d& point, int guess) const

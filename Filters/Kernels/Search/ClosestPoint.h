@@ -40,8 +40,18 @@ public:
   /// Throws InvalidInput if the surface has no triangle.
   explicit SurfaceLocator(const Surface& surface);
 
-  /// points: n x 3, finite. Throws InvalidInput if the square of a distance overflows; Aborted.
-  ClosestPoints Find(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
+  /// points: n x 3, finite. enough: if the surface is nearer to a point than this, any position
+  /// that is nearer may be returned, which takes less time; >= 0. Throws InvalidInput if the square
+  /// of a distance overflows; Aborted.
+  ClosestPoints Find(
+    const Eigen::MatrixXd& points, const Progress& progress = {}, double enough = 0.0) const;
+
+  /// Returns the largest of the points' distances to the surface: the directed Hausdorff distance
+  /// from the points. The search for a point ends as soon as it is nearer than the farthest one so
+  /// far (Taha and Hanbury, "An Efficient Algorithm for Calculating the Exact Hausdorff Distance",
+  /// 2015), so this takes a fraction of the time of Find, in particular if consecutive points are
+  /// close to each other. Throws like Find.
+  double FindLargestDistance(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
 
   /// The same for one point. guess: a triangle that is likely to be close, or -1. A good guess
   /// speeds up the search. At equal distance it is preferred, except to a corner. If the point
@@ -53,6 +63,7 @@ public:
 
 private:
   struct Tree;
+  class Sequence;
   Surface Searched;
   std::shared_ptr<const Tree> Impl;
 };

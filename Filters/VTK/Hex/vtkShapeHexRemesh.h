@@ -147,6 +147,7 @@ public:
   vtkSetStdStringFromCharMacro(LabelArray);
   vtkGetCharFromStdStringMacro(LabelArray);
   vtkShapeOption(FeatureAngle, double);
+  vtkShapeOption(Draft, bool);
   ///@}
 
 protected:

@@ -13,7 +13,7 @@
 namespace
 {
 
-constexpr const char* Usage = R"(MODEL METHOD [CellSize=...] [MaximumHexahedra=...]
+constexpr const char* Usage = R"(MODEL METHOD [CellSize=...] [MaximumHexahedra=...] [Draft=1]
 
 MODEL   an OFF file: a closed surface; points at the same position are joined
 METHOD  Automatic, Polycube or Grid
@@ -36,6 +36,7 @@ void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
   options.Method = arguments.NextChoice(methods);
   const double cellSize = arguments.Setting("CellSize", options.CellSize);
   options.MaximumHexahedra = arguments.Setting("MaximumHexahedra", options.MaximumHexahedra);
+  options.Draft = arguments.Setting("Draft", 0) != 0;
   arguments.RequireAllRead();
 
   const shape::Mesh surface = benchmark::ReadOff(path, true);

@@ -199,3 +199,43 @@ TEST(HexRemesh, NamesWhatIsWrong)
   open.Triangles.conservativeResize(open.Triangles.rows() - 1, 3);
   EXPECT_REFUSED(shape::RemeshHexahedra(open, good), "open");
 }
+
+TEST(HexRemesh, ADraftIsValid)
+{
+  // None of these was used to choose what a draft leaves out.
+  for (const char* name : { "joint", "hand", "elephant" })
+  {
+    const shape::Mesh surface =
+      shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/" + name + ".off");
+    shape::HexRemeshOptions options;
+    options.Draft = true;
+    const shape::HexRemeshResult result = shape::RemeshHexahedra(surface, options);
+    const shape::Topology wanted = shape::RequireClosedSurface(surface, name);
+    const shape::Topology found = BoundaryTopology(result.Fit);
+    EXPECT_EQ(found.EulerNumber, wanted.EulerNumber) << name;
+    EXPECT_EQ(found.Components, wanted.Components) << name;
+    EXPECT_GT(shape::ComputeScaledJacobians(result.Fit.Solid).minCoeff(), 0.0) << name;
+    EXPECT_NE(result.Reason.find("draft"), std::string::npos) << result.Reason;
+  }
+}
+
+TEST(HexRemesh, ADraftNeedsAGrid)
+{
+  const shape::Mesh sphere = shapetest::Icosphere(3);
+  shape::HexRemeshOptions options;
+  options.Draft = true;
+  options.Method = MethodType::Polycube;
+  EXPECT_REFUSED(shape::RemeshHexahedra(sphere, options), "Draft", "Method");
+}
+
+TEST(HexRemesh, ASurfaceThatAPolycubeCannotFollowIsFilledByAGoodGrid)
+{
+  shape::HexRemeshOptions options;
+  options.CellSize = 0.2;
+  const shape::HexRemeshResult sphere = shape::RemeshHexahedra(shapetest::Icosphere(4), options);
+  EXPECT_EQ(sphere.Method, MethodType::Grid) << sphere.Reason;
+  EXPECT_GE(sphere.Fit.MinimumScaledJacobian, 0.55);
+  const shape::HexRemeshResult box =
+    shape::RemeshHexahedra(shapetest::Box({ -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 }), options);
+  EXPECT_EQ(box.Method, MethodType::Polycube) << box.Reason;
+}

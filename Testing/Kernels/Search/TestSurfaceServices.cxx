@@ -134,6 +134,43 @@ TEST(ClosestPoint, AGuessChangesNoDistance)
   }
 }
 
+TEST(ClosestPoint, TheLargestDistanceIsTheMaximumOfAll)
+{
+  const shape::SurfaceLocator torus(shapetest::Torus(1.0, 0.4, 24, 12));
+  // More than one chunk, on and off the surface, the farthest anywhere among them.
+  for (const double halfEdge : { 0.1, 1.5, 40.0 })
+  {
+    const Eigen::MatrixXd points = RandomPoints(5000, halfEdge);
+    EXPECT_DOUBLE_EQ(torus.FindLargestDistance(points), torus.Find(points).Distances.maxCoeff());
+  }
+  EXPECT_LT(torus.FindLargestDistance(torus.GetSurface().Points()), 1e-15);
+}
+
+TEST(ClosestPoint, OnlyDistancesThatAreEnoughMayBeTooLarge)
+{
+  const shape::SurfaceLocator torus(shapetest::Torus(1.0, 0.4, 24, 12));
+  const Eigen::MatrixXd points = RandomPoints(2000, 1.5);
+  const Eigen::VectorXd exact = torus.Find(points).Distances;
+  constexpr double enough = 0.3;
+  const shape::ClosestPoints found = torus.Find(points, {}, enough);
+  int larger = 0;
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+  {
+    EXPECT_NEAR((found.Positions.row(i) - points.row(i)).norm(), found.Distances(i), 1e-14);
+    if (exact(i) >= enough)
+    {
+      EXPECT_DOUBLE_EQ(found.Distances(i), exact(i));
+    }
+    else
+    {
+      EXPECT_LT(found.Distances(i), enough);
+      EXPECT_GE(found.Distances(i), exact(i) - 1e-14);
+      larger += found.Distances(i) > exact(i) + 1e-6;
+    }
+  }
+  EXPECT_GT(larger, 100); // otherwise nothing was saved
+}
+
 TEST(ClosestPoint, ATriangleWithoutAreaIsItsLongestEdge)
 {
   shape::Mesh mesh{ Eigen::MatrixXd(3, 3), Eigen::MatrixXi(1, 3) };

@@ -253,6 +253,10 @@ std::optional<HexFit> FitWith(const HexMesh& core, const Surface& surface,
   SettlingOptions settling;
   settling.Smoothings = features.Curves.empty() ? 2 : 30;
   settling.RaisedFrom = options.RaisedFrom;
+  if (options.Draft)
+  {
+    SettleAsDraft(settling);
+  }
   Settle(
     fit.Solid, constraint,
     [&](Eigen::MatrixXd& points)

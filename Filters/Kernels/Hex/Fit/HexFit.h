@@ -54,6 +54,10 @@ struct HexMeshOptions
   /// If not empty: the patch given for each triangle of the surface. The creases are then the
   /// borders between these patches, whatever their angle.
   Eigen::VectorXi Patches = {};
+  /// Whether a draft is enough: valid hexahedra of the first grid that has the topology, after few
+  /// sweeps, in a fraction of the time. Their scaled Jacobians are smaller, and their distance from
+  /// the surface is larger. It requires the cells of a grid.
+  bool Draft = false;
 };
 
 /// Throws InvalidInput if one of the options is out of its range.
@@ -86,6 +90,7 @@ struct HexFitOptions
   /// If the minimum scaled Jacobian is below this value, no further sweeps try to raise it.
   /// ImproveWorst can raise it later.
   double RaisedFrom = 0.0;
+  bool Draft = false; ///< whether few sweeps are enough (HexMeshOptions)
 };
 
 /// Hexahedra whose boundary lies on a surface.

@@ -140,6 +140,10 @@ RegionFit FitRegions(const LabelledCells& cells, const RegionTargets& targets,
   settling.Sweeps = 3;
   settling.RaisedFrom = options.RaisedFrom;
   settling.RaisedTo = 0.4; // where interfaces meet at small angles, more is rarely possible
+  if (options.Draft)
+  {
+    SettleAsDraft(settling);
+  }
   Settle(
     fit.Solid, *fit.Constraint, [&](Eigen::MatrixXd& points) { layers.Spread(points); }, settling,
     progress.Part(0.0, 0.8));
@@ -151,7 +155,7 @@ RegionFit FitRegions(const LabelledCells& cells, const RegionTargets& targets,
   }
   // Points leave the surfaces for a scaled Jacobian that the hexahedra need, or, if all are good
   // enough, only if some are inverted.
-  const double needed = IsGood(result) ? 0.0 : GoodScaledJacobian;
+  const double needed = options.Draft || IsGood(result) ? 0.0 : GoodScaledJacobian;
   RelaxBoundaryAroundBad(fit, targets.Surfaces, maximumDistance, progress.Part(0.8, 1.0), needed);
   result.CurveDistance = ComputeCurveDistance(fit.Solid.Points, targets, match);
   fit.InnerDistance = MeasureInterfaces(fit, targets);

@@ -111,22 +111,23 @@ private:
   void Compare(const Progress& progress)
   {
     const SurfaceLocator boundary({ this->Solid.Points, this->Triangles });
+    const Surface& target = this->Target.GetSurface();
     this->Far.clear();
-    this->Reached = 0.0;
-    this->Add(
-      ComputeDistancesToSurface(this->Target.GetSurface(), boundary, progress.Part(0.0, 0.5)),
+    this->Add(ComputeDistancesToSurface(target, boundary, progress.Part(0.0, 0.5), this->Wanted),
       &SampledDistances::Positions, &SampledDistances::Nearest);
-    this->Add(
-      ComputeDistancesToSurface(boundary.GetSurface(), this->Target, progress.Part(0.5, 1.0)),
+    this->Add(ComputeDistancesToSurface(
+                boundary.GetSurface(), this->Target, progress.Part(0.5, 0.9), this->Wanted),
       &SampledDistances::Nearest, &SampledDistances::Positions);
     std::stable_sort(this->Far.begin(), this->Far.end(),
       [](const FarPosition& a, const FarPosition& b) { return a.Distance > b.Distance; });
+    this->Reached = this->Far.empty()
+      ? ComputeHausdorffDistance(target, boundary.GetSurface(), progress.Part(0.9, 1.0)).Larger()
+      : this->Far.front().Distance;
   }
 
   void Add(const SampledDistances& positions, Eigen::MatrixXd SampledDistances::*onSurface,
     Eigen::MatrixXd SampledDistances::*onBoundary)
   {
-    this->Reached = std::max(this->Reached, positions.Distances.maxCoeff());
     for (Eigen::Index i = 0; i < positions.Distances.size(); ++i)
     {
       if (positions.Distances(i) > this->Wanted)

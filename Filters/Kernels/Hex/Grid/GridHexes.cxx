@@ -102,8 +102,9 @@ bool AddSeeds(const GridHexesResult& result, const GridBoundary& boundary,
   RefinementSeeds positions(result.CellSize);
   const auto addFarOnSurface = [&](const Surface& surface, const Eigen::MatrixXi& quads)
   {
-    positions.AddDistant(ComputeDistancesToSurface(
-                           surface, SurfaceLocator({ solid.Points, SplitQuads(quads) }), progress),
+    positions.AddDistant(
+      ComputeDistancesToSurface(surface, SurfaceLocator({ solid.Points, SplitQuads(quads) }),
+        progress, RefinementSeeds::DistantShare * goals.Distance),
       goals.Distance);
   };
   addFarOnSurface(boundary.Outer, result.Fit.Quads);
@@ -140,6 +141,7 @@ std::optional<GridHexesResult> FillGrid(MultiMaterialVoxels& regions, const Grid
   fitting.PaddingLayers = options.PaddingLayers;
   fitting.MaximumHexahedra = options.MaximumHexahedra;
   fitting.RaisedFrom = RaisedFrom;
+  fitting.Draft = options.Draft;
   const double minimum = regions.Outer().CellSizeFor(options.MaximumHexahedra, warp);
   for (; size >= minimum * (1.0 - 1e-9); size *= Shrinkage)
   {
@@ -213,7 +215,7 @@ public:
       }
       this->LargestSize = result->CellSize / Shrinkage;
       const std::size_t before = seeds.size();
-      bool isSnapped = IsAsWanted(*result, this->Goals);
+      bool isSnapped = this->Options.Draft || IsAsWanted(*result, this->Goals);
       if (!isSnapped)
       {
         if (AddSeeds(*result, this->Boundary, this->AllFeatures, this->Goals, seeds,
@@ -270,7 +272,12 @@ public:
     }
   }
 
-  bool HasAccepted() const { return this->Best && IsAccepted(*this->Best, this->Goals); }
+  /// Whether no further grid is needed: for a draft, any valid one is good enough.
+  bool HasAccepted() const
+  {
+    return this->Best &&
+      (this->Options.Draft ? this->Best->Fit.Inverted == 0 : IsAccepted(*this->Best, this->Goals));
+  }
 
   /// Minus infinity if there is no result yet.
   double BestScore() const
@@ -286,6 +293,12 @@ public:
       this->ThrowNoGrid();
     }
     GridHexesResult result = std::move(*this->Best);
+    result.Rounds = this->Rounds;
+    if (this->Options.Draft && result.Fit.Inverted == 0)
+    {
+      progress(1.0);
+      return result;
+    }
     if (result.Fit.Inverted == 0 && result.Fit.MinimumScaledJacobian < AcceptedScaledJacobian)
     {
       ChangeIfBetter(result, this->Goals,
@@ -311,7 +324,6 @@ public:
             progress.Part(0.85, 1.0, "releasing boundary points"));
         });
     }
-    result.Rounds = this->Rounds;
     progress(1.0);
     return result;
   }

@@ -93,6 +93,7 @@ RegionHexesResult BuildRegionHexahedra(
   const GridGoals goals(options, diagonal);
   HexFitOptions fitting;
   fitting.PaddingLayers = options.PaddingLayers;
+  fitting.Draft = options.Draft;
   const bool isGiven = options.CellSize > 0.0;
   const double minimum =
     isGiven ? SmallestShare * options.CellSize : voxels.CellSizeFor(options.MaximumHexahedra);
@@ -133,7 +134,7 @@ RegionHexesResult BuildRegionHexahedra(
     }
     // The size of cells is a decision on their number: only inverted hexahedra make them smaller
     // than given.
-    if (isGiven ? best->Fit.Inverted == 0 : IsGood(*best))
+    if (isGiven || options.Draft ? best->Fit.Inverted == 0 : IsGood(*best))
     {
       break;
     }

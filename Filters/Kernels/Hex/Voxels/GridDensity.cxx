@@ -75,14 +75,13 @@ void RefinementSeeds::Add(const Eigen::RowVector3d& centre, double times)
 
 void RefinementSeeds::AddDistant(const SampledDistances& far, double wanted)
 {
-  constexpr double share = 0.9;
   std::vector<int> order(far.Distances.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(
     order.begin(), order.end(), [&](int a, int b) { return far.Distances(a) > far.Distances(b); });
   for (const int i : order)
   {
-    if (far.Distances(i) < share * wanted)
+    if (far.Distances(i) < DistantShare * wanted)
     {
       break;
     }

@@ -66,8 +66,11 @@ public:
   /// strength.
   void Add(const Eigen::RowVector3d& centre, double times = 1.0);
 
-  /// Adds the positions whose distance is at least 0.9 times `wanted`, the farthest first. For
-  /// distances above 4 times `wanted`, the strength of the seed grows with the distance. From 8
+  /// What AddDistant counts as distant, as a fraction of the wanted distance.
+  static constexpr double DistantShare = 0.9;
+
+  /// Adds the positions whose distance is at least DistantShare times `wanted`, the farthest first.
+  /// For distances above 4 times `wanted`, the strength of the seed grows with the distance. From 8
   /// times `wanted` on, it is twice the usual strength.
   void AddDistant(const SampledDistances& far, double wanted);
 

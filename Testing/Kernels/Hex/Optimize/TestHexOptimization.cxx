@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <random>
@@ -142,6 +143,44 @@ shape::StarEnergy StarOf(const shape::HexMesh& mesh, const Eigen::VectorXd& leas
 }
 
 } // namespace
+
+TEST(StarEnergy, IsTheSumOverTheCorners)
+{
+  // Stars of 1, 2, 4 and 8 hexahedra, some of them inverted; by the definition, corner by corner.
+  shape::HexMesh mesh = Shaken(2, 0.9);
+  mesh.Points.row(0) << 0.3, 0.2, 0.1;
+  const Eigen::VectorXd minimumSquares = shape::StarEnergy::MinimumSquares(mesh);
+  ASSERT_LT(shape::ComputeScaledJacobians(mesh).minCoeff(), 0.0);
+  const double sharpness = 4.0;
+  for (int point = 0; point < static_cast<int>(mesh.Points.rows()); ++point)
+  {
+    double sum = 0.0;
+    for (const auto& [hex, own] : Around(mesh, point))
+    {
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        const int* neighbours = shape::HexNeighbours[corner];
+        if (corner != own && std::find(neighbours, neighbours + 3, own) == neighbours + 3)
+        {
+          continue;
+        }
+        Eigen::Matrix3d edges;
+        for (int k = 0; k < 3; ++k)
+        {
+          edges.row(k) = mesh.Points.row(mesh.Hexahedra(hex, neighbours[k])) -
+            mesh.Points.row(mesh.Hexahedra(hex, corner));
+        }
+        const double determinant = edges.determinant();
+        const double added = determinant < 0.0 ? 0.0 : minimumSquares(hex);
+        const double lengths = std::sqrt((edges.rowwise().squaredNorm().array() + added).prod());
+        sum += std::exp(sharpness * (1.0 - determinant / lengths));
+      }
+    }
+    EXPECT_NEAR(
+      StarOf(mesh, minimumSquares, point).Value(mesh.Points.row(point).transpose(), sharpness), sum,
+      1e-12 * sum);
+  }
+}
 
 TEST(StarEnergy, ItsGradientIsTheDerivative)
 {

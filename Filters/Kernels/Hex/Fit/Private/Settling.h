@@ -20,6 +20,14 @@ struct SettlingOptions
   double RaisedTo = shape::RaisedTo; ///< the target for the minimum scaled Jacobian
 };
 
+/// Makes do with few sweeps: a single one at each sharpness, and none for the worst hexahedra
+/// unless they are very bad.
+inline void SettleAsDraft(SettlingOptions& options)
+{
+  options.Sweeps = 1;
+  options.RaisedTo = 0.0;
+}
+
 /**
  * Moves the points of hexahedra whose layers have no thickness yet. They are smoothed, `spread`
  * gives layers their thickness, and OptimizeHexahedra repairs inverted hexahedra and raises the

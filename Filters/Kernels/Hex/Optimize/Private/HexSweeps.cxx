@@ -7,168 +7,10 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <limits>
 
 namespace shape
 {
-namespace
-{
-
-using Eigen::Vector3d;
-
-/// For each corner of a hexahedron and each two of its neighbours, the corner adjacent to both.
-constexpr std::array<std::array<int, 3>, 8> CornersAcross()
-{
-  std::array<std::array<int, 3>, 8> across{};
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const int* one = HexNeighbours[HexNeighbours[corner][(k + 1) % 3]];
-      const int* other = HexNeighbours[HexNeighbours[corner][(k + 2) % 3]];
-      for (int i = 0; i < 9; ++i)
-      {
-        if (one[i / 3] == other[i % 3] && one[i / 3] != corner)
-        {
-          across[corner][k] = one[i / 3];
-        }
-      }
-    }
-  }
-  return across;
-}
-
-constexpr auto Across = CornersAcross();
-
-/// The edges of a corner and the quantities derived from them.
-struct CornerEdges
-{
-  CornerEdges(const Vector3d& a, const Vector3d& b, const Vector3d& c, double minimum)
-    : A(a)
-    , B(b)
-    , C(c)
-    , Normal(b.cross(c))
-    , Minimum(a.dot(this->Normal) < 0.0 ? 0.0 : minimum)
-    , Lengths(std::sqrt(this->Square(a) * this->Square(b) * this->Square(c)))
-    , Scaled(a.dot(this->Normal) / this->Lengths)
-  {
-  }
-
-  double Square(const Vector3d& edge) const { return edge.squaredNorm() + this->Minimum; }
-
-  /// The derivative of the scaled determinant with respect to the first edge.
-  Vector3d Slope() const { return this->Normal / this->Lengths - this->Along(this->A); }
-  /// Minus the sum of the derivatives for all edges: the derivative for the corner's position.
-  Vector3d SlopeAtCorner() const
-  {
-    return this->Along(this->A) + this->Along(this->B) + this->Along(this->C) -
-      (this->Normal + this->C.cross(this->A) + this->A.cross(this->B)) / this->Lengths;
-  }
-  Vector3d Along(const Vector3d& edge) const { return this->Scaled / this->Square(edge) * edge; }
-
-  Vector3d A, B, C, Normal;
-  double Minimum, Lengths, Scaled;
-};
-
-void Add(const CornerEdges& edges, const Vector3d& slope, double inverseSquares, double sharpness,
-  StarEnergy::Expansion& sum)
-{
-  const double term = std::exp(sharpness * (1.0 - edges.Scaled));
-  sum.Value += term;
-  // With t = exp(k (1 - s)): t' = -k t s', and t'' = k^2 t s' s'^T - k t s''.
-  sum.Gradient -= sharpness * term * slope;
-  sum.Curvature.noalias() += sharpness * sharpness * term * slope * slope.transpose();
-  // For the second derivative of s: near a right angle it is -1 / length^2 across the edge.
-  constexpr double share = 0.7, minimum = 0.1;
-  sum.Curvature.diagonal().array() +=
-    sharpness * term * share * std::max(minimum, edges.Scaled) * inverseSquares;
-}
-
-} // namespace
-
-StarEnergy::StarEnergy(const Eigen::Matrix3Xd& points, const Corners& hexahedra,
-  const Eigen::VectorXd& leastSquares, const std::vector<std::array<int, 2>>& around)
-{
-  this->Views.reserve(around.size());
-  for (const auto& [hex, corner] : around)
-  {
-    View& view = this->Views.emplace_back();
-    for (int k = 0; k < 3; ++k)
-    {
-      view.Ends[k] = points.col(hexahedra(hex, HexNeighbours[corner][k]));
-      view.Across[k] = points.col(hexahedra(hex, shape::Across[corner][k]));
-    }
-    view.MinimumSquare = leastSquares(hex);
-  }
-}
-
-Eigen::VectorXd StarEnergy::MinimumSquares(const HexMesh& mesh)
-{
-  constexpr double share = 0.05;
-  Eigen::VectorXd squares(mesh.Hexahedra.rows());
-  for (Eigen::Index hex = 0; hex < squares.size(); ++hex)
-  {
-    const double minimum = share * ComputeMeanEdgeLength(mesh, hex);
-    // Positive even for a hexahedron without extent, because lengths are denominators.
-    squares(hex) = std::max(minimum * minimum, std::numeric_limits<double>::min());
-  }
-  return squares;
-}
-
-double StarEnergy::Value(const Vector3d& x, double sharpness) const
-{
-  double sum = 0.0;
-  for (const View& view : this->Views)
-  {
-    const CornerEdges own(view.Ends[0] - x, view.Ends[1] - x, view.Ends[2] - x, view.MinimumSquare);
-    // Four corners of each hexahedron depend on x: its own, and those at the ends of its three
-    // edges.
-    sum += std::exp(sharpness * (1.0 - own.Scaled));
-    for (int k = 0; k < 3; ++k)
-    {
-      const Vector3d& end = view.Ends[k];
-      const CornerEdges beside(x - end, view.Across[(k + 1) % 3] - end,
-        view.Across[(k + 2) % 3] - end, view.MinimumSquare);
-      sum += std::exp(sharpness * (1.0 - beside.Scaled));
-    }
-  }
-  return sum;
-}
-
-StarEnergy::Expansion StarEnergy::Expand(const Vector3d& x, double sharpness) const
-{
-  Expansion sum;
-  for (const View& view : this->Views)
-  {
-    const CornerEdges own(view.Ends[0] - x, view.Ends[1] - x, view.Ends[2] - x, view.MinimumSquare);
-    Add(own, own.SlopeAtCorner(),
-      1.0 / own.Square(own.A) + 1.0 / own.Square(own.B) + 1.0 / own.Square(own.C), sharpness, sum);
-    for (int k = 0; k < 3; ++k)
-    {
-      const Vector3d& end = view.Ends[k];
-      const CornerEdges beside(x - end, view.Across[(k + 1) % 3] - end,
-        view.Across[(k + 2) % 3] - end, view.MinimumSquare);
-      Add(beside, beside.Slope(), 1.0 / beside.Square(beside.A), sharpness, sum);
-    }
-  }
-  return sum;
-}
-
-double StarEnergy::Reach(const Vector3d& x) const
-{
-  double squared = 0.0;
-  for (const View& view : this->Views)
-  {
-    for (const Vector3d& end : view.Ends)
-    {
-      squared = std::max(squared, (end - x).squaredNorm());
-    }
-  }
-  return std::sqrt(squared);
-}
-
 namespace
 {
 
@@ -181,7 +23,8 @@ bool Step(Eigen::Ref<Eigen::Vector3d> point, const StarEnergy& star, double shar
   const PointConstraint& constraint, int id)
 {
   const Eigen::Vector3d x = point;
-  Eigen::MatrixXd curvature = directions.transpose() * here.Curvature * directions;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> curvature =
+    directions.transpose() * here.Curvature * directions;
   // Relative to the trace: keeps the matrix positive definite where a direction has no curvature.
   constexpr double ridge = 1e-6;
   curvature.diagonal().array() += ridge * curvature.trace();
@@ -192,7 +35,7 @@ bool Step(Eigen::Ref<Eigen::Vector3d> point, const StarEnergy& star, double shar
     return false;
   }
   // The expansion is not valid for positions beyond the neighbours.
-  const double longest = 0.5 * star.Reach(x), length = step.norm();
+  const double longest = 0.5 * here.Reach, length = step.norm();
   if (length < Negligible * longest)
   {
     return false;
@@ -413,7 +256,7 @@ void HexSweeps::Move(int point, double sharpness)
   {
     this->ChangedAt[point] = this->Now;
   }
-  if ((this->Points.col(point) - x).norm() > Negligible * star.Reach(x))
+  if ((this->Points.col(point) - x).norm() > Negligible * here.Reach)
   {
     this->MovedAt[point] = this->Now;
   }
