@@ -159,7 +159,14 @@ public:
 
   /// Returns the distance of the nearest of these cells from a position in the cell's coordinates,
   /// in [0, 1]; 2 if there are none.
-  double DistanceTo(const Eigen::RowVector3d& position) const
+  double DistanceTo(const Eigen::Array3d& position) const
+  {
+    return this->DistanceTo(position, position);
+  }
+
+  /// Returns an upper bound on this distance for all positions of a box, which is exact if the box
+  /// is one position.
+  double DistanceTo(const Eigen::Array3d& low, const Eigen::Array3d& high) const
   {
     double minimum = 4.0;
     for (int i = 0; i < this->Count; ++i)
@@ -168,7 +175,7 @@ public:
       for (int axis = 0; axis < 3; ++axis)
       {
         const int step = this->Steps[i][axis];
-        const double gap = step > 0 ? 1.0 - position(axis) : step < 0 ? position(axis) : 0.0;
+        const double gap = step > 0 ? 1.0 - low(axis) : step < 0 ? high(axis) : 0.0;
         square += gap * gap;
       }
       minimum = std::min(minimum, square);
@@ -181,16 +188,57 @@ private:
   int Count = 0;
 };
 
-/// A position, ordered by its cell, then by its row.
-struct PositionInCell
+/// The positions in one cell, in its coordinates, and the box around them.
+struct PositionsInCell
 {
-  int Cell;
-  int Row;
+  Eigen::RowVector3i Cell;
+  int Begin, End; ///< indices into CellPositions::Within
+  Eigen::Array3d Low, High;
+};
 
-  bool operator<(const PositionInCell& other) const
+/// Positions sorted by their cells. Cells without positions are not listed.
+struct CellPositions
+{
+  CellPositions(const SampledGrid& grid, const Eigen::MatrixXd& positions)
+    : Within(positions.rows())
   {
-    return this->Cell != other.Cell ? this->Cell < other.Cell : this->Row < other.Row;
+    const Eigen::MatrixXd scaled =
+      ((positions.rowwise() - grid.Origin) / grid.Spacing).array() + 0.5;
+    const Eigen::MatrixXi cells = scaled.array().floor().cast<int>();
+    const auto indexOf = [&](Eigen::Index i)
+    { return grid.Index(cells(i, 0), cells(i, 1), cells(i, 2)); };
+    std::vector<int> next(grid.Values.size() + 1, 0); // where each cell's next position is put
+    for (Eigen::Index i = 0; i < cells.rows(); ++i)
+    {
+      ++next[indexOf(i) + 1];
+    }
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    for (Eigen::Index i = 0; i < cells.rows(); ++i)
+    {
+      this->Within[next[indexOf(i)]++] =
+        (scaled.row(i) - cells.row(i).cast<double>()).transpose().array();
+    }
+    const int width = grid.Counts(0), height = grid.Counts(1);
+    for (int cell = 0, begin = 0; cell < static_cast<int>(grid.Values.size()); ++cell)
+    {
+      const int end = next[cell];
+      if (begin < end)
+      {
+        PositionsInCell own{ { cell % width, cell / width % height, cell / width / height }, begin,
+          end, this->Within[begin], this->Within[begin] };
+        for (int i = begin + 1; i < end; ++i)
+        {
+          own.Low = own.Low.min(this->Within[i]);
+          own.High = own.High.max(this->Within[i]);
+        }
+        this->Cells.push_back(own);
+      }
+      begin = end;
+    }
   }
+
+  std::vector<Eigen::Array3d> Within;
+  std::vector<PositionsInCell> Cells;
 };
 
 /// Marks the outermost cells of the grid.
@@ -255,15 +303,7 @@ WellComposedVoxels FindVoxelSolid(const SampledGrid& grid)
 int CoverSurface(const SampledGrid& grid, const Eigen::MatrixXd& positions, double reach,
   std::vector<char>& inside)
 {
-  // The positions in the coordinates of the cells, cell by cell.
-  const Eigen::MatrixXd scaled = ((positions.rowwise() - grid.Origin) / grid.Spacing).array() + 0.5;
-  const Eigen::MatrixXi cells = scaled.array().floor().cast<int>();
-  std::vector<PositionInCell> order(positions.rows());
-  for (int i = 0; i < static_cast<int>(order.size()); ++i)
-  {
-    order[i] = { grid.Index(cells(i, 0), cells(i, 1), cells(i, 2)), i };
-  }
-  std::sort(order.begin(), order.end());
+  const CellPositions sorted(grid, positions);
   CellFlipper flipper(grid, inside);
   const auto flipNeighbour = [&](const Eigen::RowVector3i& cell)
   {
@@ -286,20 +326,16 @@ int CoverSurface(const SampledGrid& grid, const Eigen::MatrixXd& positions, doub
   for (int before = -1; before < flipper.Count();)
   {
     before = flipper.Count();
-    for (std::size_t first = 0, end = 0; first < order.size(); first = end)
+    for (const PositionsInCell& own : sorted.Cells)
     {
-      const Eigen::RowVector3i cell = cells.row(order[first].Row);
-      const OtherSide other(grid, inside, cell);
-      double farthest = 0.0;
-      for (end = first; end < order.size() && order[end].Cell == order[first].Cell; ++end)
-      {
-        const Eigen::RowVector3d within = scaled.row(order[end].Row) - cell.cast<double>();
-        farthest = std::max(farthest, other.DistanceTo(within));
-      }
+      const OtherSide other(grid, inside, own.Cell);
+      const bool isFar = other.DistanceTo(own.Low, own.High) > reach &&
+        std::any_of(sorted.Within.begin() + own.Begin, sorted.Within.begin() + own.End,
+          [&](const Eigen::Array3d& position) { return other.DistanceTo(position) > reach; });
       // If the cell itself cannot change, the adjacent cell closest to the boundary may.
-      if (farthest > reach && !flipper.Flip(cell))
+      if (isFar && !flipper.Flip(own.Cell))
       {
-        flipNeighbour(cell);
+        flipNeighbour(own.Cell);
       }
     }
   }

@@ -64,25 +64,28 @@ HWY_ATTR inline Vector Load(const double* x)
 }
 
 /// Computes what does not depend on the position of the point.
-void PrepareFor(StarBlock& block)
+void PrepareFor(StarBlock* blocks, int count)
 {
   const Tag d;
-  for (int i = 0; i < StarBlock::Size; i += static_cast<int>(hn::Lanes(d)))
+  for (StarBlock* block = blocks; block != blocks + count; ++block)
   {
-    const Lanes minimum = hn::LoadU(d, &block.MinimumSquares[i]);
-    for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < StarBlock::Size; i += static_cast<int>(hn::Lanes(d)))
     {
-      const Vector end = Load(block.Ends, k, i);
-      const Vector one = Load(block.Across, (k + 1) % 3, i).Minus(end),
-                   other = Load(block.Across, (k + 2) % 3, i).Minus(end);
-      const Vector normal = other.Cross(one);
-      hn::StoreU(normal.X, d, &block.Normals[k][0][i]);
-      hn::StoreU(normal.Y, d, &block.Normals[k][1][i]);
-      hn::StoreU(normal.Z, d, &block.Normals[k][2][i]);
-      const Lanes first = one.Dot(one), second = other.Dot(other);
-      hn::StoreU(hn::Mul(first, second), d, &block.Squares[k][i]);
-      hn::StoreU(
-        hn::Mul(hn::Add(first, minimum), hn::Add(second, minimum)), d, &block.LongerSquares[k][i]);
+      const Lanes minimum = hn::LoadU(d, &block->MinimumSquares[i]);
+      for (int k = 0; k < 3; ++k)
+      {
+        const Vector end = Load(block->Ends, k, i);
+        const Vector one = Load(block->Across, (k + 1) % 3, i).Minus(end),
+                     other = Load(block->Across, (k + 2) % 3, i).Minus(end);
+        const Vector normal = other.Cross(one);
+        hn::StoreU(normal.X, d, &block->Normals[k][0][i]);
+        hn::StoreU(normal.Y, d, &block->Normals[k][1][i]);
+        hn::StoreU(normal.Z, d, &block->Normals[k][2][i]);
+        const Lanes first = one.Dot(one), second = other.Dot(other);
+        hn::StoreU(hn::Mul(first, second), d, &block->Squares[k][i]);
+        hn::StoreU(hn::Mul(hn::Add(first, minimum), hn::Add(second, minimum)), d,
+          &block->LongerSquares[k][i]);
+      }
     }
   }
 }
@@ -327,10 +330,7 @@ StarEnergy::StarEnergy(const Eigen::Matrix3Xd& points, const Corners& hexahedra,
     block.MinimumSquares[i] = leastSquares(hex);
     block.Weights[i] = entry < used ? 1.0 : 0.0;
   }
-  for (StarBlock& block : this->Blocks)
-  {
-    HWY_DYNAMIC_DISPATCH(PrepareFor)(block);
-  }
+  HWY_DYNAMIC_DISPATCH(PrepareFor)(this->Blocks.data(), static_cast<int>(this->Blocks.size()));
 }
 
 Eigen::VectorXd StarEnergy::MinimumSquares(const HexMesh& mesh)
