@@ -19,9 +19,6 @@ namespace
 const std::vector<double> GentleSharpnesses = { 2, 4, 6 };
 const std::vector<double> Sharpnesses = { 2, 4, 6, 8, 10, 12, 16, 20 };
 const std::vector<double> WorstSharpnesses = { 25, 30, 40, 60, 90 };
-/// Sharper sweeps than the gentle ones leave hexahedra alone that are better than this: they would
-/// move their points only to make them more alike.
-constexpr double Good = 0.85;
 
 /// Keeps the points of the best state: the fewest inverted hexahedra, then the best minimum.
 class Best
@@ -62,17 +59,7 @@ private:
   Eigen::VectorXd Values;
 };
 
-/// Clears the marks that are not set in `others` as well; keeps all if `others` is empty.
-void LeaveMarked(const std::vector<char>& others, std::vector<char>& marked)
-{
-  for (std::size_t point = 0; point < std::min(marked.size(), others.size()); ++point)
-  {
-    marked[point] = static_cast<char>(marked[point] && others[point]);
-  }
-}
-
-/// Sweeps over the movable points, at the higher sharpnesses only over those of hexahedra that are
-/// not good, and offers the best state after each sharpness.
+/// Sweeps over the movable points and offers the best state after each sharpness.
 void LowerAll(const HexMesh& mesh, const PointConstraint& constraint,
   const std::vector<double>& sharpnesses, const HexOptimizationOptions& options, Best& best,
   const Progress& progress)
@@ -83,22 +70,21 @@ void LowerAll(const HexMesh& mesh, const PointConstraint& constraint,
   double done = 0.0;
   for (const double sharpness : sharpnesses)
   {
-    std::vector<char> marked = options.Marked;
-    if (sharpness > GentleSharpnesses.back())
-    {
-      marked = sweeps.MarkBad(Good);
-      if (marked.empty())
-      {
-        break;
-      }
-      LeaveMarked(options.Marked, marked);
-    }
     for (int sweep = 0; sweep < count; ++sweep)
     {
-      sweeps.Lower(sharpness, marked, progress.Part(done / steps, (done + 1.0) / steps));
+      sweeps.Lower(sharpness, options.Marked, progress.Part(done / steps, (done + 1.0) / steps));
       ++done;
     }
     best.Offer(sweeps.Positions());
+  }
+}
+
+/// Clears the marks that are not set in `others` as well; keeps all if `others` is empty.
+void LeaveMarked(const std::vector<char>& others, std::vector<char>& marked)
+{
+  for (std::size_t point = 0; point < std::min(marked.size(), others.size()); ++point)
+  {
+    marked[point] = static_cast<char>(marked[point] && others[point]);
   }
 }
 
