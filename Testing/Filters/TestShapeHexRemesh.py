@@ -356,6 +356,12 @@ for name, power in (('Volume', 120), ('Jacobian', 120), ('Shape', 0), ('Skew', 0
     one, other = (vtk_to_numpy(solid.GetCellData().GetArray(name)) for solid in (solids[0], scaled))
     assert abs(other / 2.0 ** power - one).max() <= 1e-9 * abs(one).max(), name
 
+# A draft is valid, and has the creases; it needs a grid.
+drafted, skin, _ = made(shapetesting.output(closed), CellSize=0.08, Draft=True)
+check(drafted, skin, 2)
+assert fact(drafted, 'HexRemesh.CreasesKept') == 1 and 'draft' in words(drafted, 'HexRemesh.Reason')
+assert 'Draft' in made(ball, Method=1, Draft=True)[2]
+
 # What is wrong is named.
 for settings, expected in (({'CellSize': -1.0}, 'CellSize'), ({'PaddingLayers': 0}, 'PaddingLayers'),
                            ({'FeatureAngle': 0.0}, 'FeatureAngle')):
