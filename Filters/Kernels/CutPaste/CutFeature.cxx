@@ -182,9 +182,10 @@ FeatureCutter::FeatureCutter(const shape::Surface& surface, const Progress& prog
   RequireExtent(this->Surface.Points()(used, Eigen::all), "the surface");
 }
 
-std::vector<SurfaceLoop> FeatureCutter::LoopsThrough(
-  const std::vector<Eigen::MatrixXd>& curves, int index, const Progress& progress)
+std::vector<SurfaceLoop> FeatureCutter::LoopsThrough(const std::vector<Eigen::MatrixXd>& curves,
+  const CutFeatureOptions& options, const Progress& progress)
 {
+  const int index = options.LoopIndex;
   const auto count = static_cast<int>(curves.size());
   if (count == 0)
   {
@@ -207,14 +208,14 @@ std::vector<SurfaceLoop> FeatureCutter::LoopsThrough(
     if (index == -1 || index == i)
     {
       RequireFinite(curves[i], "the loop");
-      loops.push_back(TraceLoopThrough(curves[i], *this->Locator, *this->Paths,
+      loops.push_back(TraceLoopThrough(curves[i], *this->Locator, *this->Paths, options.Path,
         progress.Part(static_cast<double>(i) / count, (i + 1.0) / count)));
     }
   }
   return loops;
 }
 
-// 1. Trace the curves as shortest paths on the surface (LoopsThrough).
+// 1. Trace the curves on the surface, as shortest paths or along creases (LoopsThrough).
 // 2. Insert them as edges (ImprintCurves).
 // 3. Choose the side of the loops that is the feature (MarkTrianglesOnSide).
 // 4. Divide the surface there, and fill the hole (Divide).
@@ -223,7 +224,7 @@ CutFeatureResult FeatureCutter::Cut(const std::vector<Eigen::MatrixXd>& curves,
 {
   progress(0.0);
   const std::vector<SurfaceLoop> loops = this->LoopsThrough(
-    curves, options.LoopIndex, progress.Part(0.0, 0.2, "connecting the loop on the surface"));
+    curves, options, progress.Part(0.0, 0.2, "connecting the loop on the surface"));
   ImprintedCurves split = ImprintCurves(this->Locator->GetSurface(), loops, { options.SnapShare },
     progress.Part(0.2, 0.3, "cutting the surface"));
   // Only the longest part of a curve that touches itself is used.

@@ -5,6 +5,7 @@
 #include "CutPaste/LoopSides.h"
 #include "CutPaste/SurfaceDivision.h"
 #include "Fill/FillHoles.h"
+#include "Geodesics/CreasePath.h"
 #include "Geodesics/SurfaceLoop.h"
 #include "Geodesics/SurfacePath.h"
 #include "Mesh/Surface.h"
@@ -22,6 +23,7 @@ struct CutFeatureOptions
 {
   LoopSide Side = LoopSide::Smaller;
   int LoopIndex = -1;      ///< index (from 0) of the curve to cut along; if -1, all curves
+  CreaseOptions Path;      ///< how creases attract the curve between its points
   double SnapShare = 0.05; ///< see CurveImprintingOptions
   bool FillHole = true;    ///< whether the hole that the feature leaves is filled
   /// The fill's triangles grow to the size of the surface's triangles beside the loop.
@@ -87,8 +89,8 @@ public:
   ///@}
 
 private:
-  std::vector<SurfaceLoop> LoopsThrough(
-    const std::vector<Eigen::MatrixXd>& curves, int index, const Progress& progress);
+  std::vector<SurfaceLoop> LoopsThrough(const std::vector<Eigen::MatrixXd>& curves,
+    const CutFeatureOptions& options, const Progress& progress);
 
   shape::Surface Surface;
   WeldedSurface Joined;

@@ -152,6 +152,12 @@ DeformedShape Deformer::Deform(const DeformProblem& problem, const HandleTarget&
     deformed.Rotations[this->Order[i]] = sorted.Rotations[i];
     deformed.Arrivals(this->Order[i]) = this->Deformation->Arrivals()(static_cast<Eigen::Index>(i));
   }
+  const Eigen::VectorXi& protrusions = this->Deformation->Protrusions();
+  deformed.Protrusions.resize(protrusions.size());
+  for (Eigen::Index i = 0; i < protrusions.size(); ++i)
+  {
+    deformed.Protrusions(this->Order[i]) = protrusions(i);
+  }
   return deformed;
 }
 

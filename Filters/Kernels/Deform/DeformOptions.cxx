@@ -66,7 +66,7 @@ bool operator==(const DeformOptions& a, const DeformOptions& b)
   {
     return std::tie(one.Method, one.IntegrateCurves, one.Rigidity, one.RigidityBy,
       one.RigidityContrast, one.Scale, one.InnerScale, one.UpwindRadius, one.Distance,
-      one.Multiresolution, one.LaplacianSmoothing);
+      one.Multiresolution, one.SegmentBy, one.MinimumProtrusion, one.LaplacianSmoothing);
   };
   return all(a) == all(b);
 }
@@ -87,6 +87,8 @@ void RequireOptions(const DeformOptions& options)
   positive("Scale", options.Scale);
   positive("InnerScale", options.InnerScale);
   positive("UpwindRadius", options.UpwindRadius);
+  RequireOption(options.MinimumProtrusion >= 0.0 && options.MinimumProtrusion <= 1.0,
+    "MinimumProtrusion", options.MinimumProtrusion, "from 0 to 1");
   if (IntegratesCurves(options) && options.Distance != DeformOptions::DistanceType::Euclidean)
   {
     throw InvalidInput("integrals along curves have a closed form for Euclidean distances only; "

@@ -48,6 +48,14 @@ struct DeformOptions
     Off
   };
   MultiresolutionType Multiresolution = MultiresolutionType::Automatic;
+  enum class SegmentByType
+  {
+    Array,      ///< parts by DeformFields::Segments, or one part if there are no labels
+    Protrusions ///< parts by the protrusions of the shape (FindProtrusions)
+  };
+  SegmentByType SegmentBy = SegmentByType::Array;
+  /// The minimum length of a protrusion, as a share of the last arrival time; from 0 to 1.
+  double MinimumProtrusion = 0.1;
   /// Whether the deformed shape is smoothed, which spreads the distortion evenly (Fig. 16).
   bool LaplacianSmoothing = false;
 };

@@ -9,6 +9,7 @@
 #include "Deform/Private/LaplacianSmoothing.h"
 #include "Deform/Private/MultiresolutionDeformation.h"
 #include "Deform/Private/SegmentHierarchy.h"
+#include "Deform/Private/Protrusions.h"
 #include "Geometry/GraphComponents.h"
 #include "Mesh/Topology.h"
 
@@ -119,6 +120,7 @@ struct ShapeDeformation::Prepared
   HandleSources Sources;
   Eigen::VectorXd Scales;
   Eigen::VectorXd Arrivals;
+  Eigen::VectorXi Protrusions;
   DeformFacts Facts;
   std::unique_ptr<NodeDeformation> Nodes;
   std::unique_ptr<LaplacianSmoothing> Smoothing;
@@ -159,7 +161,18 @@ ShapeDeformation::ShapeDeformation(const PointGraph& graph, const BoundaryHandle
   {
     own.Smoothing = std::make_unique<LaplacianSmoothing>(problem, progress.Part(0.3, 0.3));
   }
-  if (fields.Segments.size() > 0)
+  Eigen::VectorXi labels; // of the nodes
+  if (options.SegmentBy == DeformOptions::SegmentByType::Protrusions)
+  {
+    labels =
+      FindProtrusions(own.Sources.Graph, sweep, options.MinimumProtrusion * sweep.Arrivals.back());
+    own.Protrusions = labels(graph.NodeOf);
+  }
+  else if (fields.Segments.size() > 0)
+  {
+    labels = LabelsOfNodes(graph, fields.Segments, own.Sources.Graph);
+  }
+  if (labels.size() > 0)
   {
     if (IntegratesCurves(options))
     {
@@ -167,7 +180,6 @@ ShapeDeformation::ShapeDeformation(const PointGraph& graph, const BoundaryHandle
         "parts that are deformed one after another follow points, not curves; turn "
         "IntegrateCurves off, or give no segments");
     }
-    const Eigen::VectorXi labels = LabelsOfNodes(graph, fields.Segments, own.Sources.Graph);
     auto parts = std::make_unique<SegmentHierarchy>(
       std::move(problem), labels,
       [&](NodeProblem one, const Progress& part) { return Solve(std::move(one), options, part); },
@@ -191,6 +203,11 @@ ShapeDeformation::~ShapeDeformation() = default;
 const Eigen::VectorXd& ShapeDeformation::Arrivals() const
 {
   return this->Impl->Arrivals;
+}
+
+const Eigen::VectorXi& ShapeDeformation::Protrusions() const
+{
+  return this->Impl->Protrusions;
 }
 
 const DeformFacts& ShapeDeformation::Facts() const

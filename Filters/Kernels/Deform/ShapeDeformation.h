@@ -32,6 +32,7 @@ struct DeformedShape
   Eigen::MatrixXd Points;                 ///< n x 3
   std::vector<Eigen::Matrix3d> Rotations; ///< n rotations of the shape, one at each point
   Eigen::VectorXd Arrivals = {};          ///< n arrival times (ShapeDeformation::Arrivals), or none
+  Eigen::VectorXi Protrusions = {};       ///< n labels (ShapeDeformation::Protrusions), or none
 };
 
 /**
@@ -69,6 +70,10 @@ public:
   /// The arrival time of the front at each point (n values): its distance from the handle along
   /// edges.
   const Eigen::VectorXd& Arrivals() const;
+
+  /// The label of the protrusion that contains each point (FindProtrusions; n values), if SegmentBy
+  /// is Protrusions; otherwise none.
+  const Eigen::VectorXi& Protrusions() const;
 
   const DeformFacts& Facts() const;
 

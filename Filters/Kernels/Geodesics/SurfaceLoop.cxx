@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 
 namespace shape
 {
@@ -79,6 +81,69 @@ private:
   std::map<int, std::vector<std::size_t>> EndsAt;
 };
 
+/// Consecutive different positions on a surface, around a loop.
+struct LoopStops
+{
+  std::vector<SurfacePoint> Points;
+  std::vector<Eigen::RowVector3d> Positions;
+
+  void Add(const SurfacePoint& point, const Eigen::RowVector3d& position)
+  {
+    // A leg of length 0 has no direction.
+    if (this->Positions.empty() || this->Positions.back() != position)
+    {
+      this->Points.push_back(point);
+      this->Positions.push_back(position);
+    }
+  }
+
+  void Close()
+  {
+    if (this->Points.size() > 1 && this->Positions.front() == this->Positions.back())
+    {
+      this->Points.pop_back();
+      this->Positions.pop_back();
+    }
+    if (this->Points.size() < 3)
+    {
+      throw InvalidInput("the loop has " + std::to_string(this->Points.size()) +
+        " different positions on the surface; draw a closed curve through at least 3");
+    }
+  }
+};
+
+LoopStops FindStops(const Eigen::MatrixXd& points, const SurfaceLocator& locator)
+{
+  LoopStops stops;
+  int guess = -1;
+  for (const auto& point : points.rowwise())
+  {
+    // Consecutive points are near each other: the last triangle is a good guess.
+    const ClosestPoint position = locator.FindOne(point, guess);
+    guess = position.Triangle;
+    stops.Add({ position.Triangle, position.Barycentric }, position.Position);
+  }
+  stops.Close();
+  return stops;
+}
+
+LoopStops MoveToCreases(
+  const LoopStops& stops, const Mesh& surface, const CreasePaths& paths, double reach)
+{
+  LoopStops moved;
+  const std::size_t count = stops.Points.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Eigen::RowVector3d& here = stops.Positions[i];
+    const double nearest = std::min((stops.Positions[(i + 1) % count] - here).norm(),
+      (stops.Positions[(i + count - 1) % count] - here).norm());
+    const SurfacePoint point = paths.MoveToCrease(stops.Points[i], reach * nearest);
+    moved.Add(point, GetPosition(surface, point));
+  }
+  moved.Close();
+  return moved;
+}
+
 } // namespace
 
 std::vector<Eigen::MatrixXd> ChainClosedCurves(const Eigen::MatrixXd& points,
@@ -123,43 +188,29 @@ std::vector<Eigen::MatrixXd> ChainClosedCurves(const Eigen::MatrixXd& points,
 }
 
 SurfaceLoop TraceLoopThrough(const Eigen::MatrixXd& points, const SurfaceLocator& locator,
-  SurfacePaths& paths, const Progress& progress)
+  SurfacePaths& paths, const CreaseOptions& creases, const Progress& progress)
 {
-  std::vector<SurfacePoint> stops;
-  std::vector<Eigen::RowVector3d> positions;
-  int guess = -1;
-  for (const auto& point : points.rowwise())
+  RequireOptions(creases);
+  LoopStops stops = FindStops(points, locator);
+  std::optional<CreasePaths> alongCreases;
+  if (creases.CreaseWeight > 0.0)
   {
-    // Consecutive points are near each other: the last triangle is a good guess.
-    const ClosestPoint position = locator.FindOne(point, guess);
-    guess = position.Triangle;
-    // A leg of length 0 has no direction.
-    if (positions.empty() || positions.back() != position.Position)
-    {
-      stops.push_back({ position.Triangle, position.Barycentric });
-      positions.push_back(position.Position);
-    }
-  }
-  if (stops.size() > 1 && positions.front() == positions.back())
-  {
-    stops.pop_back();
-  }
-  if (stops.size() < 3)
-  {
-    throw InvalidInput("the loop has " + std::to_string(stops.size()) +
-      " different positions on the surface; draw a closed curve through at least 3");
+    alongCreases.emplace(locator.GetSurface(), paths, creases);
+    stops = MoveToCreases(stops, locator.GetSurface(), *alongCreases, creases.CreaseReach);
   }
   SurfaceLoop loop;
-  for (std::size_t i = 0; i < stops.size(); ++i)
+  const std::size_t count = stops.Points.size();
+  for (std::size_t i = 0; i < count; ++i)
   {
-    const double done = static_cast<double>(i) / static_cast<double>(stops.size());
-    const SurfacePath path = paths.Find(stops[i], stops[(i + 1) % stops.size()],
-      Progress(
-        [&](double)
-        {
-          progress(done);
-          return true;
-        }));
+    const Progress onePart(
+      [&, done = static_cast<double>(i) / static_cast<double>(count)](double)
+      {
+        progress(done);
+        return true;
+      });
+    const SurfacePoint &from = stops.Points[i], &to = stops.Points[(i + 1) % count];
+    const SurfacePath path =
+      alongCreases ? alongCreases->Find(from, to, onePart) : paths.Find(from, to, onePart);
     loop.Positions.insert(loop.Positions.end(), path.Positions.begin(), path.Positions.end() - 1);
     loop.Triangles.insert(loop.Triangles.end(), path.Triangles.begin(), path.Triangles.end());
   }

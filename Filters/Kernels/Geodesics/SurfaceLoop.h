@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
+#include "Geodesics/CreasePath.h"
 #include "Geodesics/SurfacePath.h"
 #include "Search/ClosestPoint.h"
 
@@ -35,11 +36,13 @@ struct SurfaceLoop
 
 /**
  * Traces a loop on a surface. It runs, in order, through the surface positions closest to the given
- * points (n x 3), and from the last back to the first. Each leg is a locally shortest path. locator
- * and paths must belong to the same surface. Throws InvalidInput if there are fewer than three
- * different positions, or no path between two consecutive positions; Aborted.
+ * points (n x 3), and from the last back to the first. Each leg is a locally shortest path. If
+ * CreaseWeight is positive, positions near creases move onto them (CreasePaths::MoveToCrease), and
+ * legs follow creases (CreasePaths::Find). locator and paths must belong to the same surface.
+ * Throws InvalidInput if an option is out of range, there are fewer than three different positions,
+ * or there is no path between two consecutive positions; Aborted.
  */
 SurfaceLoop TraceLoopThrough(const Eigen::MatrixXd& points, const SurfaceLocator& locator,
-  SurfacePaths& paths, const Progress& progress = {});
+  SurfacePaths& paths, const CreaseOptions& creases = {}, const Progress& progress = {});
 
 } // namespace shape

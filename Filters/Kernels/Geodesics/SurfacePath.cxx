@@ -42,11 +42,6 @@ std::vector<int> TwinsOf(const Surface& surface)
   return twins;
 }
 
-RowVector3d PositionOf(const Mesh& surface, const SurfacePoint& position)
-{
-  return position.Barycentric * GetCorners(surface, position.Triangle);
-}
-
 } // namespace
 
 /// Searches for the half-edges that lead from one point to another (A* search: Hart, Nilsson and
@@ -207,7 +202,6 @@ SurfacePaths::SurfacePaths(const Surface& surface)
 
 SurfacePaths::~SurfacePaths() = default;
 
-/// Returns the triangles that contain a point.
 std::vector<int> SurfacePaths::TrianglesAt(const SurfacePoint& position) const
 {
   std::vector<int> triangles = { position.Triangle };
@@ -231,19 +225,15 @@ std::vector<int> SurfacePaths::TrianglesAt(const SurfacePoint& position) const
 // 2. Find the shortest path within it in the plane (TriangleStrip::FindPath).
 // 3. Xin and Wang: lead the strip around each point that the path can be shortened around, and
 //    repeat while that makes the path shorter.
-SurfacePath SurfacePaths::Find(
+std::optional<SurfacePath> SurfacePaths::FindIfConnected(
   const SurfacePoint& from, const SurfacePoint& to, const Progress& progress)
 {
   auto [first, sides] =
-    this->Search->Find(this->TrianglesAt(from), PositionOf(this->Searched, from),
-      this->TrianglesAt(to), PositionOf(this->Searched, to), progress);
+    this->Search->Find(this->TrianglesAt(from), GetPosition(this->Searched, from),
+      this->TrianglesAt(to), GetPosition(this->Searched, to), progress);
   if (first < 0)
   {
-    throw InvalidInput("no path over the surface leads from triangle " +
-      std::to_string(from.Triangle) + " to triangle " + std::to_string(to.Triangle) +
-      "; they lie on parts that are not connected or not consistently oriented: merge their points "
-      "with Clean, orient them with Generate Surface Normals (Consistency), or give points on one "
-      "part");
+    return std::nullopt;
   }
   TriangleStrip strip(this->Searched, this->OppositeHalfEdges, from, to, first, std::move(sides));
   strip.FindPath();
@@ -255,6 +245,21 @@ SurfacePath SurfacePaths::Find(
     strip.FindPath();
   }
   return strip.Path();
+}
+
+SurfacePath SurfacePaths::Find(
+  const SurfacePoint& from, const SurfacePoint& to, const Progress& progress)
+{
+  std::optional<SurfacePath> path = this->FindIfConnected(from, to, progress);
+  if (!path)
+  {
+    throw InvalidInput("no path over the surface leads from triangle " +
+      std::to_string(from.Triangle) + " to triangle " + std::to_string(to.Triangle) +
+      "; they lie on parts that are not connected or not consistently oriented: merge their points "
+      "with Clean, orient them with Generate Surface Normals (Consistency), or give points on one "
+      "part");
+  }
+  return std::move(*path);
 }
 
 } // namespace shape

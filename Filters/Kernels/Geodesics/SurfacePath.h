@@ -6,6 +6,7 @@
 #include "Mesh/SurfacePoints.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace shape
@@ -41,12 +42,17 @@ public:
   /// surface that the path could cross. Throws InvalidInput if there is no path; Aborted.
   SurfacePath Find(const SurfacePoint& from, const SurfacePoint& to, const Progress& progress = {});
 
+  /// The same, but returns nothing if there is no path.
+  std::optional<SurfacePath> FindIfConnected(
+    const SurfacePoint& from, const SurfacePoint& to, const Progress& progress = {});
+
+  /// Returns the triangles that contain a point and are connected by edges around it.
+  std::vector<int> TrianglesAt(const SurfacePoint& position) const;
+
   /// Returns the opposite half-edge of each half-edge 3 t + k, or -1 on the boundary.
   const std::vector<int>& Twins() const { return this->OppositeHalfEdges; }
 
 private:
-  std::vector<int> TrianglesAt(const SurfacePoint& position) const;
-
   Surface Searched;
   std::vector<int> OppositeHalfEdges;
   class StripSearch;

@@ -16,6 +16,12 @@ struct SurfacePoint
   Eigen::RowVector3d Barycentric = Eigen::RowVector3d::Zero();
 };
 
+/// Returns the position of a point on a surface.
+inline Eigen::RowVector3d GetPosition(const Mesh& surface, const SurfacePoint& point)
+{
+  return point.Barycentric * GetCorners(surface, point.Triangle);
+}
+
 /// The images of n points on the triangles of another surface.
 struct SurfacePoints
 {

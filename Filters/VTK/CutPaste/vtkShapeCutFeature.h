@@ -82,6 +82,10 @@ public:
   vtkShapeOption(SnapShare, double);
   vtkShapeEnumOptionAs(Options.Fill.Method, FillMethod, shape::FillMethod,
     shape::FillMethod::Automatic, shape::FillMethod::Membrane);
+  vtkShapeOptionOf(Options.Path, CreaseWeight, double);
+  vtkShapeEnumOptionOf(Options.Path, Creases, shape::CreaseOptions::CreasesType,
+    shape::CreaseOptions::CreasesType::Concave, shape::CreaseOptions::CreasesType::Both);
+  vtkShapeOptionOf(Options.Path, CreaseReach, double);
   vtkShapeOptionOf(Options.Fill.Filler, EdgeGrowth, double);
   vtkShapeOptionOf(Options.Fill.Filler, OptimizeNormals, bool);
   vtkShapeOptionOf(Options.Fill.Deformation, Scale, double);

@@ -20,7 +20,7 @@ vtkShapeDeform::vtkShapeDeform()
   this->DeclareInput("Boundary", PortData::WholeGrid, PortUse::Required, { "vtkDataSet" });
   this->DeclareMovedOutput();
   this->DeclareFacts();
-  this->DeclareMeasures({ "Normals", "ArrivalTime" });
+  this->DeclareMeasures({ "Normals", "ArrivalTime", "Protrusion" });
 }
 
 vtkShapeDeform::~vtkShapeDeform() = default;

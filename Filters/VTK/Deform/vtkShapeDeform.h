@@ -19,8 +19,10 @@
  *     such points, they are interpolated along the curve.
  *
  * Output: the deformed Input with the point arrays `SourcePosition` (double, 3) and `ArrivalTime`
- * (double): when the front reached the point, as its distance from the handle along edges. Normals
- * of points rotate, and normals of cells are dropped. A rigid motion of the handle moves the shape
+ * (double): when the front reached the point, as its distance from the handle along edges. If
+ * SegmentBy is Protrusions, `Protrusion` (int) is the label of the part that contains the point: 0
+ * next to the handle, then from the farthest tip on (shape::FindProtrusions). Normals of points
+ * rotate, and normals of cells are dropped. A rigid motion of the handle moves the shape
  * rigidly. If the handle is scaled by the factor Scale, the entire shape undergoes the same
  * similarity. If the handle does not move, the shape does not change.
  *
@@ -29,7 +31,7 @@
  * - .EmptyBands: number of points without upwind points within UpwindRadius. .ZeroWeights: number
  *   of points whose upwind points all have weight 0.
  * - .WeldedPoints: number of points that coincide with another one. .Segments: number of connected
- *   parts with the same value of SegmentArray.
+ *   parts with the same value of SegmentArray or `Protrusion`.
  * - .BasePoints: number of points of the coarse shape, or 0 if no coarse shape is used.
  * - .Streamed: 1 if there are too many weights to be stored, otherwise 0. .Prepared: 1 if the
  *   weights were computed in this run, 0 if they were reused because only the new position of the

@@ -53,6 +53,9 @@ public:
   vtkShapeEnumOption(Multiresolution, shape::DeformOptions::MultiresolutionType,
     shape::DeformOptions::MultiresolutionType::Automatic,
     shape::DeformOptions::MultiresolutionType::Off);
+  vtkShapeEnumOption(SegmentBy, shape::DeformOptions::SegmentByType,
+    shape::DeformOptions::SegmentByType::Array, shape::DeformOptions::SegmentByType::Protrusions);
+  vtkShapeOption(MinimumProtrusion, double);
   vtkShapeEnumOptionOf(Frames, BiasBy, shape::PoseOptions::BiasByType,
     shape::PoseOptions::BiasByType::Direction, shape::PoseOptions::BiasByType::Frame);
   vtkShapeVectorOptionOf(Frames, BiasFrame);

@@ -254,6 +254,11 @@ void vtkShapeHandle::Write(vtkDataObject* input, const Eigen::MatrixXd& whole,
       to->GetPointData()->AddArray(vtkShapeConvert::ToArray(own, "SourcePosition"));
       to->GetPointData()->AddArray(
         vtkShapeConvert::ToArray(vtkShapeConvert::Rows(deformed.Arrivals, rows), "ArrivalTime"));
+      if (deformed.Protrusions.size() > 0)
+      {
+        to->GetPointData()->AddArray(
+          vtkShapeConvert::ToIntegers(deformed.Protrusions(rows), "Protrusion"));
+      }
       AddTurnedNormals(from, rows, deformed.Rotations, to);
     });
 }

@@ -38,9 +38,9 @@ struct Boundary
 Boundary Read(vtkUnstructuredGrid* boundary);
 
 /// Writes the deformed `input`, which is a part of the shape, to `output`. Adds the point arrays
-/// `SourcePosition` and `ArrivalTime`, and rotates point normals. whole: n x 3, the points of the
-/// complete shape before the deformation. deformed: the complete shape after it. Throws
-/// shape::InvalidInput if a point of `input` is not in `whole`.
+/// `SourcePosition`, `ArrivalTime` and, if there are any, `Protrusion`, and rotates point normals.
+/// whole: n x 3, the points of the complete shape before the deformation. deformed: the complete
+/// shape after it. Throws shape::InvalidInput if a point of `input` is not in `whole`.
 void Write(vtkDataObject* input, const Eigen::MatrixXd& whole, const shape::DeformedShape& deformed,
   vtkDataObject* output);
 
