@@ -1,6 +1,7 @@
 #include "pqShapeLoopWidget.h"
 
 #include "pqShapeDisplay.h"
+#include "pqShapeFetch.h"
 #include "pqShapePorts.h"
 
 #include "vtkActor.h"
@@ -8,7 +9,9 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
+#include "vtkSMSourceProxy.h"
 
 #include "pqApplicationCore.h"
 #include "pqOutputPort.h"
@@ -270,6 +273,48 @@ void pqShapeLoopWidget::Draw()
   }
 }
 
+/// During the update of the filter, nothing is fetched: UpdateSurface follows it.
+void pqShapeLoopWidget::ReadFacts()
+{
+  this->IsCutOutdated = true;
+}
+
+bool pqShapeLoopWidget::UpdateSurface()
+{
+  const bool isThere = this->Superclass::UpdateSurface();
+  if (this->IsCutOutdated)
+  {
+    this->IsCutOutdated = false;
+    this->FetchCut();
+    this->Shown.clear(); // to be drawn again
+    this->RequestRender();
+  }
+  return isThere;
+}
+
+void pqShapeLoopWidget::FetchCut()
+{
+  this->Cut = nullptr;
+  auto* filter = vtkSMSourceProxy::SafeDownCast(this->proxy());
+  const Positions positions = this->IsDrawing() ? Positions() : this->GetPlaces();
+  // A refused loop was not cut: the output is that of another one.
+  if (!filter || positions.empty() || this->IsRefused() ||
+    filter->GetDataInformation(0)->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  const vtkSmartPointer<vtkSMSourceProxy> edges =
+    pqShapeFetch::NewFilter("FeatureEdges", filter, 0);
+  for (const char* kind : { "FeatureEdges", "NonManifoldEdges", "ManifoldEdges" })
+  {
+    vtkSMPropertyHelper(edges, kind).Set(0);
+  }
+  edges->UpdateVTKObjects();
+  edges->UpdatePipeline(this->GetTime());
+  this->Cut = vtkPolyData::SafeDownCast(pqShapeFetch::Fetch(edges, 0, this->GetTime()));
+  this->CutPositions = positions;
+}
+
 void pqShapeLoopWidget::DrawCurve(const Positions& positions)
 {
   const bool closed = !this->IsDrawing();
@@ -281,6 +326,13 @@ void pqShapeLoopWidget::DrawCurve(const Positions& positions)
   this->Shown = positions;
   this->ShownClosed = closed;
   this->ShownVersion = version;
+  if (closed && this->Cut && positions == this->CutPositions)
+  {
+    // without the arrays, by which it would be coloured
+    this->Curve->SetPoints(this->Cut->GetPoints());
+    this->Curve->SetLines(this->Cut->GetLines());
+    return;
+  }
   Positions curve;
   const std::size_t segments =
     positions.empty() || closed ? positions.size() : positions.size() - 1;

@@ -15,6 +15,10 @@ class pqOutputPort;
  * last position. Escape cancels: the filter keeps its previous loop. The positions of a closed loop
  * are balls that can be dragged over the surface. Delete removes the position under the mouse.
  *
+ * While the loop is drawn, its positions are joined by straight lines that are projected onto the
+ * surface. Once the filter has cut along it, its curve is the boundary of the feature, the first
+ * output. It runs as the properties of the filter require, such as along creases.
+ *
  * Functions of the property group (panel_widget="ShapeLoop"): Surface and Points (3 numbers for
  * each position; the last position is joined to the first). Dragging is optional.
  */
@@ -38,6 +42,8 @@ protected:
   void Draw() override;
   bool Click(const Eigen::Vector2d& pixel) override;
   bool DoubleClick() override;
+  void ReadFacts() override;
+  bool UpdateSurface() override;
 
 private:
   Q_DISABLE_COPY(pqShapeLoopWidget)
@@ -51,6 +57,7 @@ private:
   void ShowSurface(); ///< while a loop is drawn, the surface under the mouse is visible
   void Close();
   bool FacesViewer(const Eigen::Vector3d& position) const;
+  void FetchCut();
   void DrawCurve(const Positions& positions);
   void DrawMarks(
     const Positions& positions); ///< dimmed on the far side, where they cannot be grabbed
@@ -61,6 +68,9 @@ private:
   Positions Shown; ///< positions of the drawn curve, for ShownVersion of the surface
   bool ShownClosed = false;
   int ShownVersion = 0;
+  bool IsCutOutdated = true;
+  vtkSmartPointer<vtkPolyData> Cut; ///< the curve along which the filter has cut, or null
+  Positions CutPositions;           ///< the positions of the loop that was cut
   int Grabbed = 0;
   Eigen::Vector2d Offset = Eigen::Vector2d::Zero();
   vtkSmartPointer<vtkPolyData> Curve, Marks, HiddenMarks;

@@ -1,6 +1,7 @@
 #include "pqShapeSurface.h"
 
-#include "vtkAlgorithm.h"
+#include "pqShapeFetch.h"
+
 #include "vtkAppendPolyData.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataIterator.h"
@@ -8,14 +9,12 @@
 #include "vtkDataArray.h"
 #include "vtkGenericCell.h"
 #include "vtkNew.h"
-#include "vtkPVDataInformation.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
-#include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkStaticCellLocator.h"
 
@@ -27,15 +26,6 @@
 
 namespace
 {
-
-/// Makes a filter that is in no panel, undo stack or state file.
-vtkSmartPointer<vtkSMSourceProxy> NewFilter(const char* name, vtkSMSourceProxy* input, int port)
-{
-  vtkSmartPointer<vtkSMProxy> proxy;
-  proxy.TakeReference(input->GetSessionProxyManager()->NewProxy("filters", name));
-  vtkSMPropertyHelper(proxy, "Input").Set(input, static_cast<unsigned int>(port));
-  return vtkSMSourceProxy::SafeDownCast(proxy);
-}
 
 /// Returns the surface, or the surfaces of all blocks as one.
 vtkSmartPointer<vtkPolyData> ToSurface(vtkDataObject* data)
@@ -137,23 +127,11 @@ bool pqShapeSurface::Update(double time)
 
 void pqShapeSurface::Fetch(double time)
 {
-  const vtkSmartPointer<vtkSMSourceProxy> bare = NewFilter("PassArrays", this->Source, this->Port);
+  const vtkSmartPointer<vtkSMSourceProxy> bare =
+    pqShapeFetch::NewFilter("PassArrays", this->Source, this->Port);
   bare->UpdateVTKObjects();
-  const vtkSmartPointer<vtkSMSourceProxy> gathered = NewFilter("ReductionFilter", bare, 0);
   bare->UpdatePipeline(time);
-  const bool composite = bare->GetDataInformation(0)->IsCompositeDataSet();
-  vtkSMPropertyHelper(gathered, "PostGatherHelperName")
-    .Set(composite ? "vtkMultiBlockDataGroupFilter" : "vtkAppendPolyData");
-  gathered->UpdateVTKObjects();
-  gathered->UpdatePipeline(time);
-  vtkPVDataInformation* information = gathered->GetDataInformation(0);
-  const vtkSmartPointer<vtkSMSourceProxy> moved = NewFilter("ClientServerMoveData", gathered, 0);
-  vtkSMPropertyHelper(moved, "OutputDataType")
-    .Set(composite ? information->GetCompositeDataSetType() : information->GetDataSetType());
-  moved->UpdateVTKObjects();
-  moved->UpdatePipeline(time);
-  auto* algorithm = vtkAlgorithm::SafeDownCast(moved->GetClientSideObject());
-  this->Data = algorithm ? ToSurface(algorithm->GetOutputDataObject(0)) : nullptr;
+  this->Data = ToSurface(pqShapeFetch::Fetch(bare, 0, time));
   if (this->Data)
   {
     this->Locator = vtkSmartPointer<vtkStaticCellLocator>::New();

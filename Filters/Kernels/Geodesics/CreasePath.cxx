@@ -19,6 +19,9 @@ namespace
 
 using Eigen::RowVector3d;
 
+/// Tolerance of costs, relative.
+constexpr double CostRounding = 1e-12;
+
 /// Returns the angle between the normals of an edge's triangles in radians, from -pi to pi. It is
 /// positive at a concave edge.
 double AngleAt(const Surface& surface, int side, int twin)
@@ -200,12 +203,10 @@ std::vector<CreasePaths::Piece> CreasePaths::FindAlongEdges(
   return pieces;
 }
 
-/// Returns the shortest path between two points as a piece, if it costs less than `cost`.
-std::optional<CreasePaths::Piece> CreasePaths::FindCheaper(
-  const SurfacePoint& from, const SurfacePoint& to, double cost, const Progress& progress)
+/// Returns the shortest path between two points as a piece, if its length is less than `limit`.
+std::optional<CreasePaths::Piece> CreasePaths::FindShorter(
+  const SurfacePoint& from, const SurfacePoint& to, double limit, const Progress& progress)
 {
-  constexpr double rounding = 1e-12;
-  const double limit = (1.0 - rounding) * cost;
   // A path is at least as long as the straight line through space.
   if (!((GetPosition(this->Searched, to) - GetPosition(this->Searched, from)).norm() < limit))
   {
@@ -233,8 +234,11 @@ bool CreasePaths::Join(std::vector<Piece>& pieces, const Progress& progress)
     Piece& own = pieces[i];
     if (i + 1 < pieces.size() && !own.IsKept)
     {
-      std::optional<Piece> both = this->FindCheaper(own.Path.Positions.front(),
-        pieces[i + 1].Path.Positions.back(), own.Cost + pieces[i + 1].Cost, progress);
+      const Piece& next = pieces[i + 1];
+      const bool isStraight = own.Cost == own.Path.Length && next.Cost == next.Path.Length;
+      std::optional<Piece> both = this->FindShorter(own.Path.Positions.front(),
+        next.Path.Positions.back(),
+        (isStraight ? 1.0 + CostRounding : 1.0 - CostRounding) * (own.Cost + next.Cost), progress);
       if (both)
       {
         if (!joined.empty())
@@ -282,9 +286,9 @@ bool CreasePaths::Slide(std::vector<Piece>& pieces, const Progress& progress)
         continue;
       }
       const SurfacePoint other = this->AtPoint(this->Edges->Neighbours[k], this->Triangles[k]);
-      const double left = own.Cost - this->Costs[k];
-      std::optional<Piece> shorter = isBack ? this->FindCheaper(far, other, left, progress)
-                                            : this->FindCheaper(other, far, left, progress);
+      const double left = (1.0 - CostRounding) * own.Cost - this->Costs[k];
+      std::optional<Piece> shorter = isBack ? this->FindShorter(far, other, left, progress)
+                                            : this->FindShorter(other, far, left, progress);
       if (shorter)
       {
         const SurfacePoint end = this->AtPoint(joint.Points[0], this->Triangles[k]);

@@ -88,8 +88,8 @@ private:
   SurfacePoint AtPoint(int point, int triangle) const;
   std::vector<NextPoint> NextPoints(const SurfacePoint& end) const;
   std::vector<Piece> FindAlongEdges(const SurfacePoint& from, const SurfacePoint& to) const;
-  std::optional<Piece> FindCheaper(
-    const SurfacePoint& from, const SurfacePoint& to, double cost, const Progress& progress);
+  std::optional<Piece> FindShorter(
+    const SurfacePoint& from, const SurfacePoint& to, double limit, const Progress& progress);
   bool Join(std::vector<Piece>& pieces, const Progress& progress);
   bool Slide(std::vector<Piece>& pieces, const Progress& progress);
 

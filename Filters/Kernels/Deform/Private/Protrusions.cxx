@@ -3,6 +3,7 @@
 #include "Base/DisjointSets.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 #include <vector>
@@ -11,6 +12,13 @@ namespace shape
 {
 namespace
 {
+
+/// A protrusion that ends at a saddle.
+struct EndedProtrusion
+{
+  int Tip;                 ///< the rank of its last node
+  std::vector<int> Saddle; ///< the ranks of the saddle
+};
 
 /// The join tree of the arrival times, pruned while it is built.
 class JoinTree
@@ -25,9 +33,11 @@ public:
   {
   }
 
-  /// Adds a rank, below all ranks added so far, that is linked to some of these.
-  void Add(int rank, const std::vector<int>& linked)
+  /// Adds connected ranks with one arrival time, which is earlier than that of all ranks added so
+  /// far. They are linked to some of these.
+  void Add(const std::vector<int>& zone, const std::vector<int>& linked)
   {
+    const int rank = zone.back();
     std::set<int> roots;
     for (const int other : linked)
     {
@@ -62,12 +72,22 @@ public:
       {
         this->Segments.Merge(own.Segment, merged.Segment);
       }
+      else if (longOnes.size() > 1 && own.Segment == own.Tip)
+      {
+        this->Ended.push_back({ own.Tip, zone });
+      }
       this->Components.Merge(root, rank);
       this->Open.erase(root);
     }
+    for (const int own : zone)
+    {
+      this->Components.Merge(own, rank);
+      this->SegmentOf[own] = merged.Segment;
+    }
     this->Open[this->Components.Find(rank)] = merged;
-    this->SegmentOf[rank] = merged.Segment;
   }
+
+  const std::vector<EndedProtrusion>& Protrusions() const { return this->Ended; }
 
   /// Returns the segment of each rank that was added, named by its highest rank.
   std::vector<int> Finish()
@@ -113,29 +133,93 @@ private:
   std::map<int, OpenComponent> Open; ///< by the root of their set
   std::vector<int> SegmentOf;        ///< of ranks; a segment is named by its first rank
   DisjointSets Segments;
+  std::vector<EndedProtrusion> Ended;
 };
+
+/// Moves the end of a protrusion from the level of its saddle to the distance of the saddle from
+/// its tip. Around a bump whose saddle is on one side, the level cuts the other sides part-way up.
+void GrowAroundTip(const Graph& graph, const FrontSweep& sweep, const EndedProtrusion& protrusion,
+  std::vector<int>& segments)
+{
+  const int own = segments[protrusion.Tip], below = segments[protrusion.Saddle.front()];
+  Eigen::VectorXd distances =
+    Eigen::VectorXd::Constant(graph.Size(), std::numeric_limits<double>::infinity());
+  std::vector<int> reached;
+  double radius = 0.0;
+  RunDijkstra(
+    graph, { { sweep.Nodes[protrusion.Tip] }, Eigen::VectorXd::Zero(1) }, distances,
+    [&](double distance, int link)
+    {
+      const int segment = segments[sweep.Ranks[graph.Neighbours[link]]];
+      return segment == own || segment == below ? distance + graph.Lengths[link]
+                                                : std::numeric_limits<double>::infinity();
+    },
+    [](int, int) {},
+    [&](int node)
+    {
+      const int rank = sweep.Ranks[node];
+      radius = distances(node);
+      reached.push_back(rank);
+      return std::find(protrusion.Saddle.begin(), protrusion.Saddle.end(), rank) !=
+        protrusion.Saddle.end();
+    });
+  for (const int rank : reached)
+  {
+    segments[rank] = distances(sweep.Nodes[rank]) < radius ? own : segments[rank];
+  }
+}
 
 } // namespace
 
+/// Nodes that the front reaches at the same time are added together: on a regular grid there are
+/// many, and their order must not decide to which of two protrusions a saddle belongs.
 Eigen::VectorXi FindProtrusions(const Graph& graph, const FrontSweep& sweep, double minimum)
 {
   const int n = graph.Size();
   JoinTree tree(sweep, minimum);
-  for (int rank = n - 1; rank >= sweep.Sources; --rank)
+  for (int end = n, begin = n; end > sweep.Sources; end = begin)
   {
-    const int node = sweep.Nodes[rank];
-    std::vector<int> later;
-    for (int k = graph.First[node]; k < graph.First[node + 1]; ++k)
+    while (begin > sweep.Sources && sweep.Arrivals[begin - 1] == sweep.Arrivals[end - 1])
     {
-      const int other = sweep.Ranks[graph.Neighbours[k]];
-      if (other > rank)
+      --begin;
+    }
+    std::vector<char> isAdded(end - begin, 0);
+    for (int first = begin; first < end; ++first)
+    {
+      std::vector<int> zone, later;
+      if (isAdded[first - begin] == 0)
       {
-        later.push_back(other);
+        zone.push_back(first);
+        isAdded[first - begin] = 1;
+      }
+      for (std::size_t i = 0; i < zone.size(); ++i)
+      {
+        const int node = sweep.Nodes[zone[i]];
+        for (int k = graph.First[node]; k < graph.First[node + 1]; ++k)
+        {
+          const int other = sweep.Ranks[graph.Neighbours[k]];
+          if (other >= end)
+          {
+            later.push_back(other);
+          }
+          else if (other >= begin && isAdded[other - begin] == 0)
+          {
+            isAdded[other - begin] = 1;
+            zone.push_back(other);
+          }
+        }
+      }
+      if (!zone.empty())
+      {
+        tree.Add(zone, later);
       }
     }
-    tree.Add(rank, later);
   }
-  const std::vector<int> segments = tree.Finish();
+  std::vector<int> segments = tree.Finish();
+  for (const EndedProtrusion& protrusion : tree.Protrusions())
+  {
+    GrowAroundTip(graph, sweep, protrusion, segments);
+  }
   // The base is the segment with the most nodes next to the sources.
   std::map<int, int> touches;
   for (int rank = 0; rank < sweep.Sources; ++rank)

@@ -15,10 +15,10 @@ namespace shape
  * The nodes that the front reaches after a time t have components. As t decreases, a component
  * appears at each tip, and components join at saddles: the join tree of the arrival times (Carr,
  * Snoeyink and Axen, "Computing contour trees in all dimensions", 2003). A component that reaches
- * at least `minimum` beyond the saddle at which it joins others as long is a protrusion, and ends
- * there. What lies between the saddles of protrusions is a segment, too, if it is at least
- * `minimum` long; otherwise it belongs to the segment below it. Shorter components belong to the
- * one that they join.
+ * at least `minimum` beyond the saddle at which it joins others as long is a protrusion. It ends at
+ * the distance of the saddle from its tip. What lies between the saddles of protrusions is a
+ * segment, too, if it is at least `minimum` long; otherwise it belongs to the segment below it.
+ * Shorter components belong to the one that they join.
  *
  * graph, sweep: a graph and the arrival times at its nodes. minimum: >= 0, in the model's units.
  * Returns a label for each node: 0 at the sources and in the segment with the most links to them,
