@@ -4,8 +4,10 @@ As an example: a cap of a sphere, along a circle above it that is drawn with Pol
 import numpy
 from paraview import simple
 from vtkmodules.vtkCommonDataModel import (
-    vtkDataObject, vtkMultiBlockDataSet, vtkPolyData, vtkSelectionNode)
-from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray, vtk_to_numpy
+    vtkDataObject, vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkSelectionNode)
+from vtkmodules.vtkFiltersCore import vtkThreshold
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 import shapemap
 
 import shapetesting
@@ -222,6 +224,34 @@ refused("no cell array 'vtkOriginalCellIds'", surface, None, copy(surface))
 # Around the bar between two holes: one must be cut, too, to part it.
 refused('does not divide the surface', read('TwoTorusSmall.vtp'),
         closed_curve(0.6 * circle(0, 1)[:, [0, 2, 1]]))
+
+# A bar stands on a slab: the loop follows the concave edges around its foot, though its four positions are beside them,
+# on the bar or on the slab. The same while it is drawn.
+cubes = vtkImageData()
+cubes.SetDimensions(13, 13, 13)
+z, y, x = numpy.meshgrid(*[numpy.arange(12)] * 3, indexing='ij')
+solid = numpy_to_vtk(((z < 4) | ((x // 4 == 1) & (y // 4 == 1))).ravel().astype(float), deep=True)
+solid.SetName('Solid')
+cubes.GetCellData().SetScalars(solid)
+inside = vtkThreshold()
+inside.SetLowerThreshold(0.5)
+inside.SetInputData(cubes)
+bar = vtkDataSetSurfaceFilter()
+bar.SetInputConnection(inside.GetOutputPort())
+bar.Update()
+bar = bar.GetOutput()
+beside = closed_curve(numpy.array([[8.5, 5.7, 4], [6.3, 8, 4.4], [4, 6.1, 4.5], [5.9, 3.6, 4]]))
+for settings in ({}, {'Dragging': True}):
+    foot = cut(bar, beside, CreaseWeight=10.0, **settings)[0]
+    assert abs(fact(foot, 'CutFeature.CutLength') - 16) < 1e-12, fact(foot, 'CutFeature.CutLength')
+    assert abs(fact(foot, 'CutFeature.FeatureArea') - (4 * 4 * 8 + 16)) < 1e-12
+straight = fact(cut(bar, beside)[0], 'CutFeature.CutLength')
+assert abs(straight - 16) > 0.1, straight  # from position to position, beside the edges
+assert fact(cut(bar, beside, CreaseWeight=10.0, Creases=1)[0], 'CutFeature.CutLength') == straight
+through = points(cut(bar, beside, CreaseWeight=10.0, CreaseReach=0.0, SnapShare=0.0)[0])
+assert max(numpy.linalg.norm(through - place, axis=1).min() for place in points(beside)) < 1e-12
+refused('CreaseWeight is -1', bar, beside, CreaseWeight=-1.0)
+refused('CreaseReach is 0.7', bar, beside, CreaseReach=0.7)
 
 # Set down where it was cut the feature is in its old place.
 for curve_ in (closed_curve(circle(0.8, 0.6)), closed_curve(circle(-0.7, 0.7))):

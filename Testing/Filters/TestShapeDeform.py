@@ -194,6 +194,37 @@ cut.GetCellData().AddArray(values)
 algorithm.SetSegmentArray('Part')
 assert fact(deformed(algorithm), 'Deform.Segments') == 2
 
+# Segments that the filter finds: two bumps on a strip, which is bent. They are labels for Segment Array, too.
+strip = simple.Plane(Origin=[-1, -0.4, 0], Point1=[1, -0.4, 0], Point2=[-1, 0.4, 0], XResolution=60, YResolution=30)
+bumps = simple.Calculator(Input=strip, CoordinateResults=1, Function='coords + kHat*0.8*(exp(-30*((coordsX-0.3)^2 + '
+                          'coordsY^2)) + exp(-30*((coordsX+0.3)^2 + coordsY^2)))')
+bumps.UpdatePipeline()
+bumps = copy(shapetesting.output(bumps))
+at = points(bumps)
+rim = numpy.flatnonzero((abs(at[:, 0]) > 0.999) | (abs(at[:, 1]) > 0.399))
+rim = rim[numpy.argsort(numpy.arctan2(at[rim, 1], at[rim, 0]))]
+bent = numpy.column_stack([0.8 * numpy.sin(at[rim, 0] / 0.8), at[rim, 1],
+                           0.8 * numpy.cos(at[rim, 0] / 0.8) - 0.8 + at[rim, 2]])
+tops = [numpy.where(sign * at[:, 0] > 0, at[:, 2], 0).argmax() for sign in (1, -1)]
+gaps, labels = [], []
+for by in (0, 1):
+    algorithm = new(bumps, curve(at[rim], bent))
+    algorithm.SetSegmentBy(by)
+    shape = deformed(algorithm)
+    gaps.append(numpy.linalg.norm(points(shape)[tops[0]] - points(shape)[tops[1]]))
+    labels = array(shape, 'Protrusion') if by else None
+assert fact(shape, 'Deform.Segments') == 3 and set(labels) == {0, 1, 2}
+assert labels[tops[0]] * labels[tops[1]] == 2 and not labels[rim].any()
+assert gaps[1] > 1.2 * gaps[0], gaps
+add_array(bumps, labels, 'Label')
+algorithm = new(bumps, curve(at[rim], bent))
+algorithm.SetSegmentArray('Label')
+assert abs(points(deformed(algorithm)) - points(shape)).max() < 1e-12
+assert not deformed(algorithm).GetPointData().HasArray('Protrusion')
+algorithm.SetSegmentBy(1)
+algorithm.SetMinimumProtrusion(0.9)
+assert fact(deformed(algorithm), 'Deform.Segments') == 1
+
 # Blocks are one shape: half of the sphere in each, the handle on one of them alone.
 halves = vtkMultiBlockDataSet()
 x = points(cut)[shapetesting.triangles(cut)].mean(axis=1)[:, 0]

@@ -271,7 +271,7 @@ TEST(CreasePath, ALoopRunsAlongTheConcaveEdgesNextToItsPoints)
       {
         EXPECT_LT(DistanceFromSquare(position), 1e-14);
       }
-      // The shortest paths stay at the points, and cut the corners of the slab.
+      // The shortest paths run through the points, beside the edges.
       const Traced shortest(bar.Surface, clicks, {});
       double farthest = 0.0;
       for (const RowVector3d& position : shortest.Positions)
