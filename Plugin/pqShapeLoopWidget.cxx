@@ -17,6 +17,7 @@
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
 #include "pqServerManagerModel.h"
+#include "pqUndoStack.h"
 #include "pqView.h"
 
 #include <QPushButton>
@@ -303,6 +304,7 @@ void pqShapeLoopWidget::FetchCut()
   {
     return;
   }
+  const pqScopedUndoExclude exclude; // a drag, which is one step of undo, may not have ended
   const vtkSmartPointer<vtkSMSourceProxy> edges =
     pqShapeFetch::NewFilter("FeatureEdges", filter, 0);
   for (const char* kind : { "FeatureEdges", "NonManifoldEdges", "ManifoldEdges" })

@@ -12,7 +12,8 @@ w.python('''
     cells = PointDatatoCellData(registrationName='Cells', Input=places)
     solid = Calculator(registrationName='Solid', Input=cells, AttributeType='Cell Data', ResultArrayName='Solid',
         Function='if(Place_Z < 4, 1, if(abs(Place_X - 6) < 2, if(abs(Place_Y - 6) < 2, 1, 0), 0))')
-    inside = Threshold(registrationName='Inside', Input=solid, Scalars=['CELLS', 'Solid'], LowerThreshold=0.5)
+    inside = Threshold(registrationName='Inside', Input=solid, Scalars=['CELLS', 'Solid'],
+                       LowerThreshold=0.5, UpperThreshold=1.5)
     bar = ExtractSurface(registrationName='Bar', Input=inside)
     Show(bar)
     view = GetActiveView()
