@@ -8,8 +8,8 @@
 #include "Deform/Private/HandleAttachment.h"
 #include "Deform/Private/LaplacianSmoothing.h"
 #include "Deform/Private/MultiresolutionDeformation.h"
-#include "Deform/Private/SegmentHierarchy.h"
 #include "Deform/Private/Protrusions.h"
+#include "Deform/Private/SegmentHierarchy.h"
 #include "Geometry/GraphComponents.h"
 #include "Mesh/Topology.h"
 
