@@ -651,6 +651,27 @@ def PasteFeatureLoops():
 
 
 @drawing
+def CutFeatureCreases():
+    """The loop through five clicks around a bump: shortest paths, and paths along the crease."""
+    ball = Sphere(ThetaResolution=160, PhiResolution=160)
+    clicks = []
+    for k in range(5):
+        around, away = 2 * math.pi * (k + 0.3) / 5, math.radians(28.4 + (5 if k % 2 else -5))
+        click = 0.5 * numpy.array([math.cos(away), math.sin(away) * math.cos(around), math.sin(away) * math.sin(around)])
+        clicks.append(click * (1 + 8 * max(0, 0.06 - sum((click - [0.5, 0, 0]) ** 2))))
+    for weight, y in ((0.0, -0.6), (10.0, 0.6)):
+        bumped = Calculator(Input=ball, CoordinateResults=1,
+                            Function='coords*(1 + 8*max(0, 0.06 - (coordsX-0.5)^2 - coordsY^2 - coordsZ^2))')
+        show(bumped, (0, y, 0))
+        feature = ShapeCutFeature(Input=bumped, LoopPoints=numpy.ravel(clicks).tolist(), CreaseWeight=weight, FillHole=0)
+        loop = FeatureEdges(Input=feature, FeatureEdges=0, NonManifoldEdges=0, ManifoldEdges=0)
+        show(Tube(Input=loop, Radius=0.006), (0, y, 0), colour=ACCENT)
+        for click in clicks:
+            show(Sphere(Center=click.tolist(), Radius=0.02), (0, y, 0), colour=ACCENT)
+    return (1.0, 0.0, 0.25), (0, 0, 1)
+
+
+@drawing
 def DeformRigidity():
     """Rigidity 0.5, 1 and 3: the boundary of a square with a bump is bent."""
     plane = Plane(Origin=[-1, -1, 0], Point1=[1, -1, 0], Point2=[-1, 1, 0], XResolution=50, YResolution=50)
