@@ -657,13 +657,15 @@ def CutFeatureCreases():
     clicks = []
     for k in range(5):
         around, away = 2 * math.pi * (k + 0.3) / 5, math.radians(28.4 + (5 if k % 2 else -5))
-        click = 0.5 * numpy.array([math.cos(away), math.sin(away) * math.cos(around), math.sin(away) * math.sin(around)])
+        side = math.sin(away)
+        click = 0.5 * numpy.array([math.cos(away), side * math.cos(around), side * math.sin(around)])
         clicks.append(click * (1 + 8 * max(0, 0.06 - sum((click - [0.5, 0, 0]) ** 2))))
     for weight, y in ((0.0, -0.6), (10.0, 0.6)):
         bumped = Calculator(Input=ball, CoordinateResults=1,
                             Function='coords*(1 + 8*max(0, 0.06 - (coordsX-0.5)^2 - coordsY^2 - coordsZ^2))')
         show(bumped, (0, y, 0))
-        feature = ShapeCutFeature(Input=bumped, LoopPoints=numpy.ravel(clicks).tolist(), CreaseWeight=weight, FillHole=0)
+        feature = ShapeCutFeature(Input=bumped, LoopPoints=numpy.ravel(clicks).tolist(), CreaseWeight=weight,
+                                  FillHole=0)
         loop = FeatureEdges(Input=feature, FeatureEdges=0, NonManifoldEdges=0, ManifoldEdges=0)
         show(Tube(Input=loop, Radius=0.006), (0, y, 0), colour=ACCENT)
         for click in clicks:
