@@ -228,6 +228,28 @@ BoundaryHandle BuildCurveHandle(
   return handle;
 }
 
+BoundaryHandle BuildLoopsHandle(
+  const Eigen::MatrixXd& points, const std::vector<std::vector<int>>& loops)
+{
+  std::vector<int> all;
+  std::vector<Eigen::RowVector2i> segments;
+  for (const std::vector<int>& loop : loops)
+  {
+    const auto start = static_cast<int>(all.size()), count = static_cast<int>(loop.size());
+    for (int i = 0; i < count; ++i)
+    {
+      segments.emplace_back(start + i, start + (i + 1) % count);
+    }
+    all.insert(all.end(), loop.begin(), loop.end());
+  }
+  BoundaryHandle handle{ points(all, Eigen::all), Eigen::MatrixXi(segments.size(), 2), {}, {} };
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    handle.Segments.row(static_cast<Eigen::Index>(i)) = segments[i];
+  }
+  return handle;
+}
+
 std::vector<int> GetFirstSamples(const BoundaryHandle& handle)
 {
   const PointTree tree(handle.Positions);

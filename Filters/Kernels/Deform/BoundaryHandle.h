@@ -31,6 +31,10 @@ struct HandlePose
 BoundaryHandle BuildCurveHandle(
   const Eigen::MatrixXd& positions, bool closed, const Eigen::MatrixXd& normals = {});
 
+/// Builds closed curves through the points (n x 3) of each loop, in the order of the loops.
+BoundaryHandle BuildLoopsHandle(
+  const Eigen::MatrixXd& points, const std::vector<std::vector<int>>& loops);
+
 /// Returns, for each sample, the index of the first sample at the same position, up to 1e-9 of the
 /// diagonal of the handle's bounding box.
 std::vector<int> GetFirstSamples(const BoundaryHandle& handle);

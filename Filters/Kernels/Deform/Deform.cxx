@@ -74,20 +74,21 @@ Field Sorted(const Field& field, const std::vector<int>& order)
 } // namespace
 
 /// The order matters, since rotations do not commute: first the rotation that the curve determines,
-/// then the user's.
+/// then the user's. Frames rotate before their part moves, so that they move with it.
 HandlePose PoseHandleAt(const BoundaryHandle& handle, const HandleTarget& target,
-  const PoseOptions& options, const PointGraph& graph)
+  const PoseOptions& options, const Eigen::MatrixXd& normals)
 {
   HandlePose pose = PoseHandle(handle, target.Positions, target.Normals);
   if (target.Turns.Turns.rows() > 0)
   {
     AddPrescribedRotations(handle, target.Turns, pose);
   }
-  RequireOptions(options);
-  if (options.BiasWeight != 0.0)
+  if (!target.Motion.Frames.empty())
   {
-    BiasFrames(handle, ComputeHandleNormals(handle, graph), options, pose);
+    AddPrescribedRotations(handle, PrescribeRotations(handle, target.Motion.Frames), pose);
   }
+  MoveParts(handle, target.Motion.Parts, pose);
+  BiasFrames(handle, normals, options, pose);
   return pose;
 }
 
@@ -140,10 +141,16 @@ DeformedShape Deformer::Deform(const DeformProblem& problem, const HandleTarget&
       { Sorted(fields.Rigidity, this->Order), Sorted(fields.Scale, this->Order),
         Sorted(fields.Segments, this->Order) },
       progress.Part(0.2, 0.8));
+    const BoundaryHandle& handle = problem.Handle;
+    this->ShapeNormals = ComputeHandleNormals(
+      { handle.Positions, handle.Segments, handle.Triangles, {} }, this->Graph);
   }
-  const DeformedShape sorted =
-    this->Deformation->Deform(PoseHandleAt(problem.Handle, target, options, this->Graph),
-      std::numeric_limits<double>::infinity(), progress.Part(0.8, 1.0, "moving the points"));
+  const bool hasNormals = problem.Handle.Normals.size() > 0;
+  this->LastPose = PoseHandleAt(
+    problem.Handle, target, options, hasNormals ? problem.Handle.Normals : this->ShapeNormals);
+  this->LastNormals = hasNormals ? problem.Handle.Normals : this->ShapeNormals;
+  const DeformedShape sorted = this->Deformation->Deform(this->LastPose,
+    std::numeric_limits<double>::infinity(), progress.Part(0.8, 1.0, "moving the points"));
   DeformedShape deformed{ Eigen::MatrixXd(sorted.Points.rows(), 3),
     std::vector<Eigen::Matrix3d>(sorted.Rotations.size()), Eigen::VectorXd(sorted.Points.rows()) };
   for (std::size_t i = 0; i < this->Order.size(); ++i)

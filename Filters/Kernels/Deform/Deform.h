@@ -3,6 +3,7 @@
 #include "Base/Progress.h"
 #include "Deform/BoundaryHandle.h"
 #include "Deform/HandleFrames.h"
+#include "Deform/HandleMotion.h"
 #include "Deform/ShapeDeformation.h"
 #include "Geometry/PointGraph.h"
 
@@ -23,19 +24,22 @@ struct DeformProblem
   DeformOptions Options;
 };
 
-/// The target positions of a handle, with normals and rotations.
+/// The target positions of a handle, with normals and rotations, and the motion from there.
 struct HandleTarget
 {
   Eigen::MatrixXd Positions; ///< s x 3
   Eigen::MatrixXd Normals;   ///< s x 3 if the handle has normals, else no rows
   PrescribedRotations Turns; ///< no rows if no rotations are prescribed
+  HandleMotion Motion;
 };
 
-/// Computes the pose of a handle at a target: first PoseHandle, then AddPrescribedRotations, then
-/// BiasFrames. graph: the graph of the shape. The shape's normals are used if the handle has none.
-/// Throws InvalidInput when one of these functions does.
+/// Computes the pose of a handle at a target: first PoseHandle, then AddPrescribedRotations, first
+/// those of the target, then those of its motion, then MoveParts and BiasFrames. A rigid motion of
+/// the entire handle therefore moves the deformed shape rigidly, whatever its frames are. normals:
+/// s x 3, the normals at rest (ComputeHandleNormals). Throws InvalidInput when one of these
+/// functions does.
 HandlePose PoseHandleAt(const BoundaryHandle& handle, const HandleTarget& target,
-  const PoseOptions& options, const PointGraph& graph);
+  const PoseOptions& options, const Eigen::MatrixXd& normals);
 
 /**
  * Deforms shapes, and reuses the weights as long as only the target or its frames change. Points
@@ -55,6 +59,12 @@ public:
   const DeformFacts& Facts() const { return this->Deformation->Facts(); }
   bool HasPrepared() const { return this->Fresh; }
 
+  ///@{
+  /// The handle of the last call: its pose, and the normals of the shape there, at rest (s x 3).
+  const HandlePose& Pose() const { return this->LastPose; }
+  const Eigen::MatrixXd& Normals() const { return this->LastNormals; }
+  ///@}
+
 private:
   bool HasShape(const ShapeElements& shape) const;
   /// Returns whether everything except the shape is unchanged.
@@ -65,6 +75,9 @@ private:
   PointGraph Graph;
   std::unique_ptr<ShapeDeformation> Deformation;
   bool Fresh = false;
+  Eigen::MatrixXd ShapeNormals; ///< at the handle, if it has none
+  Eigen::MatrixXd LastNormals;
+  HandlePose LastPose;
 };
 
 } // namespace shape

@@ -20,14 +20,6 @@ namespace shape
 namespace
 {
 
-/// The exponential map of a rotation vector.
-Eigen::Matrix3d TurnBy(const Eigen::Vector3d& turn)
-{
-  const double angle = turn.norm();
-  return angle > 0.0 ? Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix()
-                     : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
-}
-
 /// Pairs of neighbouring samples of the handle; of coincident samples, the first one stands for
 /// all.
 std::vector<std::pair<int, int>> HandleLinks(
@@ -59,10 +51,16 @@ std::vector<std::pair<int, int>> HandleLinks(
 
 } // namespace
 
+Eigen::Matrix3d ToRotation(const Eigen::Vector3d& turn)
+{
+  const double angle = turn.norm();
+  return angle > 0.0 ? Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix()
+                     : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+}
+
 /// Between the samples where rotations are prescribed, rotation vectors are harmonic on the
 /// handle's graph. Quaternions would lose full turns.
-void AddPrescribedRotations(
-  const BoundaryHandle& handle, const PrescribedRotations& turns, HandlePose& pose)
+Eigen::MatrixXd InterpolateRotations(const BoundaryHandle& handle, const PrescribedRotations& turns)
 {
   const auto samples = static_cast<int>(handle.Positions.rows());
   if (turns.Turns.rows() != samples || turns.Turns.cols() != 3 || turns.IsSet.size() != samples)
@@ -106,12 +104,16 @@ void AddPrescribedRotations(
   }
   const Eigen::SparseMatrix<double> laplacian = BuildGraphLaplacian(handle.Positions, links);
   DirichletProblem(laplacian, fixed).Solve(values, Eigen::MatrixXd::Zero(samples, 3));
-  for (int i = 0; i < samples; ++i)
+  return values(first, Eigen::all);
+}
+
+void AddPrescribedRotations(
+  const BoundaryHandle& handle, const PrescribedRotations& turns, HandlePose& pose)
+{
+  const Eigen::MatrixXd values = InterpolateRotations(handle, turns);
+  for (Eigen::Index i = 0; i < values.rows(); ++i)
   {
-    if (reached[components.Find(first[i])])
-    {
-      pose.Rotations[i] = TurnBy(values.row(first[i]).transpose()) * pose.Rotations[i];
-    }
+    pose.Rotations[i] = ToRotation(values.row(i).transpose()) * pose.Rotations[i];
   }
 }
 
@@ -170,7 +172,8 @@ void BiasFrames(const BoundaryHandle& handle, const Eigen::MatrixXd& normals,
       axis = tangent - tangent.dot(normal) * normal;
       axis = axis.norm() > 0.0 ? axis : normal.unitOrthogonal();
     }
-    pose.Rotations[i] = TurnBy(options.BiasWeight * angle * axis.normalized()) * pose.Rotations[i];
+    pose.Rotations[i] =
+      ToRotation(options.BiasWeight * angle * axis.normalized()) * pose.Rotations[i];
   }
 }
 

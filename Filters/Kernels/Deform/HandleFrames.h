@@ -33,15 +33,23 @@ struct PrescribedRotations
   Eigen::VectorXi IsSet; ///< s values, non-zero where a rotation is prescribed
 };
 
+/// Returns the rotation by a rotation vector (axis times angle in radians).
+Eigen::Matrix3d ToRotation(const Eigen::Vector3d& turn);
+
 /**
- * Applies prescribed rotations after the rotations of a pose. They are interpolated between the
- * samples at which they are prescribed. Along a curve, the interpolation is linear in the arc
- * length of the handle at rest, and constant beyond the last prescribed sample. At branches and on
- * surfaces it is harmonic along edges. Components of the handle without a prescribed rotation do
- * not change. Since rotation vectors are interpolated, twists of several turns are possible.
+ * Interpolates prescribed rotations between the samples at which they are prescribed. Along a
+ * curve, the interpolation is linear in the arc length of the handle at rest, and constant beyond
+ * the last prescribed sample. At branches and on surfaces it is harmonic along edges. Returns
+ * rotation vectors (s x 3), which are 0 on components of the handle without a prescribed rotation.
+ * Since rotation vectors are interpolated, twists of several turns are possible.
  *
  * Throws InvalidInput if sizes differ or a prescribed rotation is not finite.
  */
+Eigen::MatrixXd InterpolateRotations(
+  const BoundaryHandle& handle, const PrescribedRotations& turns);
+
+/// Applies the interpolated rotations after the rotations of a pose. Throws InvalidInput when
+/// InterpolateRotations does.
 void AddPrescribedRotations(
   const BoundaryHandle& handle, const PrescribedRotations& turns, HandlePose& pose);
 

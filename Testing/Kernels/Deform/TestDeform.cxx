@@ -173,19 +173,19 @@ TEST(Deform, SetTurnsAndTheBiasTurnFrames)
   target.Turns.Turns(0, 2) = 0.5;
   target.Turns.IsSet(0) = 1;
   shape::PoseOptions options;
-  const shape::PointGraph graph = shape::BuildPointGraph(problem.Shape);
+  const Eigen::MatrixXd normals =
+    shape::ComputeHandleNormals(problem.Handle, shape::BuildPointGraph(problem.Shape));
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   for (const Eigen::Matrix3d& rotation :
-    shape::PoseHandleAt(problem.Handle, target, options, graph).Rotations)
+    shape::PoseHandleAt(problem.Handle, target, options, normals).Rotations)
   {
     EXPECT_LT((rotation - turn).norm(), 1e-12);
   }
   options.BiasWeight = 1.0; // towards z, wherever the cap's normals point
-  const shape::HandlePose pose = shape::PoseHandleAt(problem.Handle, target, options, graph);
+  const shape::HandlePose pose = shape::PoseHandleAt(problem.Handle, target, options, normals);
   for (Eigen::Index i = 0; i < samples; ++i)
   {
-    const Eigen::Vector3d normal =
-      shape::ComputeHandleNormals(problem.Handle, graph).row(i).transpose();
+    const Eigen::Vector3d normal = normals.row(i).transpose();
     EXPECT_LT((pose.Rotations[i] * normal.normalized() - Eigen::Vector3d::UnitZ()).norm(), 1e-7);
   }
 }
