@@ -16,7 +16,6 @@ import shapetesting
 OTHER_INPUTS = {
     ('ShapeApplyVolumeMap', 'Map'): 'DentedSphereCharges.vtp',
     ('ShapeDeform', 'Input'): 'FigureASmall.vtp',
-    ('ShapeDeform', 'Boundary'): 'FigureBSmall.vtp',
     ('ShapeImageValues', 'Input'): 'BallSmall.vtu',
     ('ShapeUntangle', 'Input'): 'BallSmall.vtu',
 }
@@ -106,6 +105,7 @@ def divided():
 NEEDED_INPUTS = {
     ('ShapeGeodesicDistance', 'Seeds'): lambda: shapetesting.read('DentedSphere600.vtp'),
     ('ShapeHexRemesh', 'Surface'): lambda: shapetesting.read('DentedSphere600.vtp'),
+    ('ShapeDeform', 'Boundary'): lambda: shapetesting.read('FigureBSmall.vtp'),
     ('ShapePasteFeature', 'Feature'): cap,
     ('ShapeCutFeature', 'Loop'): lambda: shapetesting.closed_curve(
         [[0.6 * numpy.cos(t), 0.6 * numpy.sin(t), 0.8] for t in 0.26 * numpy.arange(24)]),

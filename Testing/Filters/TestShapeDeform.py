@@ -255,19 +255,66 @@ assert fact(result, 'Deform.Islands') == 1
 assert fact(result, 'Deform.WeldedPoints') > 1000
 assert abs(points(result) - loose @ turn.T).max() < 1e-11
 
+# Without a Boundary, the handle is the boundary of the Input, and properties move it: its only part by a
+# similarity about its centre. Rotations are in degrees.
+def moved_by(motions, frames=(), scale=1.0, boundary=None):
+    algorithm = new(cut, boundary) if boundary else shapetesting.new(shapemap.vtkShapeDeform, cut)
+    for index, row in enumerate(motions):
+        algorithm.SetHandleMotions(index, *row)
+    for index, row in enumerate(frames):
+        algorithm.SetFrameRotations(index, *row)
+    algorithm.SetScale(scale)
+    return shapetesting.outputs(algorithm)
+
+
+lengths = numpy.linalg.norm(base - numpy.roll(base, -1, axis=0), axis=1)
+middle = lengths @ (base + numpy.roll(base, -1, axis=0)) / 2 / lengths.sum()
+degrees = -numpy.degrees(0.9) * numpy.array([1, 2, 3]) / numpy.sqrt(14)
+assert abs(points(moved_by([])[0]) - points(cut)).max() == 0
+for scale in (1.0, 1.6):
+    solid, handle, facts = moved_by([(0, *shift, *degrees, scale)], scale=scale)
+    expected = scale * (points(cut) - middle) @ turn.T + middle + shift
+    assert abs(points(solid)[used] - expected[used]).max() < 1e-11
+    assert abs(array(handle, 'SourcePosition')[:, None] - base).sum(axis=2).min(axis=1).max() == 0
+    assert abs(scale * (array(handle, 'SourcePosition') - middle) @ turn.T + middle + shift -
+               points(handle)).max() < 1e-12
+    assert abs(array(handle, 'TargetNormal') - array(handle, 'SourceNormal') @ turn.T).max() < 1e-12
+    assert handle.GetNumberOfLines() == len(base) and set(array(handle, 'Part')) == {0}
+    assert fact(solid, 'Deform.Parts') == 1
+# A curve on the Input that has no SourcePosition is at rest, too.
+still = curve(base, base)
+still.GetPointData().RemoveArray('SourcePosition')
+row = (0, *shift, *degrees, 1)
+assert abs(points(moved_by([row], boundary=still)[0])[used] - points(moved_by([row])[0])[used]).max() < 1e-11
+# A frame is that of the array FrameRotation, in degrees.
+frames = [(*base[3], 0, 0, numpy.degrees(0.5))]
+assert abs(points(moved_by([], frames)[0])[used] - twisted[used]).max() < 1e-11
+# Two frames: the rotation between them is linear in the length of the curve.
+frames.append((*base[20], 0, 0, 0))
+handle = moved_by([], frames)[1]
+angles = numpy.empty(len(base))
+for place, angle in zip(array(handle, 'SourcePosition'), array(handle, 'FrameTurn')):
+    angles[abs(base - place).sum(axis=1).argmin()] = angle[2]
+way = numpy.cumsum(numpy.append(0, lengths[3:20]))
+assert abs(angles[3:21] - numpy.degrees(0.5) * (1 - way / way[-1])).max() < 1e-9, angles
+
 # What cannot be answered is refused with the fact.
 normals = curve(base, base)
 add_array(normals, base, 'SourceNormal')
 flags = curve(base, base)
 add_array(flags, is_set, 'FrameSet')
-nowhere = curve(base, base)
+nowhere = curve(base, base + [0, 0, 3])
 nowhere.GetPointData().RemoveArray('SourcePosition')
 infinite = curve(base, base)
 array(infinite, 'SourcePosition')[2, 1] = numpy.inf
 for handle, change, words in (
         (normals, None, 'both SourceNormal and TargetNormal'),
         (flags, None, 'FrameRotation'),
-        (nowhere, None, "no point array 'SourcePosition'"),
+        (nowhere, None, "no point array 'SourcePosition', and point 0 of the handle is off the shape"),
+        (curve(base, base), lambda a: a.SetHandleMotions(0, 1, *shift, *degrees, 1), 'use a part from 0 to 0'),
+        (curve(base, base), lambda a: a.SetHandleMotions(0, 0.5, *shift, *degrees, 1), 'whole number'),
+        (curve(base, base), lambda a: a.SetHandleMotions(0, 0, *shift, *degrees, 0), 'positive scale'),
+        (curve(base, base), lambda a: a.SetFrameRotations(0, *base[3], 0, numpy.nan, 0), 'not finite'),
         (infinite, None, 'not finite'),
         (curve(base, base), lambda a: a.SetRigidity(0.0), 'Rigidity is 0; it must be positive'),
         (curve(base, base), lambda a: a.SetRigidityArray('Nothing'), "no point array 'Nothing'"),
@@ -278,6 +325,8 @@ for handle, change, words in (
     message = ' '.join(shapetesting.run(algorithm))
     assert 'Shape Deform: ' in message and words in message, message
     assert algorithm.GetOutputDataObject(0).GetNumberOfPoints() == 0
+closed = shapetesting.new(shapemap.vtkShapeDeform, sphere)
+assert 'no boundary curve; connect a curve' in ' '.join(shapetesting.run(closed))
 print('shapes of every kind follow their boundary')
 
 # When the front reached a point: its distance along edges, 0 on the handle.

@@ -1,9 +1,11 @@
 #include "vtkShapeHandle.h"
 
+#include "vtkShapeCarry.h"
 #include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
 
 #include "vtkCell.h"
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -13,9 +15,12 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
 #include "Base/Errors.h"
+#include "Deform/HandleMotion.h"
+#include "Mesh/Provenance.h"
 
 #include <algorithm>
 #include <array>
@@ -220,13 +225,16 @@ Eigen::VectorXi vtkShapeHandle::ToLabels(
   return labels;
 }
 
-vtkShapeHandle::Boundary vtkShapeHandle::Read(vtkUnstructuredGrid* grid)
+vtkShapeHandle::Boundary vtkShapeHandle::Read(
+  vtkUnstructuredGrid* grid, const shape::ShapeElements& shape)
 {
   Boundary boundary;
   shape::ShapeElements elements = ToElements(grid, "the Boundary");
+  const bool isAtRest = !grid->GetPointData()->HasArray("SourcePosition");
   boundary.Target.Positions = elements.Points;
-  boundary.Source.Positions =
-    vtkShapeConvert::ToPointArray(grid, "SourcePosition", 3, "the Boundary");
+  boundary.Source.Positions = isAtRest
+    ? elements.Points
+    : vtkShapeConvert::ToPointArray(grid, "SourcePosition", 3, "the Boundary");
   boundary.Source.Segments = elements.Lines;
   boundary.Source.Triangles = elements.Triangles;
   boundary.Source.Normals = ArrayOrNothing(grid, "SourceNormal", 3);
@@ -238,7 +246,74 @@ vtkShapeHandle::Boundary vtkShapeHandle::Read(vtkUnstructuredGrid* grid)
     throw shape::InvalidInput("the Boundary has only one of the point arrays 'FrameRotation' "
                               "and 'FrameSet'; add both, or neither");
   }
+  if (isAtRest)
+  {
+    try
+    {
+      shape::RequireOnShape(boundary.Source, shape);
+    }
+    catch (const shape::InvalidInput& error)
+    {
+      throw shape::InvalidInput("the Boundary has no point array 'SourcePosition', and " +
+        std::string(error.what()) +
+        "; add the old positions, or give a handle that lies on the Input");
+    }
+  }
   return boundary;
+}
+
+void vtkShapeHandle::WriteHandle(const shape::BoundaryHandle& handle,
+  const shape::Deformer& deformer, const std::vector<shape::FrameRotation>& frames,
+  vtkUnstructuredGrid* grid, const std::vector<int>& points, vtkPolyData* output)
+{
+  const shape::HandlePose& pose = deformer.Pose();
+  const Eigen::MatrixXd& normals = deformer.Normals();
+  Eigen::MatrixXd turned(normals.rows(), 3);
+  for (Eigen::Index i = 0; i < normals.rows(); ++i)
+  {
+    turned.row(i) = (pose.Rotations[i] * normals.row(i).transpose()).transpose();
+  }
+  const std::vector<int> parts = shape::FindHandleParts(handle).PartOf;
+  const Eigen::MatrixXd turns =
+    shape::InterpolateRotations(handle, shape::PrescribeRotations(handle, frames));
+  vtkShapeConvert::FromMesh({ pose.Positions, handle.Triangles }, output);
+  vtkNew<vtkCellArray> lines;
+  for (const auto& segment : handle.Segments.rowwise())
+  {
+    lines->InsertNextCell({ segment(0), segment(1) });
+  }
+  output->SetLines(lines);
+  if (handle.Segments.rows() + handle.Triangles.rows() == 0)
+  {
+    vtkNew<vtkCellArray> vertices;
+    for (vtkIdType i = 0; i < pose.Positions.rows(); ++i)
+    {
+      vertices->InsertNextCell(1, &i);
+    }
+    output->SetVerts(vertices);
+  }
+  vtkShapeCarry::Carry({ { grid,
+                         shape::TraceCopies(points, grid->GetNumberOfPoints(),
+                           Eigen::VectorXi::Constant(output->GetNumberOfCells(), -1)) } },
+    output);
+  vtkPointData* data = output->GetPointData();
+  // What described the handle before it moved, and rotations that its frames already have.
+  if (vtkDataArray* old = vtkShapeCarry::GetNormals(data))
+  {
+    data->RemoveArray(old->GetName());
+  }
+  for (const char* name : { "ArrivalTime", "FrameRotation", "FrameSet" })
+  {
+    data->RemoveArray(name);
+  }
+  constexpr double degrees = 180.0 / 3.14159265358979323846;
+  data->AddArray(vtkShapeConvert::ToArray(handle.Positions, "SourcePosition"));
+  data->AddArray(vtkShapeConvert::ToArray(normals, "SourceNormal"));
+  data->AddArray(vtkShapeConvert::ToArray(turned, "TargetNormal"));
+  data->AddArray(vtkShapeConvert::ToArray(degrees * turns, "FrameTurn"));
+  data->AddArray(vtkShapeConvert::ToIntegers(
+    Eigen::Map<const Eigen::VectorXi>(parts.data(), static_cast<Eigen::Index>(parts.size())),
+    "Part"));
 }
 
 void vtkShapeHandle::Write(vtkDataObject* input, const Eigen::MatrixXd& whole,

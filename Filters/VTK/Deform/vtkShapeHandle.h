@@ -3,9 +3,11 @@
 #include "Deform/Deform.h"
 
 #include <string>
+#include <vector>
 
 class vtkDataObject;
 class vtkDataSet;
+class vtkPolyData;
 class vtkUnstructuredGrid;
 
 /// Conversion of the shape and the handle of vtkShapeDeform to kernel types, and of the deformed
@@ -32,10 +34,20 @@ struct Boundary
 };
 
 /// Reads the handle before (Source) and after (Target) its motion. The old positions are the point
-/// array `SourcePosition`. The optional point arrays are `SourceNormal` and `TargetNormal`, and
-/// `FrameRotation` with `FrameSet`. Throws shape::InvalidInput if an array is missing or has
-/// another number of components.
-Boundary Read(vtkUnstructuredGrid* boundary);
+/// array `SourcePosition`. Without this array, the handle is at rest, and each of its points must
+/// lie on the shape, at most an edge away from a point of it. The optional point arrays are
+/// `SourceNormal` and `TargetNormal`, and `FrameRotation` with `FrameSet`. Throws
+/// shape::InvalidInput if an array is missing or has another number of components, or if a handle
+/// without SourcePosition is off the shape.
+Boundary Read(vtkUnstructuredGrid* boundary, const shape::ShapeElements& shape);
+
+/// Writes the handle at its target, with the point arrays `SourcePosition`, `SourceNormal` and
+/// `TargetNormal` (double, 3), `Part` (int) and `FrameTurn` (double, 3; degrees), and the point
+/// data of the grid that it comes from. points: for each sample, its point of the grid. deformer:
+/// after the deformation. frames: the rotations that FrameTurn interpolates.
+void WriteHandle(const shape::BoundaryHandle& handle, const shape::Deformer& deformer,
+  const std::vector<shape::FrameRotation>& frames, vtkUnstructuredGrid* grid,
+  const std::vector<int>& points, vtkPolyData* output);
 
 /// Writes the deformed `input`, which is a part of the shape, to `output`. Adds the point arrays
 /// `SourcePosition`, `ArrivalTime` and, if there are any, `Protrusion`, and rotates point normals.
