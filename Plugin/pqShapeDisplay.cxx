@@ -142,6 +142,24 @@ void SetCurve(vtkPolyData* curve, const std::vector<Eigen::Vector3d>& positions)
   curve->SetLines(lines);
 }
 
+void SetLines(vtkPolyData* lines, const std::vector<Eigen::Vector3d>& positions,
+  const std::vector<std::pair<int, int>>& ends)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Eigen::Vector3d& position : positions)
+  {
+    points->InsertNextPoint(position.data());
+  }
+  vtkNew<vtkCellArray> cells;
+  for (const auto& [from, to] : ends)
+  {
+    cells->InsertNextCell({ from, to });
+  }
+  lines->SetPoints(points);
+  lines->SetLines(cells);
+}
+
 void SetMarks(vtkPolyData* marks, const std::vector<Eigen::Vector3d>& positions)
 {
   vtkNew<vtkPoints> points;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <utility>
 #include <vector>
 
 class vtkActor;
@@ -50,6 +51,10 @@ void SetWidth(vtkActor* curve, vtkRenderer* renderer, double width);
 
 /// Replaces the content of `curve` by one polyline through the positions.
 void SetCurve(vtkPolyData* curve, const std::vector<Eigen::Vector3d>& positions);
+
+/// Replaces the content of `lines` by separate lines between pairs of the positions.
+void SetLines(vtkPolyData* lines, const std::vector<Eigen::Vector3d>& positions,
+  const std::vector<std::pair<int, int>>& ends);
 
 /// Replaces the content of `marks` by one vertex at each position.
 void SetMarks(vtkPolyData* marks, const std::vector<Eigen::Vector3d>& positions);

@@ -2,6 +2,7 @@
 
 #include "pqShapeDisplay.h"
 #include "pqShapeFacts.h"
+#include "pqShapeGrips.h"
 
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
@@ -22,15 +23,10 @@
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
-constexpr double BallPixels = 8.0, KnobPixels = 6.0, SmallestRing = 36.0, GrabPixels = 4.0;
-constexpr double RingPixels = 2.0;
-/// Rotation and scaling for a key or a step of the wheel, and for a pixel of a drag with Shift or
-/// Control.
-constexpr double KeyDegrees = 5.0, KeyFactor = 1.05, PixelDegrees = 0.5, PixelFactor = 1.01;
-/// Maximum radius of the ring, as a share of the smaller of the view's width and height.
-constexpr double LargestRing = 0.4;
-constexpr int RingSegments = 72;
+using namespace pqShapeGrips;
+
+/// Rotation and scaling for a pixel of a drag with Shift or Control.
+constexpr double PixelDegrees = 0.5, PixelFactor = 1.01;
 
 /// Returns the angle in degrees, in (-180, 180].
 double Wrap(double degrees)

@@ -21,7 +21,7 @@ constexpr int BurstPause = 400;
 
 bool pqShapeInteractiveWidget::OnEvent(unsigned long event)
 {
-  if (!this->Surface.IsThere())
+  if (!this->IsReady())
   {
     return false;
   }

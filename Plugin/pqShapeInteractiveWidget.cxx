@@ -68,8 +68,11 @@ pqShapeInteractiveWidget::pqShapeInteractiveWidget(vtkSMProxy* filter, vtkSMProp
     }
   }
   pqCoreUtilities::connect(filter, vtkCommand::UpdateDataEvent, this, SLOT(OnUpdated()));
-  pqCoreUtilities::connect(group->GetProperty("Surface"),
-    vtkCommand::UncheckedPropertyModifiedEvent, this, SLOT(OnUpdated()));
+  if (vtkSMProperty* surface = group->GetProperty("Surface"))
+  {
+    pqCoreUtilities::connect(
+      surface, vtkCommand::UncheckedPropertyModifiedEvent, this, SLOT(OnUpdated()));
+  }
   for (QTimer* timer : { &this->VisibilityTimer, &this->StepTimer, &this->BurstTimer })
   {
     timer->setSingleShot(true);
@@ -256,8 +259,8 @@ void pqShapeInteractiveWidget::OnRender()
   {
     this->VisibilityTimer.start(0);
   }
-  this->Overlays.GetCurrent()->SetVisible(this->Surface.IsThere());
-  if (this->Surface.IsThere())
+  this->Overlays.GetCurrent()->SetVisible(this->IsReady());
+  if (this->IsReady())
   {
     if (this->Overlays.HasMouse())
     {

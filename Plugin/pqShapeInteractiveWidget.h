@@ -34,8 +34,9 @@ class vtkSMPropertyGroup;
  * the right button is pressed.
  *
  * The property group assigns a function to each property. Surface is the input on which the handle
- * lies. Dragging is the property that is 1 during a drag, so that the filter prefers speed.
- * Subclasses define the other functions.
+ * lies; a handle that lies on no surface overrides UpdateSurface and IsReady instead. Dragging is
+ * the property that is 1 during a drag, so that the filter prefers speed. Subclasses define the
+ * other functions.
  *
  * By default, the handle is in the active view. It is in data coordinates: it does not follow a
  * representation that is translated, rotated or scaled in the view. Comparative views have no
@@ -90,6 +91,8 @@ protected:
   virtual std::vector<pqView*> FindViews() const { return { this->view() }; }
   /// Fetches the surfaces that have changed. Returns whether all are there.
   virtual bool UpdateSurface();
+  /// Returns whether there is something on which the handle lies.
+  virtual bool IsReady() const { return this->Surface.IsThere(); }
   ///@}
 
   vtkSMProperty* GetProperty(const std::string& function) const;
