@@ -1,10 +1,15 @@
-"""How often a second a feature of some 10,000 triangles is set down on another place of the bunny (75,408)
-while it is dragged in the real window, and where the time goes. Without a graphics card everything is drawn
-by the processor, and the size of the view counts most.
+"""How often a second a filter follows the mouse in the real window, and where the time goes.
 
-Utilities/pvpython.sh Testing/Benchmarks/DragRate.py WIDTH HEIGHT [pvserver]
-prints the size of the view, the updates a second and, in milliseconds for an update, the median time in the
-filter (where the window runs it), from there until the data are in the view, for drawing, and for the rest."""
+paste: a feature of some 10,000 triangles is set down on another place of the bunny (75,408). deform: the
+boundary of the bunny, whose base is cut off, is translated; frame: a frame at a point of this boundary is
+rotated, while three others hold. Without a graphics card everything is drawn by the processor, and the size of
+the view counts most.
+
+Utilities/pvpython.sh Testing/Benchmarks/DragRate.py paste|deform|frame WIDTH HEIGHT [pvserver]
+prints the size of the view, the median updates a second, those without the drawing (by the clock and, in case
+other programs run, by the CPU time of the window's main thread) and, in milliseconds for an update, the median
+time in the filter (where the window runs it), from there until the data are in the view, for drawing, and for
+the rest."""
 import contextlib
 import os
 import sys
@@ -22,29 +27,34 @@ UPDATES = 40
 SECONDS = 40
 
 
-def play(size, port, result):
-    w = window.Window(port)
+def begin(w, size):
+    """The bunny in a view of this size."""
     surface = w.file('bunny.vtp')
     shapetesting.write(scenes.model('bunny00'), surface)
     w.python('''
         import subprocess
         import numpy
+        import onsurface
         subprocess.check_call(['xdotool', 'search', '--onlyvisible', '--name', 'ParaView',
                                'windowmove', '0', '0', 'windowsize', '1600', '1000'])
         bunny = XMLPolyDataReader(registrationName='Bunny', FileName=[%r])
         Show(bunny)
         GetLayout().PreviewMode = %r
-        bounds = numpy.reshape(bunny.GetDataInformation().GetBounds(), (3, 2))
+        bounds = numpy.reshape(bunny.GetDataInformation().GetBounds(), (3, 2))''' % (surface, size))
+
+
+def paste(w):
+    w.python('''
         size = 0.1 * numpy.linalg.norm(bounds[:, 1] - bounds[:, 0])
         ball = Sphere(registrationName='Ball', Radius=size, ThetaResolution=265, PhiResolution=265)
-        place = '((coordsX-%%r)^2+coordsY^2+coordsZ^2)/%%r^2' %% (size, size)
+        place = '((coordsX-%r)^2+coordsY^2+coordsZ^2)/%r^2' % (size, size)
         horn = Calculator(registrationName='Horn', Input=ball, ResultArrayName='Horn', CoordinateResults=1,
-                          Function='coords*(1+1.2*max(0, 1-%%s/0.16)^3)' %% place)
+                          Function='coords*(1+1.2*max(0, 1-%s/0.16)^3)' % place)
         loop = [[0.8 * size, 0.6 * size * numpy.cos(angle), 0.6 * size * numpy.sin(angle)]
                 for angle in numpy.linspace(0, 6, 20)]
         ShapeCutFeature(registrationName='Cut', Input=horn, LoopPoints=numpy.ravel(loop).tolist())
         ResetCamera()
-        Render()''' % (surface, size))
+        Render()''')
     w.wait(1000)
     w.filter('Shape Paste Feature')
     w.choose_inputs(Feature='Cut: Feature', Target='Bunny')
@@ -52,13 +62,62 @@ def play(size, port, result):
     w.apply()
     w.wait(1000)
     w.python('''
+        made, view = GetActiveSource(), GetActiveView()
+        start = numpy.array(view.ViewSize) // 2''')
+
+
+def deform(w, frames=False):
+    w.python('''
+        low, high = bounds[1]
+        cut = Clip(registrationName='Cut', Input=bunny, ClipType='Plane', Invert=0)
+        cut.ClipType.Origin, cut.ClipType.Normal = [0, low + 0.03 * (high - low), 0], [0, 1, 0]
+        base = ExtractSurface(registrationName='Base', Input=cut)
+        Show(base)
+        Hide(bunny)
+        ResetCamera()
+        Render()
+        SetActiveSource(base)''')
+    w.wait(1000)
+    w.filter('Shape Deform')
+    w.wait(100)
+    w.apply()
+    w.wait(5000)
+    w.python('''
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+        made, view = GetActiveSource(), GetActiveView()
+        handle = servermanager.Fetch(made, idx=1)
+        positions = vtk_to_numpy(handle.GetPoints().GetData()).astype(float)
+        ends = vtk_to_numpy(handle.GetLines().GetConnectivityArray()).reshape(-1, 2)
+        ends = ends[vtk_to_numpy(handle.GetPointData().GetArray('Part'))[ends[:, 0]] == 0]
+        lengths = numpy.linalg.norm(positions[ends[:, 0]] - positions[ends[:, 1]], axis=1)
+        start = onsurface.Surface.pixel(lengths @ positions[ends].mean(axis=1) / lengths.sum())''')
+    if frames:
+        w.python('''
+            places = positions[ends[:: len(ends) // 4, 0]][:4]
+            made.FrameRotations = numpy.hstack([places, numpy.zeros_like(places)]).ravel().tolist()
+            Render()
+            normal = vtk_to_numpy(handle.GetPointData().GetArray('TargetNormal'))[ends[0, 0]]
+            here = onsurface.Surface.pixel(places[0])
+            # A frame is drawn 60 pixels long, if it does not point to the viewer.
+            back = numpy.array(view.CameraPosition) - view.CameraFocalPoint
+            depth = (view.CameraPosition - places[0]) @ back / numpy.linalg.norm(back)
+            pixel = 2.0 * depth * numpy.tan(numpy.radians(view.CameraViewAngle) / 2.0) / view.ViewSize[1]
+            start = onsurface.Surface.pixel(places[0] + 60 * pixel * normal)''')
+        w.wait(1000)
+
+
+def play(scene, size, port, result):
+    w = window.Window(port)
+    begin(w, size)
+    scene(w)
+    w.python('''
         import time
         marks = []
 
         def mark(caller, event, name):
-            caller.AddObserver(event, lambda *ignored: marks.append((name, time.perf_counter())))
+            caller.AddObserver(event, lambda *ignored: marks.append(
+                (name, time.perf_counter(), time.thread_time())))
 
-        made, view = GetActiveSource(), GetActiveView()
         filter = made.SMProxy.GetClientSideObject()
         if filter:
             mark(filter, 'StartEvent', 'start')
@@ -68,15 +127,14 @@ def play(size, port, result):
     # The window's own events would be a test's, which are slow: the mouse is moved by a timer.
     w.python('''
         interactor = view.GetInteractor()
-        middle = numpy.array(view.ViewSize) // 2
 
         def move(event, updates=0):
-            interactor.SetEventInformation(int(middle[0] + updates), int(middle[1]))
+            interactor.SetEventInformation(round(start[0]) + updates, round(start[1]))
             interactor.InvokeEvent(event)
 
         def go_on(*ignored):
             """To the right by a pixel for each update."""
-            updates = sum(name == 'data' for name, at in marks)
+            updates = sum(mark[0] == 'data' for mark in marks)
             if updates < %d:
                 move('MouseMoveEvent', updates + 1)
             else:
@@ -89,32 +147,37 @@ def play(size, port, result):
         timer = interactor.CreateRepeatingTimer(5)''' % UPDATES)
     w.wait(1000 * SECONDS)
     w.python('''
-        first = [at for name, at in marks if name == 'data'][:%d]
-        assert len(first) == %d and shapemap.facts(made)['Refused'] == 0, len(first)
+        import shapemap
+        first = [mark[1:] for mark in marks if mark[0] == 'data'][:%d]
+        assert len(first) == %d and not shapemap.facts(made).get('Refused'), len(first)
 
-        def median(begin, end):
-            """Of the times from each `begin` to the `end` that follows it."""
+        def median(begin, end, clock=1):
+            """In milliseconds, of the times from each `begin` to the `end` that follows it."""
             times, last = [], None
-            for name, at in marks:
-                if name == end and last is not None:
-                    times.append(at - last)
-                last = at if name == begin else last if name != end else None
+            for mark in marks:
+                if mark[0] == end and last is not None:
+                    times.append(mark[clock] - last)
+                last = mark[clock] if mark[0] == begin else last if mark[0] != end else None
             return 1e3 * numpy.median(times) if times else float('nan')
 
-        feature, all = made.Feature.GetDataInformation(), made.GetDataInformation()
+        def rates(clock):
+            """Updates a second, and without the drawing."""
+            period = 1e3 * numpy.median(numpy.diff(first, axis=0)[:, clock - 1])
+            return 1e3 / period, 1e3 / (period - median('data', 'drawn', clock))
+
         with open(%r, 'w') as file:
-            file.write('view %%d x %%d, %%d triangles of %%d: %%.1f updates/s; ms: filter %%.0f, data %%.0f, '
-                       'drawing %%.0f, rest %%.0f' %% (
-                *view.ViewSize, feature.GetNumberOfCells(), all.GetNumberOfCells(),
-                (len(first) - 1) / (first[-1] - first[0]), median('start', 'done'), median('done', 'data'),
-                median('data', 'drawn'), median('drawn', 'start' if filter else 'data')))''' % (
-        UPDATES, UPDATES, result))
+            file.write('view %%d x %%d, %%d triangles: %%.1f updates/s, %%.1f without the drawing (%%.1f by the CPU time '
+                       'of the main thread); ms: filter %%.0f, data %%.0f, drawing %%.0f, rest %%.0f' %% (
+                *view.ViewSize, made.GetDataInformation().GetNumberOfCells(), *rates(1), rates(2)[1],
+                median('start', 'done'), median('done', 'data'), median('data', 'drawn'),
+                median('drawn', 'start' if filter else 'data')))''' % (UPDATES, UPDATES, result))
     w.run(seconds=SECONDS + 120)
 
 
-size = [int(argument) for argument in sys.argv[1:3]]
+scene = {'paste': paste, 'deform': deform, 'frame': lambda w: deform(w, frames=True)}[sys.argv[1]]
+size = [int(argument) for argument in sys.argv[2:4]]
 with contextlib.ExitStack() as stack:
-    port = stack.enter_context(shapetesting.server(sys.argv[3:])) if sys.argv[3:] else None
+    port = stack.enter_context(shapetesting.server(sys.argv[4:])) if sys.argv[4:] else None
     result = stack.enter_context(tempfile.NamedTemporaryFile('r'))
-    play(size, port, result.name)
+    play(scene, size, port, result.name)
     print(result.read())
