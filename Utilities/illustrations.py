@@ -689,6 +689,23 @@ def DeformRigidity():
 
 
 @drawing
+def DeformFrames():
+    """A frame at one corner of a square is rotated, and those at the two corners beside it hold."""
+    plane = Plane(Origin=[-1, -1, 0], Point1=[1, -1, 0], Point2=[-1, 1, 0], XResolution=50, YResolution=50)
+    bump = Calculator(Input=plane, CoordinateResults=1,
+                      Function='coords + 0.5*exp(-12*(coordsX^2 + coordsY^2))*kHat')
+    peeled = ShapeDeform(Input=bump, FrameRotations=[
+        1, -1, 0, 64, 64, 0, 1, 1, 0, 0, 0, 0, -1, -1, 0, 0, 0, 0])
+    normals = Glyph(Input=peeled[1], GlyphType='Arrow', OrientationArray=['POINTS', 'TargetNormal'],
+                    ScaleArray=['POINTS', 'No scale array'], ScaleFactor=0.25, GlyphMode='Every Nth Point', Stride=5)
+    for surface, x in ((bump, -1.5), (peeled, 1.5)):
+        show(surface, (x, 0, 0), edges=True)
+    show(peeled[1], (1.5, 0, 0), colour=ACCENT).LineWidth = 5.0
+    show(normals, (1.5, 0, 0), colour=ACCENT).LineWidth = 3.0
+    return (0.3, -1.0, 0.7), (0, 0, 1)
+
+
+@drawing
 def FillHolesEdgeGrowth():
     """Edge Growth 0 and 0.5: the fill of half a sphere."""
     dome = Clean(Input=Sphere(ThetaResolution=50, PhiResolution=50, EndPhi=90.0))
