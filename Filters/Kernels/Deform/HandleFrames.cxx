@@ -143,11 +143,11 @@ void BiasFrames(const BoundaryHandle& handle, const Eigen::MatrixXd& normals,
   if (options.BiasBy == PoseOptions::BiasByType::Frame)
   {
     const Eigen::Map<const Eigen::Vector3d> degrees(options.BiasRotation.data());
-    const Eigen::Matrix3d frame = TurnBy(degrees * M_PI / 180.0) * rest;
+    const Eigen::Matrix3d frame = ToRotation(degrees * M_PI / 180.0) * rest;
     for (Eigen::Matrix3d& rotation : pose.Rotations)
     {
       const Eigen::AngleAxisd turn(Eigen::Matrix3d(frame * rotation.transpose()));
-      rotation = TurnBy(options.BiasWeight * turn.angle() * turn.axis()) * rotation;
+      rotation = ToRotation(options.BiasWeight * turn.angle() * turn.axis()) * rotation;
     }
     return;
   }
