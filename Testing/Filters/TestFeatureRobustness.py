@@ -123,7 +123,7 @@ def new(kind, inputs, **properties):
 
 
 def result(kind, *inputs, **properties):
-    """The outputs, of finite numbers alone; the surface alone, if a loop follows it."""
+    """The outputs, of finite numbers alone; the surface alone, if a loop or a handle follows it."""
     algorithm = new(kind, inputs, **properties)
     messages = shapetesting.run(algorithm)
     assert not messages, messages
@@ -134,7 +134,7 @@ def result(kind, *inputs, **properties):
             for i in range(data.GetNumberOfArrays()):
                 assert numpy.isfinite(vtk_to_numpy(data.GetArray(i))).all(), data.GetArrayName(i)
         assert numpy.isfinite(points(output)).all()
-    return outputs[0] if len(outputs) == 1 or kind == 'PasteFeature' else outputs
+    return outputs[0] if len(outputs) == 1 or kind in ('PasteFeature', 'Deform') else outputs
 
 
 def refused(words, kind, *inputs, **properties):

@@ -48,14 +48,17 @@ def array_of_cells(surface, name):
 
 def deform(loop, **settings):
     """The same by Shape Deform, and when the front reached each point."""
-    result, _ = shapetesting.outputs(
-        shapetesting.new(shapemap.vtkShapeDeform, feature, loop, Scale=SCALE, **settings))
+    result = shapetesting.outputs(
+        shapetesting.new(shapemap.vtkShapeDeform, feature, loop, Scale=SCALE, **settings))[0]
     return points(result), array(result, 'ArrivalTime')
 
 
 def options():
     """Values of every property that filters share that deform, other than the defaults."""
-    chosen = {'Rigidity': 2.5, 'RigidityContrast': 9.0, 'InnerScale': 0.7, 'UpwindRadius': 4.0}
+    chosen = {'Rigidity': 2.5, 'RigidityContrast': 9.0, 'InnerScale': 0.7, 'UpwindRadius': 4.0,
+              'MinimumProtrusion': 0.02}
+    needed = {'RigidityContrast': {'RigidityBy': 1}, 'IntegrateCurves': {'Method': 1},
+              'MinimumProtrusion': {'SegmentBy': 1}}
     path = os.path.join(shapetesting.ROOT, 'Filters', 'VTK', 'Deform', 'vtkShapeDeformingAlgorithm.xml')
     for each in ElementTree.parse(path).getroot().find('.//SourceProxy'):
         name = each.get('name')
@@ -65,9 +68,9 @@ def options():
             for entry in each.find('EnumerationDomain'):
                 yield {name: int(entry.get('value'))}
         elif each.find('BooleanDomain') is not None:
-            yield {name: 1 - int(each.get('default_values'))}
+            yield {name: 1 - int(each.get('default_values')), **needed.get(name, {})}
         else:
-            yield {name: chosen[name], **({'RigidityBy': 1} if name == 'RigidityContrast' else {})}
+            yield {name: chosen[name], **needed.get(name, {})}
 
 
 FIELDS = {'RigidityArray': 'Stiff', 'ScaleArray': 'Thick', 'SegmentArray': 'Side'}
