@@ -149,7 +149,7 @@ def play(scene, size, port, result):
     w.python('''
         import shapemap
         first = [mark[1:] for mark in marks if mark[0] == 'data'][:%d]
-        assert len(first) == %d and not shapemap.facts(made).get('Refused'), len(first)
+        assert len(first) == %d and shapemap.facts(made).get('Refused', 0) == 0, len(first)
 
         def median(begin, end, clock=1):
             """In milliseconds, of the times from each `begin` to the `end` that follows it."""

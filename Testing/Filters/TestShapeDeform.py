@@ -313,6 +313,7 @@ for handle, change, words in (
         (nowhere, None, "no point array 'SourcePosition', and point 0 of the handle is off the shape"),
         (curve(base, base), lambda a: a.SetHandleMotions(0, 1, *shift, *degrees, 1), 'use a part from 0 to 0'),
         (curve(base, base), lambda a: a.SetHandleMotions(0, 0.5, *shift, *degrees, 1), 'whole number'),
+        (curve(base, base), lambda a: a.SetHandleMotions(0, 1e30, *shift, *degrees, 1), 'whole number'),
         (curve(base, base), lambda a: a.SetHandleMotions(0, 0, *shift, *degrees, 0), 'positive scale'),
         (curve(base, base), lambda a: a.SetFrameRotations(0, *base[3], 0, numpy.nan, 0), 'not finite'),
         (infinite, None, 'not finite'),

@@ -10,7 +10,7 @@ import off
 from composition_common import cut, facing
 from composition_creatures import HORN, limb
 from composition_rows import Row
-from scenes import copy, fact
+from scenes import fact
 
 PAINT, GLASS, RUBBER, LAMP, MOULDING = range(5)
 FRONT, SILL = -1.0, 0.3  # the direction of x to the nose, and the height of the sill
@@ -55,11 +55,7 @@ def grid_triangles(rows, columns):
 
 def kinds(surface, kind):
     """The surface with what its cells are made of."""
-    marked = copy(surface)
-    values = numpy_to_vtk(numpy.full(surface.GetNumberOfCells(), kind, numpy.int32), deep=True)
-    values.SetName('Kind')
-    marked.GetCellData().AddArray(values)
-    return marked
+    return common.with_cell_value(surface, 'Kind', kind)
 
 
 def panel(body, x, t, kind, arch=None, lamps=()):

@@ -1,6 +1,7 @@
 """What the pictures of drag-and-drop share: features cut, pasted and deformed by the filters, what is
 measured of the results."""
 import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import mutable
 from vtkmodules.vtkCommonDataModel import vtkCellLocator, vtkPlane
 from vtkmodules.vtkFiltersCore import (vtkContourFilter, vtkCutter, vtkDecimatePro,
@@ -51,6 +52,15 @@ def with_normals(data):
     algorithm.ConsistencyOff()
     algorithm.Update()
     return algorithm.GetOutput()
+
+
+def with_cell_value(surface, name, value):
+    """The surface with an array of its cells that is `value` everywhere."""
+    marked = copy(surface)
+    values = numpy_to_vtk(numpy.full(surface.GetNumberOfCells(), value, numpy.int32), deep=True)
+    values.SetName(name)
+    marked.GetCellData().AddArray(values)
+    return marked
 
 
 def cells_of(data, chosen):

@@ -1,7 +1,6 @@
 """Pictures of creatures: parts of several models pasted on another one, and a head swapped on a loop
 that is bent far outwards."""
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkFiltersModeling import vtkLoopSubdivisionFilter
 
 import composition_common as common
@@ -10,7 +9,7 @@ import scenes  # knows where off.py is
 
 from composition_common import cut, facing, seed_of, stretch
 from composition_rows import Row, redden
-from scenes import add_array, array, copy, fact, points
+from scenes import add_array, array, fact, points
 from shapetesting import triangles
 
 COLOURS = ([0.93, 0.80, 0.70], [0.95, 0.62, 0.36], [0.45, 0.66, 0.80], [0.58, 0.74, 0.45])
@@ -18,11 +17,7 @@ COLOURS = ([0.93, 0.80, 0.70], [0.95, 0.62, 0.36], [0.45, 0.66, 0.80], [0.58, 0.
 
 def origin(surface, number):
     """The surface with the number of its model on its cells."""
-    marked = copy(surface)
-    values = numpy_to_vtk(numpy.full(surface.GetNumberOfCells(), number, numpy.int32), deep=True)
-    values.SetName('Model')
-    marked.GetCellData().AddArray(values)
-    return marked
+    return common.with_cell_value(surface, 'Model', number)
 
 
 def part(number, name, place, normal, **options):

@@ -71,10 +71,8 @@ std::vector<std::array<int, 2>> ChordsOf(
 /// Closed curves, one for each base.
 BoundaryHandle BuildLoopHandle(const Surface& feature, const std::vector<FeatureFootprint>& bases)
 {
-  const std::vector<int> loop = ConcatenateLoops(LoopsOf(bases));
-  const auto samples = static_cast<Eigen::Index>(loop.size());
-  BoundaryHandle handle{ feature.Points()(loop, Eigen::all), Eigen::MatrixXi(samples, 2), {},
-    Eigen::MatrixXd(samples, 3) };
+  BoundaryHandle handle = BuildLoopsHandle(feature.Points(), LoopsOf(bases));
+  handle.Normals.resize(handle.Positions.rows(), 3);
   Eigen::Index first = 0;
   for (const FeatureFootprint& base : bases)
   {
@@ -86,9 +84,6 @@ BoundaryHandle BuildLoopHandle(const Surface& feature, const std::vector<Feature
         std::to_string(base.Normals.rows()) +
         " normals, but these numbers must be equal and at least 3; cut the feature again");
     }
-    handle.Segments.middleRows(first, size) =
-      BuildCurveHandle(handle.Positions.middleRows(first, size), true).Segments.array() +
-      static_cast<int>(first);
     handle.Normals.middleRows(first, size) = base.Normals;
     first += size;
   }

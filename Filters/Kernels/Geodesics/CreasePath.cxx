@@ -34,6 +34,14 @@ double AngleAt(const Surface& surface, int side, int twin)
   return (corner(PreviousHalfEdge(twin)) - corner(side)).dot(normal) > 0.0 ? angle : -angle;
 }
 
+/// Returns the index of the edge from one node to a neighbour.
+int FindLink(const Graph& graph, int node, int neighbour)
+{
+  const auto begin = graph.Neighbours.begin();
+  return static_cast<int>(
+    std::lower_bound(begin + graph.First[node], begin + graph.First[node + 1], neighbour) - begin);
+}
+
 double FactorAt(const Surface& surface, int side, int twin, const CreaseOptions& options)
 {
   const double angle = AngleAt(surface, side, twin);
@@ -75,10 +83,7 @@ CreasePaths::CreasePaths(const Surface& surface, SurfacePaths& paths, const Crea
       surface.Triangles()(next / 3, next % 3) };
     for (const int i : { 0, 1 })
     {
-      const auto first = this->Edges->Neighbours.begin() + this->Edges->First[ends[i]];
-      const auto last = this->Edges->Neighbours.begin() + this->Edges->First[ends[i] + 1];
-      const auto link =
-        std::lower_bound(first, last, ends[1 - i]) - this->Edges->Neighbours.begin();
+      const int link = FindLink(*this->Edges, ends[i], ends[1 - i]);
       this->Costs[link] = this->Edges->Lengths[link] * this->Factors[side];
       this->Triangles[link] = side / 3;
     }
@@ -179,10 +184,7 @@ std::vector<CreasePaths::Piece> CreasePaths::FindAlongEdges(
   int node = last->Point;
   for (; before[node] >= 0; node = before[node])
   {
-    const auto begin = this->Edges->Neighbours.begin() + this->Edges->First[node];
-    const auto end = this->Edges->Neighbours.begin() + this->Edges->First[node + 1];
-    const int triangle =
-      this->Triangles[std::lower_bound(begin, end, before[node]) - this->Edges->Neighbours.begin()];
+    const int triangle = this->Triangles[FindLink(*this->Edges, node, before[node])];
     pieces.push_back(this->Straight(
       this->AtPoint(before[node], triangle), this->AtPoint(node, triangle), triangle));
   }
@@ -364,10 +366,10 @@ SurfacePoint CreasePaths::MoveToCrease(const SurfacePoint& point, double reach) 
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
     const int triangle = triangles[i];
+    const Eigen::Matrix3d corners = GetCorners(this->Searched, triangle);
     for (int k = 0; k < 3; ++k)
     {
       const int side = 3 * triangle + k, twin = this->Paths.Twins()[side];
-      const Eigen::Matrix3d corners = GetCorners(this->Searched, triangle);
       const RowVector3d begin = corners.row(k), edge = corners.row((k + 1) % 3) - begin;
       const double squared = edge.squaredNorm();
       const double share =

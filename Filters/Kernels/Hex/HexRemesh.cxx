@@ -5,6 +5,7 @@
 #include "Hex/FacePatches.h"
 #include "Hex/Grid/GridHexes.h"
 #include "Hex/Grid/SizedHexes.h"
+#include "Hex/Polycube/FlatShare.h"
 #include "Hex/Polycube/PolycubeHexes.h"
 #include "Mesh/Extent.h"
 #include "Mesh/Surface.h"
@@ -189,38 +190,6 @@ bool IsBetter(const HexFit& one, const HexFit& other)
   // Quality divided by distance: twice the scaled Jacobian makes up for twice the distance.
   return one.MinimumScaledJacobian / std::max(one.Distance, 1e-300) >
     other.MinimumScaledJacobian / std::max(other.Distance, 1e-300);
-}
-
-/// Returns the largest share of the area whose normals deviate by at most 10 degrees from one of
-/// six directions, which are chosen one after another. A cube has 1, a sphere 0.05.
-double ComputeFlatShare(const Surface& surface)
-{
-  constexpr int directions = 6, candidates = 100;
-  const double cosine = std::cos(10.0 * EIGEN_PI / 180.0);
-  const Eigen::MatrixXd& vectors = surface.AreaVectors();
-  const Eigen::VectorXd areas = vectors.rowwise().norm();
-  const Eigen::MatrixXd normals = vectors.rowwise().normalized();
-  const Eigen::Index step = 1 + normals.rows() / candidates;
-  Eigen::ArrayXd left = areas.array();
-  double flat = 0.0;
-  for (int i = 0; i < directions; ++i)
-  {
-    double most = 0.0;
-    Eigen::ArrayXd others = left;
-    for (Eigen::Index t = 0; t < normals.rows(); t += step)
-    {
-      const Eigen::ArrayXd near =
-        ((normals * normals.row(t).transpose()).array() >= cosine).cast<double>();
-      if (const double area = (near * left).sum(); area > most)
-      {
-        most = area;
-        others = (1.0 - near) * left;
-      }
-    }
-    flat += most;
-    left = std::move(others);
-  }
-  return flat / areas.sum();
 }
 
 /// Whether a polycube is likely to be good: it needs creases that its edges follow, or flat parts

@@ -15,6 +15,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -38,10 +39,10 @@ shape::HandleMotion ToMotion(const std::vector<double>& motions, const std::vect
   for (std::size_t i = 0; i < motions.size(); i += MotionWidth)
   {
     const double* row = &motions[i];
-    if (row[0] != std::floor(row[0]))
+    if (row[0] != std::floor(row[0]) || std::abs(row[0]) > std::numeric_limits<int>::max())
     {
       throw shape::InvalidInput("HandleMotions moves part " + std::to_string(row[0]) +
-        ", which is not a whole number; use numbers from 0");
+        ", which is no part; give a whole number: 0 for the longest part, 1 for the next");
     }
     motion.Parts.push_back({ static_cast<int>(row[0]), Eigen::Vector3d(row[1], row[2], row[3]),
       ToRadians(row + 4), row[7] });
