@@ -144,6 +144,34 @@ assert abs(array(solid, 'Normals')[used] - array(cut, 'Normals')[used] @ turn.T)
 assert solid.GetPointData().GetNormals() is not None
 assert abs(points(deformed(new(cut, curve(base, base)))) - points(cut)).max() == 0
 
+# Arrays that do not move are the same objects while only the handle moves. What changes on the input, in any
+# block, changes the output as a new filter's.
+halves = vtkMultiBlockDataSet()
+for number, z in enumerate((0.0, 3.0)):
+    halves.SetBlock(number, copy(cut))
+    set_points(halves.GetBlock(number), points(cut) + [0.0, 0.0, z])
+algorithm = new(halves, curve(base, base))
+algorithm.SetNumberOfHandleMotions(1)
+kept = []
+for along in (0.1, 0.2):
+    algorithm.SetHandleMotions(0, 0, along, 0, 0, 0, 0, 0, 1)
+    algorithm.Update()
+    kept.append([algorithm.GetOutputDataObject(0).GetBlock(1).GetPointData().GetArray(name)
+                 for name in ('SourcePosition', 'ArrivalTime')])
+assert all(a is b for a, b in zip(*kept))
+set_points(halves.GetBlock(1), points(halves.GetBlock(1)) * [1.0, 1.1, 1.0])
+halves.GetBlock(1).Modified()
+halves.Modified()
+again = new(halves, curve(base, base))
+again.SetNumberOfHandleMotions(1)
+again.SetHandleMotions(0, 0, 0.2, 0, 0, 0, 0, 0, 1)
+for number in (0, 1):
+    ours, fresh = (deformed(filter).GetBlock(number) for filter in (algorithm, again))
+    assert (points(ours) == points(fresh)).all()
+    for name in ('SourcePosition', 'ArrivalTime'):
+        assert (array(ours, name) == array(fresh, name)).all()
+    assert (array(ours, 'SourcePosition') == points(halves.GetBlock(number))).all()
+
 # Parameters, each with the effect that it is for.
 squeezed = base * [1.0, 0.6, 1.0]
 

@@ -14,6 +14,7 @@
 #include "vtkNew.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -192,6 +193,10 @@ vtkSmartPointer<vtkPoints> Scaled(vtkPoints* points, double factor)
 
 bool AreHexahedra(vtkDataSet* data)
 {
+  if (vtkPolyData::SafeDownCast(data))
+  {
+    return false; // known without its types of cells, which would have to be built
+  }
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
   {
     if (data->GetCellType(cell) != VTK_HEXAHEDRON)

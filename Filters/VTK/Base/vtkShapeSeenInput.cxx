@@ -12,6 +12,8 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkVariant.h"
 
 #include <algorithm>
@@ -81,14 +83,30 @@ bool AreSame(vtkCellArray* a, vtkCellArray* b)
     AreSame(a->GetConnectivityArray(), b->GetConnectivityArray());
 }
 
-bool AreSame(vtkPolyData* a, vtkPolyData* b)
+bool HaveSameCells(vtkPolyData* a, vtkPolyData* b)
 {
-  const auto positions = [](vtkPolyData* data)
+  return AreSame(a->GetVerts(), b->GetVerts()) && AreSame(a->GetLines(), b->GetLines()) &&
+    AreSame(a->GetPolys(), b->GetPolys()) && AreSame(a->GetStrips(), b->GetStrips());
+}
+
+bool HaveSameCells(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
+{
+  return AreSame(a->GetCells(), b->GetCells()) &&
+    AreSame(a->GetCellTypesArray(), b->GetCellTypesArray()) &&
+    AreSame(a->GetFaces(), b->GetFaces());
+}
+
+bool AreSame(vtkPointSet* a, vtkPointSet* b)
+{
+  const auto positions = [](vtkPointSet* data)
   { return data->GetPoints() ? data->GetPoints()->GetData() : nullptr; };
-  return AreSame(positions(a), positions(b)) && AreSame(a->GetVerts(), b->GetVerts()) &&
-    AreSame(a->GetLines(), b->GetLines()) && AreSame(a->GetPolys(), b->GetPolys()) &&
-    AreSame(a->GetStrips(), b->GetStrips()) && AreSame(a->GetPointData(), b->GetPointData()) &&
-    AreSame(a->GetCellData(), b->GetCellData()) && AreSame(a->GetFieldData(), b->GetFieldData());
+  auto* surface = vtkPolyData::SafeDownCast(a);
+  const bool haveSameCells = surface
+    ? HaveSameCells(surface, vtkPolyData::SafeDownCast(b))
+    : HaveSameCells(vtkUnstructuredGrid::SafeDownCast(a), vtkUnstructuredGrid::SafeDownCast(b));
+  return haveSameCells && AreSame(positions(a), positions(b)) &&
+    AreSame(a->GetPointData(), b->GetPointData()) && AreSame(a->GetCellData(), b->GetCellData()) &&
+    AreSame(a->GetFieldData(), b->GetFieldData());
 }
 
 } // namespace
@@ -96,7 +114,7 @@ bool AreSame(vtkPolyData* a, vtkPolyData* b)
 /// With one process, the identity and the modification time of the input are sufficient. With
 /// several processes, these may change on some of them only, and the gathered data are new objects
 /// each time. So the data themselves are compared, which gives the same result on every process.
-bool vtkShapeSeenInput::IsNew(vtkShapeAlgorithm& filter, int port, vtkPolyData* whole)
+bool vtkShapeSeenInput::IsNew(vtkShapeAlgorithm& filter, int port, vtkPointSet* whole)
 {
   vtkMultiProcessController* controller = filter.GetController();
   if (controller && controller->GetNumberOfProcesses() > 1)
@@ -104,7 +122,7 @@ bool vtkShapeSeenInput::IsNew(vtkShapeAlgorithm& filter, int port, vtkPolyData* 
     const bool isSame = this->Copy && AreSame(this->Copy, whole);
     if (!isSame)
     {
-      this->Copy = vtkSmartPointer<vtkPolyData>::New();
+      this->Copy.TakeReference(whole->NewInstance());
       this->Copy->DeepCopy(whole);
     }
     return !isSame;

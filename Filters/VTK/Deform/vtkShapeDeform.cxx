@@ -3,6 +3,7 @@
 #include "vtkShapeConvert.h"
 #include "vtkShapeHandle.h"
 #include "vtkShapeList.h"
+#include "vtkShapeSeenInput.h"
 
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
@@ -17,6 +18,7 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -57,7 +59,7 @@ shape::HandleMotion ToMotion(const std::vector<double>& motions, const std::vect
 
 } // namespace
 
-/// The weights, and the boundary of the last surface.
+/// The weights, what was read from the inputs and the boundary of the last surface.
 struct vtkShapeDeform::Kept
 {
   /// Returns the boundary of the surface, as a handle at rest.
@@ -85,10 +87,26 @@ struct vtkShapeDeform::Kept
     return this->Boundary;
   }
 
+  /// Returns the shape, which is read from the grid only if the input has changed.
+  const shape::ShapeElements& ReadShape(
+    vtkShapeDeform& filter, vtkUnstructuredGrid* grid, const shape::Progress& progress)
+  {
+    if (this->Input.IsNew(filter, 0, grid) || !this->Shape)
+    {
+      this->Shape.reset(); // an error below must not leave the last shape
+      this->Unmoved.clear();
+      this->Shape = vtkShapeHandle::ToElements(grid, "the Input", progress);
+    }
+    return *this->Shape;
+  }
+
+  std::vector<vtkShapeHandle::Unmoved> Unmoved; ///< of the output
   shape::Deformer Deformer;
   std::vector<int> BoundaryPoints; ///< the point of the surface that each sample is
 
 private:
+  vtkShapeSeenInput Input;
+  std::optional<shape::ShapeElements> Shape;
   shape::Mesh Surface;
   shape::BoundaryHandle Boundary;
 };
@@ -134,7 +152,7 @@ void vtkShapeDeform::Execute(const shape::Progress& progress)
 {
   vtkUnstructuredGrid* grid = this->GetGatheredInput(0).Grid;
   shape::DeformProblem problem;
-  problem.Shape = vtkShapeHandle::ToElements(grid, "the Input", progress.Part(0.0, 0.1));
+  problem.Shape = this->Cache->ReadShape(*this, grid, progress.Part(0.0, 0.1));
   vtkShapeHandle::Boundary boundary;
   vtkUnstructuredGrid* handleGrid = grid;
   std::vector<int> handlePoints;
@@ -159,22 +177,27 @@ void vtkShapeDeform::Execute(const shape::Progress& progress)
   const shape::DeformedShape deformed =
     deformer.Deform(problem, boundary.Target, this->Frames, progress.Part(0.1, 0.95));
 
+  if (deformer.HasPrepared())
+  {
+    this->Cache->Unmoved.clear(); // other arrival times
+  }
   vtkDataObject* output = this->GetOutputDataObject(0);
-  vtkShapeHandle::Write(this->GetInputDataObject(0, 0), problem.Shape.Points, deformed, output);
+  vtkShapeHandle::Write(
+    this->GetInputDataObject(0, 0), problem.Shape.Points, deformed, this->Cache->Unmoved, output);
+  const shape::HandleParts parts = shape::FindHandleParts(problem.Handle);
   // Every process has the complete handle, and one of them writes it.
   if (!this->GetController() || this->GetController()->GetLocalProcessId() == 0)
   {
-    vtkShapeHandle::WriteHandle(problem.Handle, deformer, boundary.Target.Motion.Frames, handleGrid,
-      handlePoints, vtkPolyData::SafeDownCast(this->GetOutputDataObject(1)));
+    vtkShapeHandle::WriteHandle(problem.Handle, deformer, parts, boundary.Target.Motion.Frames,
+      handleGrid, handlePoints, vtkPolyData::SafeDownCast(this->GetOutputDataObject(1)));
   }
   const shape::DeformFacts& facts = deformer.Facts();
-  const std::pair<const char*, double> all[] = {
-    { "Parts", shape::FindHandleParts(problem.Handle).Count }, { "Islands", facts.Islands },
-    { "EmptyBands", facts.EmptyBands }, { "ZeroWeights", facts.ZeroWeights },
-    { "WeldedPoints", facts.WeldedPoints }, { "Segments", facts.Segments },
-    { "BasePoints", facts.BasePoints }, { "Streamed", facts.Streamed ? 1.0 : 0.0 },
-    { "Prepared", deformer.HasPrepared() ? 1.0 : 0.0 }
-  };
+  const std::pair<const char*, double> all[] = { { "Parts", parts.Count },
+    { "Islands", facts.Islands }, { "EmptyBands", facts.EmptyBands },
+    { "ZeroWeights", facts.ZeroWeights }, { "WeldedPoints", facts.WeldedPoints },
+    { "Segments", facts.Segments }, { "BasePoints", facts.BasePoints },
+    { "Streamed", facts.Streamed ? 1.0 : 0.0 },
+    { "Prepared", deformer.HasPrepared() ? 1.0 : 0.0 } };
   for (const auto& [fact, value] : all)
   {
     vtkShapeConvert::AddFact(output, std::string("Deform.") + fact, value);

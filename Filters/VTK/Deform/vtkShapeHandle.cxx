@@ -263,8 +263,9 @@ vtkShapeHandle::Boundary vtkShapeHandle::Read(
 }
 
 void vtkShapeHandle::WriteHandle(const shape::BoundaryHandle& handle,
-  const shape::Deformer& deformer, const std::vector<shape::FrameRotation>& frames,
-  vtkUnstructuredGrid* grid, const std::vector<int>& points, vtkPolyData* output)
+  const shape::Deformer& deformer, const shape::HandleParts& parts,
+  const std::vector<shape::FrameRotation>& frames, vtkUnstructuredGrid* grid,
+  const std::vector<int>& points, vtkPolyData* output)
 {
   const shape::HandlePose& pose = deformer.Pose();
   const Eigen::MatrixXd& normals = deformer.Normals();
@@ -273,7 +274,6 @@ void vtkShapeHandle::WriteHandle(const shape::BoundaryHandle& handle,
   {
     turned.row(i) = (pose.Rotations[i] * normals.row(i).transpose()).transpose();
   }
-  const std::vector<int> parts = shape::FindHandleParts(handle).PartOf;
   const Eigen::MatrixXd turns =
     shape::InterpolateRotations(handle, shape::PrescribeRotations(handle, frames));
   vtkShapeConvert::FromMesh({ pose.Positions, handle.Triangles }, output);
@@ -311,29 +311,40 @@ void vtkShapeHandle::WriteHandle(const shape::BoundaryHandle& handle,
   data->AddArray(vtkShapeConvert::ToArray(normals, "SourceNormal"));
   data->AddArray(vtkShapeConvert::ToArray(turned, "TargetNormal"));
   data->AddArray(vtkShapeConvert::ToArray(degrees * turns, "FrameTurn"));
-  data->AddArray(vtkShapeConvert::ToIntegers(
-    Eigen::Map<const Eigen::VectorXi>(parts.data(), static_cast<Eigen::Index>(parts.size())),
+  data->AddArray(vtkShapeConvert::ToIntegers(Eigen::Map<const Eigen::VectorXi>(parts.PartOf.data(),
+                                               static_cast<Eigen::Index>(parts.PartOf.size())),
     "Part"));
 }
 
 void vtkShapeHandle::Write(vtkDataObject* input, const Eigen::MatrixXd& whole,
-  const shape::DeformedShape& deformed, vtkDataObject* output)
+  const shape::DeformedShape& deformed, std::vector<Unmoved>& unmoved, vtkDataObject* output)
 {
   PointsByPosition positions(whole);
+  std::size_t block = 0;
   vtkShapeComposite::ForEach(input, output, vtkShapeComposite::Points::Moved,
     [&](vtkDataSet* from, vtkDataSet* to)
     {
-      const Eigen::MatrixXd own = vtkShapeConvert::ToPoints(from);
-      const std::vector<int> rows = positions.Find(own);
-      vtkShapeComposite::Move(from, vtkShapeConvert::Rows(deformed.Points, rows), to);
-      to->GetPointData()->AddArray(vtkShapeConvert::ToArray(own, "SourcePosition"));
-      to->GetPointData()->AddArray(
-        vtkShapeConvert::ToArray(vtkShapeConvert::Rows(deformed.Arrivals, rows), "ArrivalTime"));
-      if (deformed.Protrusions.size() > 0)
+      unmoved.resize(std::max(unmoved.size(), ++block));
+      Unmoved& own = unmoved[block - 1];
+      if (own.Block != from || own.Time != from->GetMTime())
       {
-        to->GetPointData()->AddArray(
-          vtkShapeConvert::ToIntegers(deformed.Protrusions(rows), "Protrusion"));
+        const Eigen::MatrixXd points = vtkShapeConvert::ToPoints(from);
+        const std::vector<int> rows = positions.Find(points);
+        own = { from, from->GetMTime(), rows,
+          { vtkShapeConvert::ToArray(points, "SourcePosition"),
+            vtkShapeConvert::ToArray(
+              vtkShapeConvert::Rows(deformed.Arrivals, rows), "ArrivalTime") } };
+        if (deformed.Protrusions.size() > 0)
+        {
+          own.Arrays.emplace_back(
+            vtkShapeConvert::ToIntegers(deformed.Protrusions(rows), "Protrusion"));
+        }
       }
-      AddTurnedNormals(from, rows, deformed.Rotations, to);
+      vtkShapeComposite::Move(from, vtkShapeConvert::Rows(deformed.Points, own.Rows), to);
+      for (vtkDataArray* array : own.Arrays)
+      {
+        to->GetPointData()->AddArray(array);
+      }
+      AddTurnedNormals(from, own.Rows, deformed.Rotations, to);
     });
 }

@@ -1,10 +1,14 @@
 #pragma once
 
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
 #include "Deform/Deform.h"
 
 #include <string>
 #include <vector>
 
+class vtkDataArray;
 class vtkDataObject;
 class vtkDataSet;
 class vtkPolyData;
@@ -41,19 +45,32 @@ struct Boundary
 /// without SourcePosition is off the shape.
 Boundary Read(vtkUnstructuredGrid* boundary, const shape::ShapeElements& shape);
 
+/// What does not move of a block of the shape. Successive outputs share these arrays, so that their
+/// ranges, which a window shows, are computed once.
+struct Unmoved
+{
+  vtkDataSet* Block = nullptr; ///< only compared, with its modification time
+  vtkMTimeType Time = 0;
+  std::vector<int> Rows; ///< for each point of the block, its row of the complete shape
+  std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
+};
+
 /// Writes the handle at its target, with the point arrays `SourcePosition`, `SourceNormal` and
 /// `TargetNormal` (double, 3), `Part` (int) and `FrameTurn` (double, 3; degrees), and the point
 /// data of the grid that it comes from. points: for each sample, its point of the grid. deformer:
-/// after the deformation. frames: the rotations that FrameTurn interpolates.
+/// after the deformation. parts: FindHandleParts. frames: the rotations that FrameTurn
+/// interpolates.
 void WriteHandle(const shape::BoundaryHandle& handle, const shape::Deformer& deformer,
-  const std::vector<shape::FrameRotation>& frames, vtkUnstructuredGrid* grid,
-  const std::vector<int>& points, vtkPolyData* output);
+  const shape::HandleParts& parts, const std::vector<shape::FrameRotation>& frames,
+  vtkUnstructuredGrid* grid, const std::vector<int>& points, vtkPolyData* output);
 
 /// Writes the deformed `input`, which is a part of the shape, to `output`. Adds the point arrays
 /// `SourcePosition`, `ArrivalTime` and, if there are any, `Protrusion`, and rotates point normals.
 /// whole: n x 3, the points of the complete shape before the deformation. deformed: the complete
-/// shape after it. Throws shape::InvalidInput if a point of `input` is not in `whole`.
+/// shape after it. unmoved: what the last call wrote for each block, if `whole`, the arrival times
+/// and the protrusions are the same, otherwise empty; blocks that have changed are written anew.
+/// Throws shape::InvalidInput if a point of `input` is not in `whole`.
 void Write(vtkDataObject* input, const Eigen::MatrixXd& whole, const shape::DeformedShape& deformed,
-  vtkDataObject* output);
+  std::vector<Unmoved>& unmoved, vtkDataObject* output);
 
 } // namespace vtkShapeHandle
