@@ -51,6 +51,11 @@ public:
         { return a.Along != b.Along ? a.Along < b.Along : a.Point < b.Point; });
       this->Weld(line);
     }
+    this->FindEdges();
+    for (int number = 0; number < static_cast<int>(this->OnLine.size()); ++number)
+    {
+      this->Follow(number);
+    }
   }
 
   /// Returns the soup's points between a point of the loop and the next one, in order.
@@ -114,6 +119,63 @@ private:
     line.swap(kept);
   }
 
+  /// Returns a point of the soup as it will be joined: the number n of a point of the loop as -1 -
+  /// n.
+  int JoinedAs(int point) const
+  {
+    const auto by = this->Replaced.find(point);
+    return by == this->Replaced.end() ? point : -1 - by->second;
+  }
+
+  /// Finds the edges of the soup between points of the seam.
+  void FindEdges()
+  {
+    std::vector<char> isOnSeam(this->Position.Rest.Points.rows(), 0);
+    for (const SeamPoint& point : this->Position.Seam)
+    {
+      isOnSeam[point.Point] = 1;
+    }
+    for (const auto& corners : this->Position.Rest.Triangles.rowwise())
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const int a = corners(k), b = corners((k + 1) % 3);
+        if (isOnSeam[a] && isOnSeam[b])
+        {
+          this->Edges.insert(std::minmax({ this->JoinedAs(a), this->JoinedAs(b) }));
+        }
+      }
+    }
+  }
+
+  /// Where the map of the soup to the plane folds, its edges meet a line of the loop in another
+  /// order than along the line. Orders the points by these edges, if they lead through all of them.
+  void Follow(int number)
+  {
+    std::vector<SeamPoint> left = this->OnLine[number], ordered;
+    int last = -1 - number;
+    const auto isNext = [&](int point) {
+      return this->Edges.count(std::minmax({ last, point })) > 0;
+    };
+    while (!left.empty())
+    {
+      const auto next = std::find_if(
+        left.begin(), left.end(), [&](const SeamPoint& point) { return isNext(point.Point); });
+      if (next == left.end())
+      {
+        return;
+      }
+      last = next->Point;
+      ordered.push_back(*next);
+      left.erase(next);
+    }
+    const int end = (number + 1) % static_cast<int>(this->OnLine.size());
+    if (isNext(-1 - end))
+    {
+      this->OnLine[number].swap(ordered);
+    }
+  }
+
   double Same() const
   {
     return 1e-9 * (this->At(0) - this->At(static_cast<int>(this->OnLine.size()) / 2)).norm();
@@ -121,6 +183,7 @@ private:
 
   const LoopOnSoup& Position;
   std::vector<std::vector<SeamPoint>> OnLine;
+  std::set<std::pair<int, int>> Edges; ///< between points as they will be joined (JoinedAs)
 };
 
 /// The feature's triangles, each split at the seam's points on its edges. pointsOf: for each
