@@ -242,7 +242,7 @@ assert fact(outward, 'ExponentialMap.EstimatedNormals') == 0
 assert (array(outward, 'Number') == array(outward, 'OriginalPointId')).all()
 order = numpy.argsort(array(outward, 'OriginalPointId'))
 mirror = numpy.argsort(array(inward, 'OriginalPointId'))
-assert abs(array(outward, 'TargetPosition')[order] * [1, -1, 1] - array(inward, 'TargetPosition')[mirror]).max() < 2e-3
+assert abs(array(outward, 'TargetPosition')[order] * [1, -1, 1] - array(inward, 'TargetPosition')[mirror]).max() < 1e-9
 
 # A tilted plane of random points stays as it is.
 flat = numpy.column_stack([random.uniform(-1, 1, (3000, 2)), numpy.zeros(3000)])

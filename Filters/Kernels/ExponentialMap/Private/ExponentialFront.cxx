@@ -19,12 +19,23 @@ ExponentialFront::ExponentialFront(const PointGraph& graph, const Eigen::MatrixX
   , Fans(triangles, graph.Size())
   , Samples(graph.Size())
   , Marks(graph.Size(), -1)
+  , FirstNeighbour(1, 0)
   , Upwind(this->Fans.Largest + 1)
 {
   for (int i = 0; i < graph.Size(); ++i)
   {
     this->Samples[i].Position = graph.Positions.row(i).transpose();
     this->Samples[i].Normal = normals.row(i).transpose();
+    for (int k = this->Fans.First[i]; k < this->Fans.First[i + 1]; ++k)
+    {
+      const auto own = this->Neighbours.begin() + this->FirstNeighbour.back();
+      const int other = this->Fans.Triangles[k].Next;
+      if (std::find(own, this->Neighbours.end(), other) == this->Neighbours.end())
+      {
+        this->Neighbours.push_back(other);
+      }
+    }
+    this->FirstNeighbour.push_back(static_cast<int>(this->Neighbours.size()));
   }
 }
 
@@ -171,9 +182,9 @@ void ExponentialFront::FindUpwind(int node)
   // Whether a neighbour is settled is unpredictable, so a branch would cost more than the rest.
   const int source = this->Samples[node].Source;
   int count = 0;
-  for (int i = this->Fans.First[node]; i < this->Fans.First[node + 1]; ++i)
+  for (int i = this->FirstNeighbour[node]; i < this->FirstNeighbour[node + 1]; ++i)
   {
-    const int other = this->Fans.Triangles[i].Next;
+    const int other = this->Neighbours[i];
     this->Upwind[count] = other;
     count += this->IsSettled(other) & (other != source) ? 1 : 0;
   }

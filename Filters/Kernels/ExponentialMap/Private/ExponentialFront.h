@@ -109,6 +109,10 @@ private:
   /// FirstMark + State for each node reached in this run; less for other nodes
   std::vector<int> Marks;
   int FirstMark = 0;
+  /// The neighbours of node i are Neighbours[FirstNeighbour[i]] ... Each is listed once, although
+  /// triangles of a sampled surface overlap: otherwise, the mean of the predictions would depend on
+  /// the side to which the normals point.
+  std::vector<int> FirstNeighbour, Neighbours;
   Sample Seed;
   std::vector<std::pair<double, int>> Queue;
   std::vector<Triangle> Covered;
