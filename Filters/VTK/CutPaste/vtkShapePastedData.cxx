@@ -3,13 +3,12 @@
 #include "vtkShapeCarry.h"
 #include "vtkShapeComplete.h"
 #include "vtkShapeConvert.h"
+#include "vtkShapeHandle.h"
 #include "vtkShapePreciseMap.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -111,13 +110,7 @@ void vtkShapePastedData::WriteLoop(
 {
   const shape::BoundaryHandle& handle = feature.LoopHandle();
   const shape::HandleTarget& loop = pasted.Loop;
-  vtkShapeConvert::FromMesh({ loop.Positions, Eigen::MatrixXi(0, 3) }, output);
-  vtkNew<vtkCellArray> lines;
-  for (const auto& segment : handle.Segments.rowwise())
-  {
-    lines->InsertNextCell({ segment(0), segment(1) });
-  }
-  output->SetLines(lines);
+  vtkShapeHandle::WriteCells(handle, loop.Positions, output);
   const std::pair<const char*, const Eigen::MatrixXd&> arrays[] = {
     { "SourcePosition", handle.Positions }, { "SourceNormal", handle.Normals },
     { "TargetNormal", loop.Normals }, { "FrameRotation", loop.Turns.Turns }

@@ -262,6 +262,27 @@ vtkShapeHandle::Boundary vtkShapeHandle::Read(
   return boundary;
 }
 
+void vtkShapeHandle::WriteCells(
+  const shape::BoundaryHandle& handle, const Eigen::MatrixXd& positions, vtkPolyData* output)
+{
+  vtkShapeConvert::FromMesh({ positions, handle.Triangles }, output);
+  vtkNew<vtkCellArray> lines;
+  for (const auto& segment : handle.Segments.rowwise())
+  {
+    lines->InsertNextCell({ segment(0), segment(1) });
+  }
+  output->SetLines(lines);
+  if (handle.Segments.rows() + handle.Triangles.rows() == 0)
+  {
+    vtkNew<vtkCellArray> vertices;
+    for (vtkIdType i = 0; i < positions.rows(); ++i)
+    {
+      vertices->InsertNextCell(1, &i);
+    }
+    output->SetVerts(vertices);
+  }
+}
+
 void vtkShapeHandle::WriteHandle(const shape::BoundaryHandle& handle,
   const shape::Deformer& deformer, const shape::HandleParts& parts,
   const std::vector<shape::FrameRotation>& frames, vtkUnstructuredGrid* grid,
@@ -276,22 +297,7 @@ void vtkShapeHandle::WriteHandle(const shape::BoundaryHandle& handle,
   }
   const Eigen::MatrixXd turns =
     shape::InterpolateRotations(handle, shape::PrescribeRotations(handle, frames));
-  vtkShapeConvert::FromMesh({ pose.Positions, handle.Triangles }, output);
-  vtkNew<vtkCellArray> lines;
-  for (const auto& segment : handle.Segments.rowwise())
-  {
-    lines->InsertNextCell({ segment(0), segment(1) });
-  }
-  output->SetLines(lines);
-  if (handle.Segments.rows() + handle.Triangles.rows() == 0)
-  {
-    vtkNew<vtkCellArray> vertices;
-    for (vtkIdType i = 0; i < pose.Positions.rows(); ++i)
-    {
-      vertices->InsertNextCell(1, &i);
-    }
-    output->SetVerts(vertices);
-  }
+  WriteCells(handle, pose.Positions, output);
   vtkShapeCarry::Carry({ { grid,
                          shape::TraceCopies(points, grid->GetNumberOfPoints(),
                            Eigen::VectorXi::Constant(output->GetNumberOfCells(), -1)) } },

@@ -45,6 +45,11 @@ struct Boundary
 /// without SourcePosition is off the shape.
 Boundary Read(vtkUnstructuredGrid* boundary, const shape::ShapeElements& shape);
 
+/// Writes the points and cells of a handle whose samples are at `positions` (s x 3): its triangles
+/// and segments or, without any, a vertex for each sample.
+void WriteCells(
+  const shape::BoundaryHandle& handle, const Eigen::MatrixXd& positions, vtkPolyData* output);
+
 /// What does not move of a block of the shape. Successive outputs share these arrays, so that their
 /// ranges, which a window shows, are computed once.
 struct Unmoved
