@@ -4,12 +4,8 @@
 #include "Mesh/UsedPoints.h"
 #include "Search/ClosestPoint.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -21,13 +17,6 @@ namespace
 {
 
 using Eigen::RowVector3d;
-
-double DistanceToSegment(const RowVector3d& point, const RowVector3d& a, const RowVector3d& b)
-{
-  const double length2 = (b - a).squaredNorm();
-  const double share = length2 > 0.0 ? std::clamp((point - a).dot(b - a) / length2, 0.0, 1.0) : 0.0;
-  return (point - a - share * (b - a)).norm();
-}
 
 /// The seam: each point of the feature's loop, then the soup's points on the line to the next one.
 class Seam
@@ -259,19 +248,20 @@ void MeasureSeam(const Mesh& rest, const std::vector<int>& seam, const std::vect
   result.JoinedShare = whole > 0.0 ? joined / whole : 0.0;
   if (rest.Triangles.rows() > 0)
   {
-    const SurfaceLocator target{ Surface(rest) };
-    result.LargestGap = target.Find(points(seam, Eigen::all)).Distances.maxCoeff();
+    result.LargestGap = SurfaceLocator(Surface(rest)).FindLargestDistance(points(seam, Eigen::all));
   }
-  for (const int point : soupPoints)
+  if (!seam.empty() && !soupPoints.empty())
   {
-    double nearest = std::numeric_limits<double>::infinity();
+    // The seam's edges as triangles without area.
+    Mesh edgesOfSeam{ points, Eigen::MatrixXi(static_cast<Eigen::Index>(seam.size()), 3) };
     for (std::size_t i = 0; i < seam.size(); ++i)
     {
-      nearest = std::min(nearest,
-        DistanceToSegment(
-          points.row(point), points.row(seam[i]), points.row(seam[(i + 1) % seam.size()])));
+      const int next = seam[(i + 1) % seam.size()];
+      edgesOfSeam.Triangles.row(static_cast<Eigen::Index>(i)) << seam[i], next, next;
     }
-    result.LargestGap = std::max(result.LargestGap, nearest);
+    const SurfaceLocator toSeam{ Surface(edgesOfSeam) };
+    result.LargestGap =
+      std::max(result.LargestGap, toSeam.FindLargestDistance(points(soupPoints, Eigen::all)));
   }
 }
 
