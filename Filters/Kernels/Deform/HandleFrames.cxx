@@ -3,6 +3,7 @@
 #include "Base/DisjointSets.h"
 #include "Base/Errors.h"
 #include "Deform/Private/LaplacianSmoothing.h"
+#include "Geometry/RotationVector.h"
 #include "Mesh/Mesh.h"
 #include "Search/PointTree.h"
 
@@ -50,13 +51,6 @@ std::vector<std::pair<int, int>> HandleLinks(
 }
 
 } // namespace
-
-Eigen::Matrix3d ToRotation(const Eigen::Vector3d& turn)
-{
-  const double angle = turn.norm();
-  return angle > 0.0 ? Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix()
-                     : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
-}
 
 /// Between the samples where rotations are prescribed, rotation vectors are harmonic on the
 /// handle's graph. Quaternions would lose full turns.

@@ -33,9 +33,6 @@ struct PrescribedRotations
   Eigen::VectorXi IsSet; ///< s values, non-zero where a rotation is prescribed
 };
 
-/// Returns the rotation by a rotation vector (axis times angle in radians).
-Eigen::Matrix3d ToRotation(const Eigen::Vector3d& turn);
-
 /**
  * Interpolates prescribed rotations between the samples at which they are prescribed. Along a
  * curve, the interpolation is linear in the arc length of the handle at rest, and constant beyond

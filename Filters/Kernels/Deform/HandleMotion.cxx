@@ -2,6 +2,7 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/Errors.h"
+#include "Geometry/RotationVector.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/Topology.h"
 #include "Search/PointTree.h"

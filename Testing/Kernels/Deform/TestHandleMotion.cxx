@@ -1,4 +1,5 @@
 #include "Deform/Deform.h"
+#include "Geometry/RotationVector.h"
 #include "Support/DeformShapes.h"
 #include "Support/Refusals.h"
 

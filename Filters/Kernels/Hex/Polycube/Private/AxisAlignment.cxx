@@ -2,6 +2,7 @@
 
 #include "Base/Parallel.h"
 #include "Geometry/FitRotation.h"
+#include "Geometry/RotationVector.h"
 #include "Linear/SparseSolve.h"
 #include "Untangle/EllipticEnergy.h"
 
@@ -34,14 +35,6 @@ constexpr double MaximumReach = 8.0, NearestReach = 1.0;
 constexpr double MinimumFlatness = 0.2, MaximumFlatness = 100.0;
 /// Tetrahedra for each task of a parallel loop.
 constexpr int AlignmentGrain = 512;
-
-/// The rotation around a vector by its length.
-Eigen::Matrix3d FromVector(const Eigen::Vector3d& vector)
-{
-  const double angle = vector.norm();
-  return angle > 0.0 ? Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix()
-                     : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
-}
 
 /// Returns the smallest rotation of a unit vector to the closest axis, as axis times angle.
 Eigen::Vector3d ToAxis(const Eigen::Vector3d& normal)
@@ -229,7 +222,7 @@ Eigen::Matrix3d FindAxisRotation(const Mesh& surface)
   {
     for (int k = 0; k < 6; ++k)
     {
-      const Eigen::Matrix3d rotation = FromVector(angle * GetLabelAxis(k).transpose()) * best;
+      const Eigen::Matrix3d rotation = ToRotation(angle * GetLabelAxis(k).transpose()) * best;
       const double value = Misalignment(vectors, rotation);
       if (value < minimum)
       {
@@ -279,7 +272,7 @@ Eigen::MatrixXd AlignWithAxes(const WorkingSolid& solid, const Progress& progres
       {
         mean += 0.25 * turns.row(solid.Tetrahedra(t, k)).transpose();
       }
-      return FromVector(mean);
+      return ToRotation(mean);
     };
     positions = poisson.Solve(shape.RightSide(positions, further) + pin.asDiagonal() * positions);
   }

@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Base/FormatNumber.h"
+#include "Geometry/RotationVector.h"
 #include "Hex/Polycube/Private/AxisAlignment.h"
 #include "Hex/Polycube/Private/AxisLabels.h"
 #include "Hex/Polycube/Private/IntegerCharts.h"
@@ -9,7 +10,6 @@
 #include "Mesh/Topology.h"
 #include "Solids/SolidVolume.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -329,9 +329,8 @@ PolycubeMap FindPolycubeMap(const Surface& surface, double compactness,
   // All trials with the same direction of the axes share the alignment.
   for (const bool turned : { false, true })
   {
-    const Eigen::Matrix3d rotation = turned
-      ? Eigen::AngleAxisd(Turn.norm(), Turn.normalized()).toRotationMatrix() * straight
-      : straight;
+    const Eigen::Matrix3d rotation =
+      turned ? Eigen::Matrix3d(ToRotation(Turn) * straight) : straight;
     solid.Points = positions * rotation.transpose();
     const Eigen::MatrixXd aligned =
       AlignWithAxes(solid, progress.Part(0.08, 0.25, "aligning the surface with the axes"));
