@@ -1,10 +1,8 @@
 #include "Remesh/SurfaceFeatures.h"
 
 #include "Base/DisjointSets.h"
-#include "Mesh/Graph.h"
 #include "Mesh/HalfEdges.h"
-
-#include <Eigen/Geometry>
+#include "Remesh/Private/FadingCreases.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -20,25 +19,9 @@ namespace shape
 namespace
 {
 
-/// An edge between two triangles.
-struct Hinge
-{
-  int Low, High;
-  std::array<int, 2> Triangles;
-  double Length;
-  bool Sharp;
-  double Angle; ///< interior dihedral angle, in degrees
-  bool IsCrease = Sharp;
-};
-
-/// A crease that fades out is extended to another crease, along the shortest path over edges whose
-/// normals differ by at least this fraction of the angle. Without such a path it ends there.
-constexpr double FadingShare = 0.375;
 /// Patches below this fraction of the area are like noise. If the boundaries of the others are less
 /// than this fraction of the sharp edges, all of that is noise.
 constexpr double NoiseArea = 1e-3, MinimumCurves = 2.0 / 3.0;
-/// A path that meets a crease at a smaller angle, in degrees, would bound too sharp a tip.
-constexpr double MinimumTip = 50.0;
 
 /// Edges at the boundary of the surface are no hinges. isSharp: whether an edge between two
 /// triangles is sharp, by these and by the cosine of the angle between their normals.
@@ -68,164 +51,6 @@ std::vector<Hinge> FindHinges(
   }
   return hinges;
 }
-
-/// Finds paths from the ends of creases to other creases, over edges that are less sharp.
-class FadingCreases
-{
-public:
-  FadingCreases(const Mesh& mesh, std::vector<Hinge>& hinges, double angle)
-    : Hinges(hinges)
-  {
-    constexpr double straight = 180.0;
-    std::map<int, std::vector<int>> edgesAt; // of each point
-    for (int i = 0; i < static_cast<int>(hinges.size()); ++i)
-    {
-      if (hinges[i].Sharp || std::abs(hinges[i].Angle - straight) > FadingShare * angle)
-      {
-        edgesAt[hinges[i].Low].push_back(i);
-        edgesAt[hinges[i].High].push_back(i);
-      }
-    }
-    std::vector<int> points;
-    std::map<int, int> nodeOf;
-    for (const auto& [point, edges] : edgesAt)
-    {
-      nodeOf[point] = static_cast<int>(points.size());
-      points.push_back(point);
-    }
-    this->Positions = mesh.Points(points, Eigen::all);
-    this->Links.First.push_back(0);
-    for (const auto& [point, edges] : edgesAt)
-    {
-      for (const int edge : edges)
-      {
-        this->Links.Neighbours.push_back(
-          nodeOf[hinges[edge].Low == point ? hinges[edge].High : hinges[edge].Low]);
-        this->Links.Lengths.push_back(hinges[edge].Length);
-        this->HingeOf.push_back(edge);
-      }
-      this->Links.First.push_back(static_cast<int>(this->HingeOf.size()));
-    }
-    this->Distances =
-      Eigen::VectorXd::Constant(this->Links.Size(), std::numeric_limits<double>::infinity());
-    this->Before.assign(this->Links.Size(), -1);
-  }
-
-  void Extend()
-  {
-    for (int node = 0; node < this->Links.Size(); ++node)
-    {
-      if (this->CountCreases(node) == 1)
-      {
-        this->ExtendFrom(node);
-      }
-    }
-  }
-
-private:
-  bool IsCrease(int link) const { return this->Hinges[this->HingeOf[link]].IsCrease; }
-
-  int CountCreases(int node) const
-  {
-    int count = 0;
-    for (int k = this->Links.First[node]; k < this->Links.First[node + 1]; ++k)
-    {
-      count += this->IsCrease(k) ? 1 : 0;
-    }
-    return count;
-  }
-
-  /// Marks the shortest path to the closest point on a crease.
-  void ExtendFrom(int end)
-  {
-    std::vector<int> reached;
-    int target = -1;
-    RunDijkstra(
-      this->Links, { { end }, Eigen::VectorXd::Zero(1) }, this->Distances,
-      [&](double distance, int link)
-      {
-        return this->IsCrease(link) ? std::numeric_limits<double>::infinity()
-                                    : distance + this->Links.Lengths[link];
-      },
-      [&](int node, int before)
-      {
-        this->Before[node] = before;
-        reached.push_back(node);
-      },
-      [&](int node)
-      {
-        target = node != end && this->CountCreases(node) > 0 ? node : -1;
-        return target >= 0;
-      });
-    if (target >= 0 && !this->IsTip(target, end))
-    {
-      this->MarkPath(target);
-    }
-    for (const int node : reached)
-    {
-      this->Distances(node) = std::numeric_limits<double>::infinity();
-    }
-  }
-
-  /// Follows a crease from a node until it is at least `length` away, or forks.
-  Eigen::RowVector3d Chord(int node, int link, double length) const
-  {
-    const Eigen::RowVector3d begin = this->Positions.row(node);
-    node = this->Links.Neighbours[link];
-    constexpr int maximum = 1000; // edges of a closed crease that stays near
-    for (int i = 0; i < maximum && (this->Positions.row(node) - begin).norm() < length &&
-         this->CountCreases(node) == 2;
-         ++i)
-    {
-      const int last = this->HingeOf[link];
-      link = this->Links.First[node];
-      while (this->HingeOf[link] == last || !this->IsCrease(link))
-      {
-        ++link;
-      }
-      node = this->Links.Neighbours[link];
-    }
-    return this->Positions.row(node) - begin;
-  }
-
-  /// The path and the crease are compared over the same length, not by their first edges.
-  bool IsTip(int node, int end) const
-  {
-    const Eigen::RowVector3d way = this->Positions.row(end) - this->Positions.row(node);
-    for (int k = this->Links.First[node]; k < this->Links.First[node + 1]; ++k)
-    {
-      if (this->IsCrease(k) &&
-        this->Chord(node, k, way.norm()).normalized().dot(way.normalized()) >
-          std::cos(MinimumTip * M_PI / 180.0))
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  /// Turns the edges along the path to a node into creases.
-  void MarkPath(int node)
-  {
-    for (; this->Before[node] >= 0; node = this->Before[node])
-    {
-      for (int k = this->Links.First[node]; k < this->Links.First[node + 1]; ++k)
-      {
-        if (this->Links.Neighbours[k] == this->Before[node])
-        {
-          this->Hinges[this->HingeOf[k]].IsCrease = true;
-        }
-      }
-    }
-  }
-
-  std::vector<Hinge>& Hinges;
-  Graph Links;              ///< edges that are sharp, or nearly so, and their points
-  std::vector<int> HingeOf; ///< of each link
-  Eigen::MatrixXd Positions;
-  Eigen::VectorXd Distances; ///< infinite between searches
-  std::vector<int> Before;   ///< for each reached node, the previous one on the path
-};
 
 /// Merges the smallest patch into the one with the longest common boundary until none is too small.
 void UniteSmall(DisjointSets& sets, const std::vector<Hinge>& hinges, const Eigen::VectorXd& areas,
@@ -438,23 +263,47 @@ Eigen::VectorXd AreasOf(const Surface& surface)
   return 0.5 * surface.AreaVectors().rowwise().norm();
 }
 
+/// What the features of all minimum areas have in common.
+struct Creases
+{
+  double Angle;
+  std::vector<Hinge> Hinges;
+  DisjointSets Patches;  ///< of triangles between which there is no crease
+  Eigen::VectorXd Areas; ///< of the triangles
+  bool AreNoise;
+};
+
+Creases FindCreases(const Surface& surface, double angle)
+{
+  const double minimum = std::cos(angle * M_PI / 180.0);
+  std::vector<Hinge> hinges =
+    FindHinges(surface, [&](int, int, double cosine) { return cosine < minimum; });
+  ExtendFadingCreases(surface, angle, hinges);
+  const DisjointSets patches = ConnectPatches(surface, hinges);
+  Eigen::VectorXd areas = AreasOf(surface);
+  const bool areNoise = IsNoise(patches, hinges, areas);
+  return { angle, std::move(hinges), patches, std::move(areas), areNoise };
+}
+
 } // namespace
 
 // 1. FindHinges: edges between two triangles, and which are sharp.
-// 2. FadingCreases: creases that end inside a patch are extended to another one.
+// 2. ExtendFadingCreases: creases that end inside a patch are extended to another one.
 // 3. ConnectPatches: triangles connected without a crease form a patch.
 // 4. IsNoise, UniteSmall: patches that are too small are merged; all of them if creases are noise.
 // 5. CurveWalk: the borders between patches, from corner to corner.
 SurfaceFeatures FindFeatures(const Surface& surface, double angle, double minimumArea)
 {
-  const double minimum = std::cos(angle * M_PI / 180.0);
-  std::vector<Hinge> hinges =
-    FindHinges(surface, [&](int, int, double cosine) { return cosine < minimum; });
-  FadingCreases(surface, hinges, angle).Extend();
-  const DisjointSets sets = ConnectPatches(surface, hinges);
-  const Eigen::VectorXd areas = AreasOf(surface);
-  return FeaturesBetween(sets, hinges, areas,
-    IsNoise(sets, hinges, areas) ? std::numeric_limits<double>::infinity() : minimumArea);
+  // A surface is mostly asked for one angle and several minimum areas: those of the first angle are
+  // kept.
+  std::shared_ptr<const Creases> creases =
+    surface.Cached<Creases>([&]() { return FindCreases(surface, angle); });
+  if (creases->Angle != angle)
+  {
+    creases = std::make_shared<const Creases>(FindCreases(surface, angle));
+  }
+  return FeaturesBetween(creases->Patches, creases->Hinges, creases->Areas,
+    creases->AreNoise ? std::numeric_limits<double>::infinity() : minimumArea);
 }
 
 SurfaceFeatures FindFeatures(
