@@ -91,6 +91,21 @@ void PrepareFor(StarBlock* blocks, int count)
   }
 }
 
+/// What the corners of hexahedra around a position have in common.
+struct StarLanes
+{
+  Vector Edges[3]; ///< from the position
+  Lanes Minimum, Weight;
+};
+
+HWY_ATTR inline StarLanes LoadStar(const StarBlock& block, int i, const Vector& position)
+{
+  const Tag d;
+  return { { Load(block.Ends, 0, i).Minus(position), Load(block.Ends, 1, i).Minus(position),
+             Load(block.Ends, 2, i).Minus(position) },
+    hn::LoadU(d, &block.MinimumSquares[i]), hn::LoadU(d, &block.Weights[i]) };
+}
+
 /// The corner that is the point: its edges, and the quantities derived from them.
 struct OwnCorner
 {
@@ -150,10 +165,7 @@ double ValueFor(const StarBlock* blocks, int count, const double* x, double shar
   {
     for (int i = 0; i < StarBlock::Size && i < count; i += static_cast<int>(hn::Lanes(d)))
     {
-      const Lanes minimum = hn::LoadU(d, &block->MinimumSquares[i]),
-                  weight = hn::LoadU(d, &block->Weights[i]);
-      const Vector edges[] = { Load(block->Ends, 0, i).Minus(position),
-        Load(block->Ends, 1, i).Minus(position), Load(block->Ends, 2, i).Minus(position) };
+      const auto [edges, minimum, weight] = LoadStar(*block, i, position);
       sum = hn::Add(sum, Term(OwnCorner(edges, minimum).Scaled, sharp, weight));
       for (int k = 0; k < 3; ++k)
       {
@@ -218,10 +230,7 @@ void ExpandFor(const StarBlock* blocks, int count, const double* x, double sharp
   {
     for (int i = 0; i < StarBlock::Size && i < count; i += static_cast<int>(hn::Lanes(d)))
     {
-      const Lanes minimum = hn::LoadU(d, &block->MinimumSquares[i]),
-                  weight = hn::LoadU(d, &block->Weights[i]);
-      const Vector edges[] = { Load(block->Ends, 0, i).Minus(position),
-        Load(block->Ends, 1, i).Minus(position), Load(block->Ends, 2, i).Minus(position) };
+      const auto [edges, minimum, weight] = LoadStar(*block, i, position);
       const OwnCorner own(edges, minimum);
       const Vector normals =
         own.Normal.Plus(edges[2].Cross(edges[0])).Plus(edges[0].Cross(edges[1]));
