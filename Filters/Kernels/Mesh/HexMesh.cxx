@@ -2,39 +2,53 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <numeric>
+#include <vector>
 
 namespace shape
 {
 
 Eigen::MatrixXi FindBoundaryQuads(const HexMesh& mesh)
 {
-  // The sorted corners of each face, and its index: equal faces become adjacent.
-  std::vector<std::array<int, 5>> faces;
-  faces.reserve(6 * mesh.Hexahedra.rows());
-  for (int hex = 0; hex < mesh.Hexahedra.rows(); ++hex)
+  // The sorted corners of a face, and its index.
+  struct Face
   {
-    for (int face = 0; face < 6; ++face)
+    std::array<int, 4> Corners;
+    int Index;
+  };
+  // Equal faces have the same lowest corner: faces are put in bins by it, and compared there.
+  std::vector<int> begin(mesh.Hexahedra.size() > 0 ? mesh.Hexahedra.maxCoeff() + 2 : 1, 0);
+  std::vector<Face> faces(6 * mesh.Hexahedra.rows()), binned(faces.size());
+  for (int i = 0; i < static_cast<int>(faces.size()); ++i)
+  {
+    for (int k = 0; k < 4; ++k)
     {
-      std::array<int, 5> key{};
-      for (int k = 0; k < 4; ++k)
-      {
-        key[k] = mesh.Hexahedra(hex, HexFaces[face][k]);
-      }
-      std::sort(key.begin(), key.begin() + 4);
-      key[4] = 6 * hex + face;
-      faces.push_back(key);
+      faces[i].Corners[k] = mesh.Hexahedra(i / 6, HexFaces[i % 6][k]);
     }
+    std::sort(faces[i].Corners.begin(), faces[i].Corners.end());
+    faces[i].Index = i;
+    ++begin[faces[i].Corners[0] + 1];
   }
-  std::sort(faces.begin(), faces.end());
-  const auto same = [&](std::size_t i, std::size_t j)
-  { return std::equal(faces[i].begin(), faces[i].begin() + 4, faces[j].begin()); };
-  std::vector<int> alone;
-  for (std::size_t i = 0; i < faces.size(); ++i)
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<int> next = begin;
+  for (const Face& face : faces)
   {
-    if ((i == 0 || !same(i, i - 1)) && (i + 1 == faces.size() || !same(i, i + 1)))
-    {
-      alone.push_back(faces[i][4]);
-    }
+    binned[next[face.Corners[0]]++] = face;
+  }
+  std::vector<int> alone;
+  for (std::size_t bin = 0; bin + 1 < begin.size(); ++bin)
+  {
+    const auto first = binned.begin() + begin[bin], last = binned.begin() + begin[bin + 1];
+    std::for_each(first, last,
+      [&](const Face& face)
+      {
+        if (std::count_if(
+              first, last, [&](const Face& other) { return other.Corners == face.Corners; }) == 1)
+        {
+          alone.push_back(face.Index);
+        }
+      });
   }
   std::sort(alone.begin(), alone.end());
   Eigen::MatrixXi quads(alone.size(), 4);

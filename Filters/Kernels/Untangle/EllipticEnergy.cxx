@@ -23,12 +23,22 @@ Eigen::Matrix<double, 4, 3> ComputeHatGradients(const Eigen::Matrix3d& edges)
   return gradients;
 }
 
-double EllipticEnergy::Chi(double determinant, double epsilon)
+namespace
 {
-  const double root = std::hypot(determinant, epsilon);
+
+/// root: sqrt(determinant^2 + epsilon^2).
+double ComputeChi(double determinant, double epsilon, double root)
+{
   // Without cancellation on either side.
   return determinant > 0.0 ? 0.5 * (determinant + root)
                            : 0.5 * epsilon * (epsilon / (root - determinant));
+}
+
+} // namespace
+
+double EllipticEnergy::Chi(double determinant, double epsilon)
+{
+  return ComputeChi(determinant, epsilon, std::hypot(determinant, epsilon));
 }
 
 double EllipticEnergy::EpsilonFor(double determinant, double chi, double minimum)
@@ -45,8 +55,9 @@ EllipticEnergy::EllipticEnergy(const Eigen::Matrix3d& jacobian, double epsilon)
   this->C.col(1) = jacobian.col(2).cross(jacobian.col(0));
   this->C.col(2) = jacobian.col(0).cross(jacobian.col(1));
   this->D = jacobian.col(0).dot(this->C.col(0));
-  this->X = Chi(this->D, epsilon);
-  this->Slope = this->X / std::hypot(this->D, epsilon);
+  const double length = std::hypot(this->D, epsilon);
+  this->X = ComputeChi(this->D, epsilon, length);
+  this->Slope = this->X / length;
   const double root = std::cbrt(this->X);
   this->Power = 1.0 / (root * root);
 }
