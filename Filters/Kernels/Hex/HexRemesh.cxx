@@ -207,6 +207,82 @@ bool IsGoodGrid(const HexFit& fit, double diagonal)
     fit.Distance <= LargestDistance * diagonal;
 }
 
+bool IsGoodPolycube(const HexFit& fit, double diagonal)
+{
+  return fit.CreasesKept && fit.MinimumScaledJacobian >= MinimumScaledJacobian &&
+    fit.Distance <= LargestDistance * diagonal;
+}
+
+/// The hexahedra of a method, or why it gives none.
+struct Attempt
+{
+  std::optional<HexRemeshResult> Result;
+  std::string WhyNot;
+};
+
+Attempt TryGrid(const Surface& surface, const HexRemeshOptions& options, const Progress& progress)
+{
+  try
+  {
+    return { ByGrid(surface, options, progress), {} };
+  }
+  catch (const SolveFailure& failure)
+  {
+    return { std::nullopt, failure.what() };
+  }
+}
+
+/// Is not snapped from farther than SnappedDistance.
+Attempt TryPolycube(
+  const Surface& surface, const HexRemeshOptions& options, const Progress& progress)
+{
+  try
+  {
+    return { ByPolycube(surface, options, progress, SnappedDistance * ComputeBoxDiagonal(surface)),
+      {} };
+  }
+  catch (const SolveFailure& failure)
+  {
+    return { std::nullopt, failure.what() };
+  }
+  catch (const InvalidInput& failure) // by Tetrahedralize, which requires more than a grid
+  {
+    return { std::nullopt, failure.what() };
+  }
+}
+
+/// Takes the better result, or the only one. Throws SolveFailure if there is none.
+HexRemeshResult TakeBetter(
+  Attempt polycube, Attempt grid, const Surface& surface, const Progress& progress)
+{
+  if (!polycube.Result && !grid.Result)
+  {
+    throw SolveFailure(grid.WhyNot + "; no polycube: " + polycube.WhyNot);
+  }
+  if (!polycube.Result)
+  {
+    grid.Result->Reason = "no polycube: " + polycube.WhyNot;
+    return std::move(*grid.Result);
+  }
+  const double diagonal = ComputeBoxDiagonal(surface);
+  HexFit& fit = polycube.Result->Fit;
+  if (grid.Result && !IsBetter(fit, grid.Result->Fit))
+  {
+    grid.Result->Reason = "better than the polycube, whose minimum scaled Jacobian is " +
+      FormatNumber(fit.MinimumScaledJacobian) + ", at a distance from the surface of " +
+      FormatNumber(fit.Distance / diagonal) + " of the diagonal" +
+      (fit.CreasesKept ? "" : ", without the creases");
+    return std::move(*grid.Result);
+  }
+  if (fit.Distance > SnappedDistance * diagonal)
+  {
+    SnapIfFar(fit, surface, progress.Part(0.0, 1.0, "moving the boundary onto the surface"));
+  }
+  polycube.Result->Reason = (grid.Result ? "better than a grid" : "no grid (" + grid.WhyNot + ")") +
+    ": a polycube with " + polycube.Result->Reason;
+  return std::move(*polycube.Result);
+}
+
 /// A polycube is tried first: its hexahedra have few singular edges. A grid is built only if there
 /// is no polycube or it is not good enough. If the surface has nothing that a polycube could
 /// follow, a grid is tried first, and a polycube only if the grid is not good enough.
@@ -214,84 +290,33 @@ HexRemeshResult ByTheBetter(
   const Surface& surface, const HexRemeshOptions& options, const Progress& progress)
 {
   const double diagonal = ComputeBoxDiagonal(surface);
-  std::optional<HexRemeshResult> polycube, grid;
-  std::string why, whyNoGrid;
-  const auto tryGrid = [&](const Progress& part)
-  {
-    try
-    {
-      grid = ByGrid(surface, options, part);
-    }
-    catch (const SolveFailure& failure)
-    {
-      whyNoGrid = failure.what();
-    }
-  };
+  Attempt polycube, grid;
   const bool isGridFirst = !SuitsPolycube(surface, options);
   if (isGridFirst)
   {
-    tryGrid(progress.Part(0.0, 0.8));
-    if (grid && IsGoodGrid(grid->Fit, diagonal))
+    grid = TryGrid(surface, options, progress.Part(0.0, 0.8));
+    if (grid.Result && IsGoodGrid(grid.Result->Fit, diagonal))
     {
       progress(1.0);
-      grid->Reason = "good, and the surface has neither creases nor flat parts that the edges and "
-                     "faces of a polycube could follow";
-      return std::move(*grid);
+      grid.Result->Reason = "good, and the surface has neither creases nor flat parts that the "
+                            "edges and faces of a polycube could follow";
+      return std::move(*grid.Result);
     }
   }
   // Whether the other method follows is known only after the first: either way, progress is not far
   // off.
-  const Progress ofPolycube = isGridFirst ? progress.Part(0.8, 0.97) : progress.Part(0.0, 0.8);
-  try
+  polycube =
+    TryPolycube(surface, options, isGridFirst ? progress.Part(0.8, 0.97) : progress.Part(0.0, 0.8));
+  if (polycube.Result && IsGoodPolycube(polycube.Result->Fit, diagonal))
   {
-    polycube = ByPolycube(surface, options, ofPolycube, SnappedDistance * diagonal);
-    const HexFit& fit = polycube->Fit;
-    if (fit.CreasesKept && fit.MinimumScaledJacobian >= MinimumScaledJacobian &&
-      fit.Distance <= LargestDistance * diagonal)
-    {
-      polycube->Reason = "a polycube was found, with " + polycube->Reason;
-      return std::move(*polycube);
-    }
-  }
-  catch (const SolveFailure& failure)
-  {
-    why = failure.what();
-  }
-  catch (const InvalidInput& failure) // by Tetrahedralize, which requires more than a grid
-  {
-    why = failure.what();
+    polycube.Result->Reason = "a polycube was found, with " + polycube.Result->Reason;
+    return std::move(*polycube.Result);
   }
   if (!isGridFirst)
   {
-    tryGrid(progress.Part(0.8, 0.97));
+    grid = TryGrid(surface, options, progress.Part(0.8, 0.97));
   }
-  if (!polycube && !grid)
-  {
-    throw SolveFailure(whyNoGrid + "; no polycube: " + why);
-  }
-  if (!polycube)
-  {
-    grid->Reason = "no polycube: " + why;
-  }
-  else if (!grid || IsBetter(polycube->Fit, grid->Fit))
-  {
-    if (polycube->Fit.Distance > SnappedDistance * diagonal)
-    {
-      SnapIfFar(
-        polycube->Fit, surface, progress.Part(0.97, 1.0, "moving the boundary onto the surface"));
-    }
-    polycube->Reason = (grid ? "better than a grid" : "no grid (" + whyNoGrid + ")") +
-      ": a polycube with " + polycube->Reason;
-    return std::move(*polycube);
-  }
-  else
-  {
-    grid->Reason = "better than the polycube, whose minimum scaled Jacobian is " +
-      FormatNumber(polycube->Fit.MinimumScaledJacobian) + ", at a distance from the surface of " +
-      FormatNumber(polycube->Fit.Distance / diagonal) + " of the diagonal" +
-      (polycube->Fit.CreasesKept ? "" : ", without the creases");
-  }
-  return std::move(*grid);
+  return TakeBetter(std::move(polycube), std::move(grid), surface, progress.Part(0.97, 1.0));
 }
 
 bool NeedsGrid(const HexRemeshGuides& guides)

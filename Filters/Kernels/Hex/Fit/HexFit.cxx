@@ -349,7 +349,7 @@ HexFit FitHexahedra(const HexMesh& core, const Surface& surface, const SurfaceFe
   std::optional<HexFit> fit =
     FitWithFewer(core, surface, features, options, interfaces, progress.Part(0.0, first));
   if (!fit ||
-    (!features.Curves.empty() && fit->MinimumScaledJacobian < options.MinimumWithFeatures))
+    (!features.Curves.empty() && fit->MinimumScaledJacobian <= options.MinimumWithFeatures))
   {
     std::set<int> none;
     std::optional<HexFit> smooth = FitWith(

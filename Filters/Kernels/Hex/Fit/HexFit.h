@@ -56,7 +56,8 @@ struct HexMeshOptions
   Eigen::VectorXi Patches = {};
   /// Whether a draft is enough: valid hexahedra of the first grid that has the topology, after few
   /// sweeps, in a fraction of the time. Their scaled Jacobians are smaller, and their distance from
-  /// the surface is larger. It requires the cells of a grid.
+  /// the surface is larger. Cells may be coarser, because more choices of the cells at the boundary
+  /// are tried (VoxelRule::Any). It requires the cells of a grid.
   bool Draft = false;
 };
 
@@ -84,8 +85,8 @@ struct HexFitOptions
   /// Creases are dropped if the layers that they need raise the number of hexahedra above this
   /// number.
   int MaximumHexahedra = std::numeric_limits<int>::max();
-  /// Creases are dropped if the minimum scaled Jacobian with them is below this value and is better
-  /// without them.
+  /// Creases are dropped if the minimum scaled Jacobian with them is at most this value and is
+  /// better without them.
   double MinimumWithFeatures = 0.2;
   /// If the minimum scaled Jacobian is below this value, no further sweeps try to raise it.
   /// ImproveWorst can raise it later.

@@ -142,6 +142,10 @@ std::optional<GridHexesResult> FillGrid(MultiMaterialVoxels& regions, const Grid
   fitting.MaximumHexahedra = options.MaximumHexahedra;
   fitting.RaisedFrom = RaisedFrom;
   fitting.Draft = options.Draft;
+  if (options.Draft)
+  {
+    fitting.MinimumWithFeatures = 0.0; // a second fit would take as long again
+  }
   const double minimum = regions.Outer().CellSizeFor(options.MaximumHexahedra, warp);
   for (; size >= minimum * (1.0 - 1e-9); size *= Shrinkage)
   {

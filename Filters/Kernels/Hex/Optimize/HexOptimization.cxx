@@ -159,7 +159,7 @@ void Turn(HexMesh& mesh, const PointConstraint& constraint, const HexOptimizatio
   if (best.Inverted() > 0)
   {
     HexMesh untangled = mesh;
-    UntangleHexahedra(untangled, constraint, progress.Part(0.3, 1.0));
+    UntangleHexahedra(untangled, constraint, options.UntanglingSteps, progress.Part(0.3, 1.0));
     best.Offer(std::move(untangled.Points));
   }
 }
@@ -215,9 +215,9 @@ void SmoothInverted(HexMesh& mesh, const PointConstraint& constraint, const Prog
 HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& constraint,
   const HexOptimizationOptions& options, const Progress& progress)
 {
-  if (options.Sweeps < 0 || options.WorstSweeps < 0)
+  if (options.Sweeps < 0 || options.WorstSweeps < 0 || options.UntanglingSteps < 0)
   {
-    throw InvalidInput("Sweeps and WorstSweeps must not be negative");
+    throw InvalidInput("Sweeps, WorstSweeps and UntanglingSteps must not be negative");
   }
   RequireIndices(mesh);
   if (mesh.Hexahedra.size() == 0)
@@ -236,8 +236,9 @@ HexOptimizationResult OptimizeHexahedra(HexMesh& mesh, const PointConstraint& co
   {
     // An attempt starts from the best state of the last one.
     const Progress part = progress.Part(ends[attempt], ends[attempt + 1]);
-    const double turned = best.Inverted() > 0 ? 0.4 : 0.0;
-    if (best.Inverted() > 0)
+    const bool turns = best.Inverted() > 0 && (attempt > 0 || !options.SweepFirst);
+    const double turned = turns ? 0.4 : 0.0;
+    if (turns)
     {
       Turn(mesh, constraint, options, best, part.Part(0.0, turned, "untangling the hexahedra"));
     }

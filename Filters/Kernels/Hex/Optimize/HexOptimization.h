@@ -23,6 +23,12 @@ struct HexOptimizationOptions
   double RaiseTo = 0.0;
   /// Further sweeps (RaiseTo) follow only if the minimum scaled Jacobian is at least this value.
   double RaiseAgainFrom = 0.0;
+  /// Whether sweeps over all points come before inverted hexahedra are untangled. They repair most
+  /// of them in less time, but not as well.
+  bool SweepFirst = false;
+  /// Maximum number of Newton steps for each patch of inverted hexahedra; >= 0. What is not
+  /// repaired in a few steps needs more points around it, not more steps.
+  int UntanglingSteps = 40;
   /// For each point, whether it may move. If empty, all points may. Ignored while hexahedra are
   /// untangled.
   std::vector<char> Marked = {};

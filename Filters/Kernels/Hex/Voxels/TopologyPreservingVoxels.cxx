@@ -8,9 +8,9 @@
 #include "Solids/GridWinding.h"
 
 #include <Eigen/Dense>
+#include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 
@@ -32,12 +32,21 @@ std::vector<char> CellsNear(const Mesh& surface, const SampledGrid& grid)
                                   .floor()
                                   .cast<int>()
                                   .min(grid.Counts.transpose().array() - 1);
+    // Cells of the box that are farther from the plane of a large triangle are left out.
+    const Eigen::RowVector3d edge = corners.row(1) - corners.row(0),
+                             other = corners.row(2) - corners.row(0);
+    const Eigen::RowVector3d normal = edge.cross(other).normalized();
+    const double band = LevelBand * (1.0 + 1e-9);
     for (int z = low(2); z <= high(2); ++z)
     {
       for (int y = low(1); y <= high(1); ++y)
       {
         const auto row = near.begin() + grid.Index(0, y, z);
-        std::fill(row + low(0), row + std::max(high(0) + 1, low(0)), 1);
+        double height = (Eigen::RowVector3d(low(0), y, z) - corners.row(0)).dot(normal);
+        for (int x = low(0); x <= high(0); ++x, height += normal(0))
+        {
+          row[x] |= static_cast<char>(std::abs(height) <= band);
+        }
       }
     }
   }
@@ -113,13 +122,32 @@ SampledGrid SampleSolidDistances(
 namespace
 {
 
-/// The levels, in cells, below which a cell counts as inside, in the order of trial: a little above
-/// 0 keeps thin parts connected.
-constexpr std::array<double, 4> Reaches = { 0.15, 0.0, 0.3, -0.15 };
-/// The same for VoxelRule::Centres: at 0, cells along a plane change together, also at its edges.
-constexpr std::array<double, 4> CentredReaches = { 0.0, 0.15, -0.15, 0.3 };
 /// The maximum distance, in cells, of the surface from the cells on either side of it.
 constexpr double CoverReach = 0.7;
+
+/// Returns the levels, in cells, below which a cell counts as inside, in the order of trial.
+std::vector<double> GetReaches(VoxelRule rule)
+{
+  switch (rule)
+  {
+    case VoxelRule::Centres: // at 0, cells along a plane change together, also at its edges
+      return { 0.0, 0.15, -0.15, 0.3 };
+    case VoxelRule::Any: // in steps of a tenth, too; the lowest open narrow holes
+      return { 0.15, 0.0, 0.3, -0.15, 0.1, -0.1, 0.2, -0.2, -0.3, -0.4, -0.5 };
+    case VoxelRule::Connected: // a little above 0 keeps thin parts connected
+      break;
+  }
+  return { 0.15, 0.0, 0.3, -0.15 };
+}
+
+/// Returns positions on a surface that are dense relative to cells of this size, for CoverSurface.
+Eigen::MatrixXd SampleDensely(const Surface& surface, double size)
+{
+  constexpr double positionsPerCell = 30.0;
+  constexpr unsigned int seed = 1;
+  return SampleRandomly(
+    surface, static_cast<int>(positionsPerCell * ComputeArea(surface) / (size * size)), seed);
+}
 
 /// Returns the number of components of a surface that bound solids from outside.
 int CountSolids(const Surface& surface)
@@ -195,9 +223,9 @@ std::optional<std::vector<char>> TopologyPreservingVoxels::CellsInside(const Sam
   const Progress& progress, VoxelRule rule)
 {
   // 1. SampleDistances: the signed distance at the cells' centres.
-  // 2. For each reach in turn: FindVoxelSolid (well-composed cells inside), KeepLargestParts,
-  //    CoverSurface (tips and slots narrower than a cell).
-  // 3. The first that has the topology and is accepted is returned.
+  // 2. For each reach in turn: FindVoxelSolid (well-composed cells inside), KeepLargestParts.
+  // 3. If they have the topology, CoverSurface adds tips and slots narrower than a cell, which
+  //    preserves it. The first cells that are accepted are returned.
   const double size = grid.Spacing;
   const Surface whole = Warp(this->Whole, warp, size);
   const Surface bounding =
@@ -205,16 +233,12 @@ std::optional<std::vector<char>> TopologyPreservingVoxels::CellsInside(const Sam
   SampledGrid levels = grid;
   SampleDistances(whole, SurfaceLocator(bounding), levels, progress.Part(0.0, 0.6));
   const Eigen::VectorXd distances = levels.Values;
-  // Positions on the surface that are dense relative to the cells, for CoverSurface.
-  constexpr double positionsPerCell = 30.0;
-  constexpr unsigned int seed = 1;
-  const Eigen::MatrixXd positions = SampleRandomly(
-    bounding, static_cast<int>(positionsPerCell * ComputeArea(bounding) / (size * size)), seed);
-  const std::array<double, 4>& reaches = rule == VoxelRule::Centres ? CentredReaches : Reaches;
+  std::optional<Eigen::MatrixXd> positions;
+  const std::vector<double> reaches = GetReaches(rule);
   for (std::size_t i = 0; i < reaches.size(); ++i)
   {
     const double reach = reaches[i];
-    const double tried = static_cast<double>(i) / reaches.size();
+    const double tried = static_cast<double>(i) / static_cast<double>(reaches.size());
     const Progress part = progress.Part(0.6 + 0.4 * tried, 1.0);
     part(0.0);
     // A cell is inside if its distance is below the reach.
@@ -226,10 +250,18 @@ std::optional<std::vector<char>> TopologyPreservingVoxels::CellsInside(const Sam
     }
     KeepLargestParts(levels, this->Solids, solid.Inside);
     part(0.1);
-    CoverSurface(levels, positions, CoverReach, solid.Inside);
-    part(0.15);
     const HexMesh cubes = BuildVoxelHexahedra(levels, solid.Inside);
-    if (cubes.Hexahedra.rows() > 0 && this->HasTopology(cubes) && accepts(solid.Inside))
+    if (cubes.Hexahedra.rows() == 0 || !this->HasTopology(cubes))
+    {
+      continue;
+    }
+    part(0.15);
+    if (!positions)
+    {
+      positions = SampleDensely(bounding, size);
+    }
+    CoverSurface(levels, *positions, CoverReach, solid.Inside);
+    if (accepts(solid.Inside))
     {
       return std::move(solid.Inside);
     }

@@ -24,7 +24,10 @@ inline constexpr double LevelBand = 2.0;
 enum class VoxelRule
 {
   Connected, ///< also those whose centres are slightly outside: thin parts stay connected
-  Centres ///< those whose centres are inside: the rows of cells along edges of the solid are even
+  Centres, ///< those whose centres are inside: the rows of cells along edges of the solid are even
+  /// As Connected, then by more levels: coarser cells have the topology, but may be farther from
+  /// the surface.
+  Any
 };
 
 /// Returns a grid of cubic cells around points (n x 3), without values. Its outermost cells lie

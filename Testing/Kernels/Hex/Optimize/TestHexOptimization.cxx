@@ -316,6 +316,13 @@ TEST(HexOptimization, SmoothingMakesPointsMeansOfTheirNeighbours)
   }
 }
 
+namespace
+{
+
+const int Steps = shape::HexOptimizationOptions().UntanglingSteps;
+
+} // namespace
+
 TEST(HexUntangling, TurnsWhatNoPointAloneCanTurn)
 {
   // Two neighbours have changed places.
@@ -326,7 +333,7 @@ TEST(HexUntangling, TurnsWhatNoPointAloneCanTurn)
   shape::HexMesh mesh = grid;
   mesh.Points.row(one).swap(mesh.Points.row(other));
   ASSERT_LT(shape::ComputeScaledJacobians(mesh).minCoeff(), 0.0);
-  EXPECT_EQ(shape::UntangleHexahedra(mesh, constraint), 0);
+  EXPECT_EQ(shape::UntangleHexahedra(mesh, constraint, Steps), 0);
   EXPECT_GT(shape::ComputeScaledJacobians(mesh).minCoeff(), 0.3);
   for (int point = 0; point < grid.Points.rows(); ++point)
   {
@@ -336,7 +343,7 @@ TEST(HexUntangling, TurnsWhatNoPointAloneCanTurn)
     }
   }
   shape::HexMesh good = grid;
-  EXPECT_EQ(shape::UntangleHexahedra(good, constraint), 0);
+  EXPECT_EQ(shape::UntangleHexahedra(good, constraint, Steps), 0);
   EXPECT_EQ(good.Points, grid.Points);
 }
 
@@ -348,7 +355,7 @@ TEST(HexUntangling, CountsWhatTheBoundaryKeepsInverted)
   mesh.Points.row(0) << 0.4, 0.4, 0.4; // a corner of the boundary, beyond the first cells
   const double before =
     static_cast<double>((shape::ComputeScaledJacobians(mesh).array() <= 0.0).count());
-  const int left = shape::UntangleHexahedra(mesh, constraint);
+  const int left = shape::UntangleHexahedra(mesh, constraint, Steps);
   EXPECT_GT(left, 0);
   EXPECT_LE(left, before);
   EXPECT_EQ(left, (shape::ComputeScaledJacobians(mesh).array() <= 0.0).count());

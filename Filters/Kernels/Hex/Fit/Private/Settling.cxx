@@ -18,6 +18,8 @@ void Settle(HexMesh& mesh, const PointConstraint& constraint,
   SmoothInverted(mesh, constraint, progress.Part(0.1, 0.15));
   HexOptimizationOptions optimization;
   optimization.Sweeps = options.Sweeps;
+  optimization.SweepFirst = options.SweepFirst;
+  optimization.UntanglingSteps = options.UntanglingSteps;
   optimization.RaiseTo = options.RaisedTo;
   optimization.RaiseAgainFrom = options.RaisedFrom;
   optimization.Bad = std::min(optimization.Bad, options.RaisedTo + BadAbove);

@@ -16,15 +16,19 @@ struct SettlingOptions
 {
   int Smoothings = 2;                ///< sweeps that smooth the positions first
   int Sweeps = 6;                    ///< see HexOptimizationOptions
+  bool SweepFirst = false;           ///< see HexOptimizationOptions
+  int UntanglingSteps = 40;          ///< see HexOptimizationOptions
   double RaisedFrom = 0.0;           ///< see HexFitOptions
   double RaisedTo = shape::RaisedTo; ///< the target for the minimum scaled Jacobian
 };
 
-/// Makes do with few sweeps: a single one at each sharpness, and none for the worst hexahedra
-/// unless they are very bad.
+/// Makes do with few sweeps: a single one at each sharpness, which comes before the untangling and
+/// leaves it less to do, and none for the worst hexahedra unless they are very bad.
 inline void SettleAsDraft(SettlingOptions& options)
 {
   options.Sweeps = 1;
+  options.SweepFirst = true;
+  options.UntanglingSteps = 20;
   options.RaisedTo = 0.0;
 }
 

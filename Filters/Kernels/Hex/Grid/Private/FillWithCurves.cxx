@@ -28,7 +28,8 @@ std::optional<GridCells> FillWithCurves(MultiMaterialVoxels& regions, const Surf
   std::optional<GridCells> first;
   for (int i = 0; i < sizes && size >= minimum; ++i, size *= smaller)
   {
-    for (const VoxelRule rule : { VoxelRule::Connected, VoxelRule::Centres })
+    for (const VoxelRule rule :
+      { options.Draft ? VoxelRule::Any : VoxelRule::Connected, VoxelRule::Centres })
     {
       std::optional<RegionCells> cells = regions.Fill(size, warp, progress, rule);
       if (!cells)

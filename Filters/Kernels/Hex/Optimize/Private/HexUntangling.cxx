@@ -104,12 +104,10 @@ int CountInverted(const HexMesh& mesh, const std::vector<int>& hexahedra)
 
 /// Lowers the energy of a patch; undone if more hexahedra are inverted afterwards.
 void Untangle(HexMesh& mesh, const std::vector<int>& hexahedra, const PointConstraint& constraint,
-  const std::vector<char>& marked, const Progress& progress)
+  const std::vector<char>& marked, int steps, const Progress& progress)
 {
   const SimplexPatch patch = PatchOf(mesh, hexahedra, constraint, marked);
-  // What is not repaired in a few steps needs more points around it, not more steps.
   constexpr std::size_t maximum = 20000;
-  constexpr int steps = 40;
   if (patch.FreePoints.empty() || patch.FreePoints.size() > maximum)
   {
     return;
@@ -129,7 +127,8 @@ void Untangle(HexMesh& mesh, const std::vector<int>& hexahedra, const PointConst
 
 // In each round the inverted hexahedra and some rings around them are split into connected patches,
 // and the energy of Garanzha et al. 2021 is minimised in each. The next round takes more rings.
-int UntangleHexahedra(HexMesh& mesh, const PointConstraint& constraint, const Progress& progress)
+int UntangleHexahedra(
+  HexMesh& mesh, const PointConstraint& constraint, int steps, const Progress& progress)
 {
   const std::vector<std::vector<int>> around = HexahedraAround(mesh);
   Eigen::VectorXd values = ComputeScaledJacobians(mesh);
@@ -158,7 +157,7 @@ int UntangleHexahedra(HexMesh& mesh, const PointConstraint& constraint, const Pr
     {
       const double share = 1.0 / static_cast<double>(std::size(Rings) * pieces.size());
       const double begin = done + static_cast<double>(i) * share;
-      Untangle(mesh, pieces[i], constraint, marked, progress.Part(begin, begin + share));
+      Untangle(mesh, pieces[i], constraint, marked, steps, progress.Part(begin, begin + share));
     }
     values = ComputeScaledJacobians(mesh);
     // Less than a fifth of the inverted hexahedra repaired: little progress.

@@ -14,10 +14,11 @@ namespace shape
  * patches that grow while hexahedra stay inverted. Each connected patch is solved separately. A
  * patch of more than 20,000 movable points is left unchanged.
  *
- * mesh: the hexahedra whose points are moved, within the constraint. Returns the number of
+ * mesh: the hexahedra whose points are moved, within the constraint. steps: the maximum number of
+ * Newton steps for each patch (HexOptimizationOptions). Returns the number of
  * hexahedra that stay inverted, which is never greater than before. Throws Aborted.
  */
 int UntangleHexahedra(
-  HexMesh& mesh, const PointConstraint& constraint, const Progress& progress = {});
+  HexMesh& mesh, const PointConstraint& constraint, int steps, const Progress& progress = {});
 
 } // namespace shape
