@@ -3,6 +3,7 @@
 #include "Search/ClosestPoint.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace shape
@@ -101,6 +102,26 @@ std::vector<CreaseLine> FindUncovered(
     [&](const CreaseLine& line)
     { return near.Find(SampleLine(line)).Distances.maxCoeff() > tolerance; });
   return uncovered;
+}
+
+std::set<int> FindNearestCurves(
+  const Mesh& surface, const SurfaceFeatures& features, const Eigen::MatrixXd& positions)
+{
+  if (features.Curves.empty() || positions.rows() == 0)
+  {
+    return {};
+  }
+  const std::vector<CreaseLine> lines = BuildCreaseLines(surface, features);
+  std::vector<int> curveOf; // of each edge
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    curveOf.insert(curveOf.end(), lines[i].rows() - 1, static_cast<int>(i));
+  }
+  const Eigen::VectorXi edges = SurfaceLocator(BuildEdges(lines)).Find(positions).Triangles;
+  std::set<int> curves;
+  std::transform(edges.begin(), edges.end(), std::inserter(curves, curves.end()),
+    [&](int edge) { return curveOf[edge]; });
+  return curves;
 }
 
 SurfaceFeatures WithoutCurves(

@@ -28,6 +28,11 @@ Eigen::RowVector3d FindMidpoint(const CreaseLine& line);
 std::vector<CreaseLine> FindUncovered(
   const std::vector<CreaseLine>& lines, const std::vector<CreaseLine>& others, double tolerance);
 
+/// Returns, for each position (k x 3), the index of the curve nearest to it; nothing if there are
+/// no curves.
+std::set<int> FindNearestCurves(
+  const Mesh& surface, const SurfaceFeatures& features, const Eigen::MatrixXd& positions);
+
 /**
  * Gives up some curves: the patches on both sides of each become one. Other curves between these
  * two patches go with them, as do corners at which fewer than three curves are left.

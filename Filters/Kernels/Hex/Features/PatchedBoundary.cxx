@@ -283,8 +283,8 @@ std::optional<std::vector<IndexPair>> PairChainsWithCurves(const Eigen::MatrixXd
 void PutOnCurve(const Eigen::MatrixXd& points, const Chain& chain, const Surface& surface,
   const SurfaceFeatures& features, int id, PatchedBoundary& boundary)
 {
-  const CurvePositions positions =
-    DistributeAlongCurve(points(chain.Points, Eigen::all), surface, features.Curves[id]);
+  const CurvePositions positions = DistributeAlongCurve(points(chain.Points, Eigen::all), surface,
+    features.Curves[id], ComputeCreaseTolerance(surface));
   for (std::size_t i = 0; i < chain.Points.size(); ++i)
   {
     const int point = chain.Points[i];

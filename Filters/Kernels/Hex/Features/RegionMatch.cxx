@@ -180,7 +180,8 @@ private:
     along.Points = curve.Points;
     along.Closed = curve.Closed;
     const CurvePositions positions =
-      DistributeAlongCurve(this->Grid.Points(chain.Points, Eigen::all), this->Surfaces, along);
+      DistributeAlongCurve(this->Grid.Points(chain.Points, Eigen::all), this->Surfaces, along,
+        ComputeCreaseTolerance(this->Surfaces));
     for (std::size_t i = 0; i < chain.Points.size(); ++i)
     {
       if (!this->Match.Boundary.Spans.count(chain.Points[i]))

@@ -281,23 +281,59 @@ std::optional<HexFit> FitWith(const HexMesh& core, const Surface& surface,
   return fit;
 }
 
-/// Fits with all features or, where hexahedra are too coarse for them, with fewer curves; nothing
-/// if no curve is to blame, or too many attempts are needed.
+/// Returns the curves nearest to the hexahedra whose scaled Jacobian is below `minimum`.
+std::set<int> FindCurvesAtBad(
+  const HexFit& fit, const Surface& surface, const SurfaceFeatures& features, double minimum)
+{
+  const Eigen::VectorXd quality = ComputeScaledJacobians(fit.Solid);
+  std::vector<Eigen::RowVector3d> centres;
+  for (Eigen::Index hex = 0; hex < quality.size(); ++hex)
+  {
+    if (quality(hex) < minimum)
+    {
+      centres.emplace_back(
+        fit.Solid.Points(fit.Solid.Hexahedra.row(hex), Eigen::all).colwise().mean());
+    }
+  }
+  Eigen::MatrixXd positions(static_cast<Eigen::Index>(centres.size()), 3);
+  for (Eigen::Index i = 0; i < positions.rows(); ++i)
+  {
+    positions.row(i) = centres[i];
+  }
+  return FindNearestCurves(surface, features, positions);
+}
+
+/// Fits with all features or with fewer curves: without those that hexahedra are too coarse for,
+/// and without those at which hexahedra are too bad. Returns the best of the fits; nothing if there
+/// is none, because no curve is to blame or too many attempts are needed.
 std::optional<HexFit> FitWithFewer(const HexMesh& core, const Surface& surface,
   const SurfaceFeatures& features, const HexFitOptions& options, const InnerInterfaces& interfaces,
   const Progress& progress)
 {
-  constexpr int attempts = 24;
+  // Finding that a curve is missing takes a small part of the time of a fit.
+  constexpr int attempts = 24, fits = 3;
   SurfaceFeatures fewer = features;
-  for (int attempt = 0; attempt < attempts; ++attempt)
+  std::optional<HexFit> best;
+  for (int attempt = 0, fitted = 0; attempt < attempts && fitted < fits; ++attempt)
   {
     std::set<int> unmatched;
     std::optional<HexFit> fit =
       FitWith(core, surface, fewer, options, interfaces, unmatched, progress);
     if (fit)
     {
+      ++fitted;
       fit->CreasesKept = attempt == 0;
-      return fit;
+      const bool isGood = fit->MinimumScaledJacobian >= options.MinimumWithFeatures;
+      unmatched =
+        isGood ? unmatched : FindCurvesAtBad(*fit, surface, fewer, options.MinimumWithFeatures);
+      if (!best || fit->MinimumScaledJacobian > best->MinimumScaledJacobian)
+      {
+        best = std::move(fit);
+      }
+      if (isGood)
+      {
+        break;
+      }
     }
     if (unmatched.empty())
     {
@@ -309,7 +345,7 @@ std::optional<HexFit> FitWithFewer(const HexMesh& core, const Surface& surface,
       break;
     }
   }
-  return std::nullopt;
+  return best;
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <functional>
+#include <set>
 #include <vector>
 
 namespace
@@ -106,6 +107,25 @@ TEST(LostCreases, APatchThatJoinsAnotherGivesUpTheCurveBetweenThem)
   }
   EXPECT_TRUE(shape::FindUncovered(lines, lines, 1e-9).empty());
   EXPECT_EQ(shape::FindUncovered(lines, {}, 1e-9).size(), 12U);
+}
+
+TEST(LostCreases, TheNearestCurveOfAPositionBesideItsMiddleIsItself)
+{
+  const shape::Surface cube = SurfaceOf(Cube(3, 1.0));
+  const shape::SurfaceFeatures all = shape::FindFeatures(cube, 40.0, 0.0);
+  const std::vector<shape::CreaseLine> lines = shape::BuildCreaseLines(cube, all);
+  const Eigen::RowVector3d centre(0.5, 0.5, 0.5);
+  for (int curve = 0; curve < 12; ++curve)
+  {
+    // A tenth of the way into the cube, and beyond the surface.
+    const Eigen::RowVector3d middle = shape::FindMidpoint(lines[curve]);
+    Eigen::MatrixXd positions(2, 3);
+    positions << 0.9 * middle + 0.1 * centre, 1.1 * middle - 0.1 * centre;
+    EXPECT_EQ(shape::FindNearestCurves(cube, all, positions), std::set<int>{ curve });
+  }
+  EXPECT_TRUE(shape::FindNearestCurves(cube, all, Eigen::MatrixXd(0, 3)).empty());
+  EXPECT_TRUE(
+    shape::FindNearestCurves(cube, shape::RemoveCurves(all), Eigen::MatrixXd::Zero(1, 3)).empty());
 }
 
 TEST(LostCreases, CellsTooCoarseForSomeCreasesFollowTheOthers)

@@ -1,5 +1,7 @@
 #include "Hex/Features/Private/CurveResampling.h"
 
+#include "Mesh/Extent.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -26,6 +28,9 @@ public:
       this->Lengths.push_back(
         this->Lengths.back() + (this->Points.row(i % count) - this->Points.row(i - 1)).norm());
     }
+    constexpr double straight = 2.0; // degrees
+    this->Bends = this->Turns(straight);
+    std::sort(this->Bends.begin(), this->Bends.end());
   }
 
   double Length() const { return this->Lengths.back(); }
@@ -83,12 +88,26 @@ public:
     return part;
   }
 
-  /// Whether the part between two arc lengths turns by more than about 3 degrees: of an arc of a
-  /// circle, 1 - chord / length is about the square of its angle divided by 24.
-  bool Bends(double begin, double end) const
+  /// Returns the arc lengths of the bends strictly between two arc lengths, nearly straight ones
+  /// left out; on a closed line these may exceed its range.
+  std::vector<double> BendsBetween(double begin, double end) const
   {
-    constexpr double maximum = 1e-4;
-    return (this->At(end) - this->At(begin)).norm() < (1.0 - maximum) * (end - begin);
+    return this->Between(this->Bends, begin, end);
+  }
+
+  /// Returns the largest distance of the part between two arc lengths from its chord.
+  double Deviation(double begin, double end) const
+  {
+    const Eigen::RowVector3d low = this->At(begin), chord = this->At(end) - low;
+    const double squared = std::max(chord.squaredNorm(), std::numeric_limits<double>::min());
+    double maximum = 0.0;
+    for (const double point : this->Between(this->Lengths, begin, end))
+    {
+      const Eigen::RowVector3d off = this->At(point) - low;
+      const double share = std::clamp(off.dot(chord) / squared, 0.0, 1.0);
+      maximum = std::max(maximum, (off - share * chord).norm());
+    }
+    return maximum;
   }
 
   /// Returns the arc length at the point closest to a position.
@@ -113,9 +132,28 @@ public:
   }
 
 private:
+  /// Returns those of ascending arc lengths on the line that are strictly between two others.
+  std::vector<double> Between(const std::vector<double>& lengths, double begin, double end) const
+  {
+    std::vector<double> between;
+    const double first = this->Closed ? std::floor(begin / this->Length()) : 0.0,
+                 last = this->Closed ? std::floor(end / this->Length()) : 0.0;
+    for (double turn = first; turn <= last; turn += 1.0)
+    {
+      const double shift = turn * this->Length();
+      for (auto length = std::upper_bound(lengths.begin(), lengths.end(), begin - shift);
+           length != lengths.end() && *length + shift < end; ++length)
+      {
+        between.push_back(*length + shift);
+      }
+    }
+    return between;
+  }
+
   Eigen::MatrixXd Points;
   bool Closed;
   std::vector<double> Lengths; ///< arc length at each point; if closed, also back at the first
+  std::vector<double> Bends;   ///< arc lengths at bends, ascending
 };
 
 /// Points of a chain by arc length on a curve; some are fixed at bends.
@@ -123,12 +161,14 @@ class Spread
 {
 public:
   /// own: arc length of each point on the chain. first: where the chain begins on the curve.
+  /// tolerance: the distance between curve and chain that is small enough.
   Spread(const ArcLength& along, std::vector<double> own, double whole, double first,
-    double direction, bool isClosed)
+    double direction, bool isClosed, double tolerance)
     : Along(along)
     , Own(std::move(own))
     , Scale(direction * along.Length() / whole)
     , Closed(isClosed)
+    , Tolerance(tolerance)
   {
     for (const double length : this->Own)
     {
@@ -147,6 +187,7 @@ public:
       this->FixAt(turn);
     }
     this->Share();
+    this->MoveToBends();
   }
 
   CurvePositions Result() const
@@ -159,20 +200,9 @@ public:
       double low = here, high = here;
       if (!this->Fixed[i])
       {
-        const auto bound = [&](double reach)
-        {
-          const double maximum = reach * this->Step();
-          low = std::max(here - maximum, this->Bound(i, this->Scale > 0.0 ? -1 : 1, -1.0));
-          high = std::min(here + maximum, this->Bound(i, this->Scale > 0.0 ? 1 : -1, 1.0));
-        };
-        // In mean steps. Where the curve bends, edges of the chain must differ little in length:
-        // the distance between both grows with the square of the longest edge.
-        constexpr double straight = 4.0, curved = 0.4;
-        bound(straight);
-        if (this->Along.Bends(low, high))
-        {
-          bound(curved);
-        }
+        const double maximum = this->Reach(i) * this->Step();
+        low = std::max(here - maximum, this->Bound(i, this->Scale > 0.0 ? -1 : 1, -1.0));
+        high = std::min(here + maximum, this->Bound(i, this->Scale > 0.0 ? 1 : -1, 1.0));
       }
       result.Positions.row(static_cast<Eigen::Index>(i)) = this->Along.At(here);
       result.Spans.push_back(this->Along.Part(low, high));
@@ -184,6 +214,141 @@ private:
   double Step() const
   {
     return this->Along.Length() / static_cast<double>(this->Own.size() - (this->Closed ? 0 : 1));
+  }
+
+  /// Returns the arc length of the next point along the chain, beyond the curve's range if the
+  /// chain is closed and begins again.
+  double After(std::size_t i) const
+  {
+    return i + 1 < this->Lengths.size()
+      ? this->Lengths[i + 1]
+      : this->Lengths.front() + std::copysign(this->Along.Length(), this->Scale);
+  }
+
+  /// The number of edges of the chain.
+  std::size_t Edges() const { return this->Lengths.size() - (this->Closed ? 0 : 1); }
+
+  double Deviation(double one, double other) const
+  {
+    return this->Along.Deviation(std::min(one, other), std::max(one, other));
+  }
+
+  /// Returns how far a point may move to each side, in mean steps: as far as its edges stay within
+  /// the tolerance if their other ends move as far, or deviate little more than before.
+  double Reach(std::size_t i) const
+  {
+    constexpr double reaches[] = { 4.0, 1.0, 0.4, 0.2, 0.1 };
+    constexpr double least = 0.05, slack = 1.2;
+    const std::size_t count = this->Lengths.size();
+    for (const double reach : reaches)
+    {
+      bool isNear = true;
+      for (const std::size_t edge : { (i + count - 1) % count, i })
+      {
+        if (edge < this->Edges())
+        {
+          const double low = std::min(this->Lengths[edge], this->After(edge)),
+                       high = std::max(this->Lengths[edge], this->After(edge)),
+                       by = reach * this->Step();
+          isNear = isNear &&
+            this->Along.Deviation(low - by, high + by) <=
+              std::max(this->Tolerance, slack * this->Along.Deviation(low, high));
+        }
+      }
+      if (isNear)
+      {
+        return reach;
+      }
+    }
+    return least;
+  }
+
+  /// Moves free points to bends of the curve near them, or leaves them, so that the edges of the
+  /// chain deviate little from the curve and keep about their lengths: the shortest path through
+  /// the choices of all points. An edge with a bend in its middle would cut it off.
+  void MoveToBends()
+  {
+    constexpr double near = 0.6; // mean steps
+    const std::size_t count = this->Lengths.size();
+    std::vector<std::vector<double>> choices(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const double here = this->Lengths[i];
+      choices[i] = { here };
+      if (!this->Fixed[i])
+      {
+        std::vector<double> bends =
+          this->Along.BendsBetween(here - near * this->Step(), here + near * this->Step());
+        std::sort(bends.begin(), bends.end(),
+          [&](double a, double b) { return std::abs(a - here) < std::abs(b - here); });
+        constexpr std::size_t most = 4;
+        bends.resize(std::min(bends.size(), most));
+        choices[i].insert(choices[i].end(), bends.begin(), bends.end());
+      }
+    }
+    std::vector<double> best = this->Lengths;
+    double minimum = std::numeric_limits<double>::infinity();
+    for (std::size_t first = 0; first < choices[0].size(); ++first)
+    {
+      std::vector<std::vector<double>> costs = { std::vector<double>(
+        choices[0].size(), std::numeric_limits<double>::infinity()) };
+      costs[0][first] = 0.0;
+      std::vector<std::vector<std::size_t>> before(1);
+      for (std::size_t i = 1; i < count; ++i)
+      {
+        costs.emplace_back(choices[i].size(), std::numeric_limits<double>::infinity());
+        before.emplace_back(choices[i].size(), 0);
+        for (std::size_t k = 0; k < choices[i].size(); ++k)
+        {
+          for (std::size_t j = 0; j < choices[i - 1].size(); ++j)
+          {
+            const double cost = costs[i - 1][j] < std::numeric_limits<double>::infinity()
+              ? costs[i - 1][j] + this->EdgeCost(i - 1, choices[i - 1][j], choices[i][k])
+              : costs[i - 1][j];
+            if (cost < costs[i][k])
+            {
+              costs[i][k] = cost;
+              before[i][k] = j;
+            }
+          }
+        }
+      }
+      for (std::size_t last = 0; last < choices.back().size(); ++last)
+      {
+        double cost = costs.back()[last];
+        if (this->Closed && cost < std::numeric_limits<double>::infinity())
+        {
+          cost += this->EdgeCost(count - 1, choices.back()[last],
+            choices[0][first] + std::copysign(this->Along.Length(), this->Scale));
+        }
+        if (cost < minimum)
+        {
+          minimum = cost;
+          std::size_t k = last;
+          for (std::size_t i = count; i-- > 0;)
+          {
+            best[i] = choices[i][k];
+            k = i > 0 ? before[i][k] : k;
+          }
+        }
+      }
+    }
+    this->Lengths = best;
+  }
+
+  /// The cost of an edge of the chain whose ends have these arc lengths: it grows with the edge's
+  /// deviation from the curve, and with the change of its length.
+  double EdgeCost(std::size_t edge, double begin, double end) const
+  {
+    constexpr double shortest = 0.3; // of its length before
+    const double length = this->After(edge) - this->Lengths[edge];
+    const double ratio = (end - begin) / length, deviation = this->Deviation(begin, end);
+    if (!(ratio >= shortest))
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+    const double squared = deviation * deviation / (this->Tolerance * this->Tolerance);
+    return squared * squared + (ratio - 1.0) * (ratio - 1.0);
   }
 
   /// On a closed curve, returns the arc length of the same position closest to another arc length.
@@ -280,6 +445,7 @@ private:
   const std::vector<double> Own;
   const double Scale;
   const bool Closed;
+  const double Tolerance;
   std::vector<double> Lengths; ///< arc lengths on the curve
   std::vector<double> Unmoved; ///< arc lengths before any point was fixed
   std::vector<char> Fixed;
@@ -287,8 +453,14 @@ private:
 
 } // namespace
 
+double ComputeCreaseTolerance(const Mesh& surface)
+{
+  constexpr double share = 0.8e-3;
+  return share * ComputeBoxDiagonal(surface.Points);
+}
+
 CurvePositions DistributeAlongCurve(
-  const Eigen::MatrixXd& chain, const Mesh& surface, const FeatureCurve& curve)
+  const Eigen::MatrixXd& chain, const Mesh& surface, const FeatureCurve& curve, double tolerance)
 {
   const ArcLength along(surface, curve);
   const Eigen::Index count = chain.rows();
@@ -308,7 +480,7 @@ CurvePositions DistributeAlongCurve(
   {
     const double first = curve.Closed || direction > 0.0 ? nearest : along.Length();
     CurvePositions positions =
-      Spread(along, lengths, whole, first, direction, curve.Closed).Result();
+      Spread(along, lengths, whole, first, direction, curve.Closed, tolerance).Result();
     if (const double sum = (positions.Positions - chain).rowwise().norm().sum(); sum < minimum)
     {
       minimum = sum;

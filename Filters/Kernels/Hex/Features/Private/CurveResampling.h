@@ -17,17 +17,24 @@ struct CurvePositions
   Eigen::MatrixXd Positions; ///< n x 3
   /// For each of the n points: the part of the curve around its position, as a polyline (k x 3), or
   /// one row if the point is fixed. Points that could move along the whole curve would cut off its
-  /// bends: where the curve bends, the part is shorter than half a step of the chain to each side.
+  /// bends: a point may move only as far as its edges stay within the tolerance.
   std::vector<Eigen::MatrixXd> Spans;
 };
 
 /**
  * Distributes the points of a chain (n x 3, n >= 2) along a curve. A point at a certain fraction of
  * the chain's length is put at the same fraction of the curve's length. If there are enough points,
- * one is fixed at each sharp bend of the curve, and the points between fixed ones are adjusted. On
- * a closed curve the chain may begin anywhere.
+ * one is fixed at each sharp bend of the curve, and the points between fixed ones are adjusted.
+ * Then points move to other bends near them where the edges of the chain come closer to the curve.
+ * On a closed curve the chain may begin anywhere.
+ *
+ * tolerance: the distance between curve and chain that is small enough, > 0.
  */
 CurvePositions DistributeAlongCurve(
-  const Eigen::MatrixXd& chain, const Mesh& surface, const FeatureCurve& curve);
+  const Eigen::MatrixXd& chain, const Mesh& surface, const FeatureCurve& curve, double tolerance);
+
+/// The distance between creases and chains that is small enough for most purposes: 0.08 % of the
+/// diagonal of the surface's box, a little less than a grid's WantedCreaseDistance.
+double ComputeCreaseTolerance(const Mesh& surface);
 
 } // namespace shape
