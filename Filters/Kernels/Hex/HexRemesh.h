@@ -89,8 +89,8 @@ void RequireOneSize(const HexRemeshOptions& options);
 /**
  * Fills a closed surface with hexahedra. No hexahedron is inverted, and the mesh has the surface's
  * topology. The mesh follows the surface's creases and corners, except those that its cells are too
- * coarse for; if hexahedra would become too bad, it follows none (FitHexahedra). Lost creases are
- * returned, and Reason names the longest.
+ * coarse for or at which hexahedra would become too bad; if others stay too bad, it follows none
+ * (FitHexahedra). Lost creases are returned, and Reason names the longest.
  *
  * Automatic first tries a polycube. The result is accepted if it keeps the creases and its minimum
  * scaled Jacobian is at least 0.3. Its distance to the surface must also be at most 1 % of the

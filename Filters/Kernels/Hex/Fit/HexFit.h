@@ -132,8 +132,8 @@ struct HexFit
  * (OptimizeHexahedra).
  *
  * If the hexahedra are too coarse for a crease, it is given up (WithoutCurves), and they follow the
- * others. If hexahedra are too bad, the creases nearest to them are given up, in at most two further
- * fits. If they stay too bad, all creases are dropped: the boundary is then a single patch.
+ * others. If hexahedra are too bad, the creases nearest to them are given up, in at most two
+ * further fits. If they stay too bad, all creases are dropped: the boundary is then a single patch.
  *
  * Layers are also added on both sides of each interface. The points of an interface lie on its
  * inner surface, whose creases are not kept.
