@@ -1,11 +1,10 @@
 #include "Hex/HexGrid.h"
 
 #include "Base/DisjointSets.h"
-#include "Linear/DirichletProblem.h"
+#include "Hex/Private/HarmonicExtension.h"
 #include "Mesh/CellFaces.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <array>
@@ -126,42 +125,6 @@ Eigen::MatrixXd PlaceCells(
   return positions;
 }
 
-/// Extends values to other points by the discrete harmonic functions of some edges: each value is
-/// the mean of its neighbours'. isGiven: one flag for each point.
-void ExtendHarmonically(const std::vector<std::pair<int, int>>& edges,
-  const std::vector<char>& isGiven, Eigen::MatrixXd& values, const Progress& progress)
-{
-  std::vector<int> given;
-  for (int point = 0; point < static_cast<int>(isGiven.size()); ++point)
-  {
-    if (isGiven[point])
-    {
-      given.push_back(point);
-    }
-    else
-    {
-      values.row(point).setZero();
-    }
-  }
-  if (given.size() == isGiven.size())
-  {
-    return;
-  }
-  std::vector<Eigen::Triplet<double>> entries;
-  for (const auto& [a, b] : edges)
-  {
-    for (const auto& [row, column] : { std::pair(a, b), std::pair(b, a) })
-    {
-      entries.emplace_back(row, row, 1.0);
-      entries.emplace_back(row, column, -1.0);
-    }
-  }
-  Eigen::SparseMatrix<double> stiffness(values.rows(), values.rows());
-  stiffness.setFromTriplets(entries.begin(), entries.end());
-  DirichletProblem(stiffness, given, progress.Part(0.0, 0.8))
-    .Solve(values, Eigen::MatrixXd::Zero(values.rows(), values.cols()), progress.Part(0.8, 1.0));
-}
-
 /// Finds the positions of points in layers from those of the grid's points.
 void PlaceLayers(const HexFit& fit, Eigen::MatrixXd& positions, const Progress& progress)
 {
@@ -186,26 +149,13 @@ void PlaceLayers(const HexFit& fit, Eigen::MatrixXd& positions, const Progress& 
     isKnown[point] = isGiven[point] != 0 || isOuter[point] == 0 ? 1 : 0;
   }
   const Eigen::MatrixXd given = positions;
-  ExtendHarmonically(edges, isKnown, positions, progress.Part(0.0, 0.3));
+  HarmonicExtension(edges, isKnown, progress.Part(0.0, 0.3)).Extend(positions);
   for (std::size_t point = 0; point < isKnown.size(); ++point)
   {
     isKnown[point] = isGiven[point] != 0 || isOuter[point] != 0 ? 1 : 0;
   }
-  edges.clear();
-  for (Eigen::Index hex = 0; hex < fit.Solid.Hexahedra.rows(); ++hex)
-  {
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      for (const int other : HexNeighbours[corner])
-      {
-        if (corner < other)
-        {
-          edges.emplace_back(fit.Solid.Hexahedra(hex, corner), fit.Solid.Hexahedra(hex, other));
-        }
-      }
-    }
-  }
-  ExtendHarmonically(edges, isKnown, positions, progress.Part(0.3, 1.0));
+  HarmonicExtension(ListHexEdges(fit.Solid.Hexahedra), isKnown, progress.Part(0.3, 0.9))
+    .Extend(positions, progress.Part(0.9, 1.0));
 }
 
 /// The other cells across the faces of the cells of a grid. Side 2 a is the lower side along axis
@@ -261,8 +211,8 @@ std::vector<std::array<char, 6>> FindWalls(const CellNeighbours& neighbours)
       found.emplace_back(cell, side);
     }
   };
-  // Calls a function with the cell beside `cell`, in each direction along the side, and whether its
-  // side is on the boundary.
+  // Calls a function with each direction along the side, the cell beside `cell` there, and whether
+  // its side is on the boundary.
   const auto visitBeside = [&](int cell, int side, const auto& visit)
   {
     for (int way = 0; way < 6; ++way)
@@ -270,7 +220,7 @@ std::vector<std::array<char, 6>> FindWalls(const CellNeighbours& neighbours)
       const int beside = way / 2 == side / 2 ? -1 : neighbours.Across(cell, way);
       if (beside >= 0)
       {
-        visit(beside, neighbours.Across(beside, side) < 0);
+        visit(way, beside, neighbours.Across(beside, side) < 0);
       }
     }
   };
@@ -281,7 +231,7 @@ std::vector<std::array<char, 6>> FindWalls(const CellNeighbours& neighbours)
       if (neighbours.Across(cell, side) >= 0)
       {
         visitBeside(cell, side,
-          [&](int, bool isBoundary)
+          [&](int, int, bool isBoundary)
           {
             if (isBoundary)
             {
@@ -295,12 +245,11 @@ std::vector<std::array<char, 6>> FindWalls(const CellNeighbours& neighbours)
   {
     const auto [cell, side] = found[i];
     visitBeside(cell, side,
-      [&, side = side](int beside, bool isBoundary)
+      [&, cell = cell, side = side](int way, int beside, bool isBoundary)
       {
-        if (!isBoundary)
-        {
-          add(beside, side);
-        }
+        // Where the boundary is a slit between faces that touch, a wall across its end keeps a side
+        // from lying partly on the boundary and partly on another block.
+        isBoundary ? add(cell, way) : add(beside, side);
       });
   }
   return walls;

@@ -29,7 +29,8 @@ struct HexGrid
  * points of the grid are given.
  *
  * The walls between blocks continue faces of the boundary straight into the solid, from edges where
- * the boundary is concave to the boundary. Blocks are therefore boxes, and each side of a block is
+ * the boundary is concave to the boundary. At the end of a slit, where faces of the boundary touch
+ * each other, there is also a wall across. Blocks are therefore boxes, and each side of a block is
  * a side of one other block or lies on the boundary.
  *
  * positions: for each point of fit.Core, its position in the grid, of which each cell is a cube of

@@ -119,3 +119,36 @@ TEST(HexGrid, GridsOfSeparateSolidsAreApart)
                   .second);
   }
 }
+
+TEST(HexGrid, AWallLiesAcrossTheEndOfASlit)
+{
+  // Two layers of three cells; the first cells of both touch, but are not connected.
+  shape::HexFit fit;
+  fit.Solid.Points.resize(26, 3);
+  for (int i = 0; i < 24; ++i)
+  {
+    fit.Solid.Points.row(i) << i % 4, i / 4 % 2, i / 8;
+  }
+  fit.Solid.Points.row(24) << 0, 0, 1;
+  fit.Solid.Points.row(25) << 0, 1, 1;
+  fit.Solid.Hexahedra.resize(6, 8);
+  for (int cell = 0; cell < 6; ++cell)
+  {
+    const int first = cell % 3 + 8 * (cell / 3);
+    fit.Solid.Hexahedra.row(cell) << first, first + 1, first + 5, first + 4, first + 8, first + 9,
+      first + 13, first + 12;
+  }
+  fit.Solid.Hexahedra(3, 0) = 24;
+  fit.Solid.Hexahedra(3, 3) = 25;
+  fit.Core = fit.Solid.Hexahedra;
+  fit.Quads = shape::FindBoundaryQuads(fit.Solid);
+  const shape::HexGrid grid = shape::FindHexGrid(fit, fit.Solid.Points, 1.0);
+  // A side of a block is thus not partly a side of another block and partly on the boundary.
+  EXPECT_EQ(grid.Blocks, 4);
+  ExpectRegular(grid, 1.0);
+  for (const int first : { 0, 3 })
+  {
+    EXPECT_NE(grid.BlockOf(first), grid.BlockOf(first + 1));
+    EXPECT_EQ(grid.BlockOf(first + 1), grid.BlockOf(first + 2));
+  }
+}
