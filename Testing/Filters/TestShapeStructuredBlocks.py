@@ -93,6 +93,23 @@ for name in ('BentBar.vtp', 'TwistedBar.vtp'):
     exact.UpdatePipeline()
     assert fact(shapetesting.output(exact), 'StructuredBlocks.RelativeError') < 1e-9
 
+    # Where nodes may slide along the surface, the shape alone has to be followed.
+    sliding = simple.ShapeStructuredBlocks(Input=waves, Surface=surface)
+    sliding.UpdatePipeline()
+    slid = shapetesting.output(sliding)
+    given, relative = (fact(data, 'StructuredBlocks.RelativeError') for data in (result, slid))
+    print('%s: error %.2g of the diagonal, %.2g with Surface' % (name, given, relative))
+    assert relative <= 1e-3 and relative < given
+    motion = max(numpy.linalg.norm(points(after) - points(before), axis=1).max()
+                 for before, after in zip(blocks_of(result), blocks_of(slid)))
+    assert abs(motion - fact(slid, 'StructuredBlocks.LargestMotion')) < 1e-12
+    assert fact(result, 'StructuredBlocks.LargestMotion') == 0.0
+    shared = {}
+    for block in blocks_of(slid):
+        places = numpy.round(array(block, 'SourcePosition'), 9)
+        for place, node in zip(places, numpy.hstack((points(block), array(block, 'SplinePosition')))):
+            assert abs(shared.setdefault(tuple(place), node) - node).max() < 1e-12
+
     # Files hold the same.
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, 'blocks.vtm')
@@ -115,8 +132,9 @@ for spoil, expected in (
     algorithm.SetInputDataObject(spoiled)
     said = ' '.join(shapetesting.run(algorithm))
     assert expected in said, (expected, said)
-for setting, value in (('Degree', 0), ('Degree', 10), ('NodesPerControl', 0.5)):
+for setting, value in (('Degree', 0), ('Degree', 10), ('NodesPerControl', 0.5), ('FeatureAngle', 0.0)):
     algorithm = shapemap.vtkShapeStructuredBlocks()
     algorithm.SetInputDataObject(grid)
+    algorithm.SetInputDataObject(1, shapetesting.output(surface))
     getattr(algorithm, 'Set' + setting)(value)
     assert setting in ' '.join(shapetesting.run(algorithm))

@@ -73,9 +73,8 @@ int GetDegree(const VectorXd& knots)
   return repeated - 1;
 }
 
-/// The matrix that takes values at nodes with equal distances to control points. Its first and last
-/// row select the ends.
-MatrixXd FitMatrix(int nodes, const VectorXd& knots)
+/// The values of the basis functions (columns) at nodes with equal distances (rows).
+MatrixXd NodeBasis(int nodes, const VectorXd& knots)
 {
   const int degree = GetDegree(knots), controls = static_cast<int>(knots.size()) - degree - 1;
   MatrixXd basis = MatrixXd::Zero(nodes, controls);
@@ -84,6 +83,29 @@ MatrixXd FitMatrix(int nodes, const VectorXd& knots)
     const BasisValues values(knots, degree, static_cast<double>(i) / (nodes - 1));
     basis.row(i).segment(values.First, degree + 1) = values.Values;
   }
+  return basis;
+}
+
+/// The knots of a spline over a number of nodes.
+VectorXd ChooseKnots(int nodes, const BlockSplineOptions& options)
+{
+  const int controls = std::max(2, static_cast<int>(std::ceil(nodes / options.NodesPerControl)));
+  return MakeKnots(controls, std::min(options.Degree, controls - 1));
+}
+
+void RequireSplineOptions(const BlockSplineOptions& options)
+{
+  RequireOption(options.Degree >= 1 && options.Degree <= 9, "Degree", options.Degree, "1 to 9");
+  RequireOption(options.NodesPerControl >= 1.0 && std::isfinite(options.NodesPerControl),
+    "NodesPerControl", options.NodesPerControl, "a finite number of at least 1");
+}
+
+/// The matrix that takes values at nodes with equal distances to control points. Its first and last
+/// row select the ends.
+MatrixXd FitMatrix(int nodes, const VectorXd& knots)
+{
+  const MatrixXd basis = NodeBasis(nodes, knots);
+  const auto controls = static_cast<int>(basis.cols());
   MatrixXd fit = MatrixXd::Zero(controls, nodes);
   fit(0, 0) = fit(controls - 1, nodes - 1) = 1.0;
   if (controls > 2)
@@ -175,22 +197,24 @@ std::vector<GridBlock> FindGridBlocks(const Eigen::MatrixXi& cells, const Matrix
 BlockSpline FitBlockSpline(
   const RowVector3i& counts, const MatrixXd& values, const BlockSplineOptions& options)
 {
-  RequireOption(options.Degree >= 1 && options.Degree <= 9, "Degree", options.Degree, "1 to 9");
-  RequireOption(options.NodesPerControl >= 1.0 && std::isfinite(options.NodesPerControl),
-    "NodesPerControl", options.NodesPerControl, "a finite number of at least 1");
+  RequireSplineOptions(options);
   BlockSpline spline;
   RowVector3i now = counts;
   spline.Controls = values;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const int controls =
-      std::max(2, static_cast<int>(std::ceil(counts(axis) / options.NodesPerControl)));
-    spline.Knots[axis] = MakeKnots(controls, std::min(options.Degree, controls - 1));
+    spline.Knots[axis] = ChooseKnots(counts(axis), options);
     spline.Controls =
       ApplyAlong(axis, FitMatrix(counts(axis), spline.Knots[axis]), spline.Controls, now);
   }
   spline.Counts = now;
   return spline;
+}
+
+MatrixXd ComputeNodeBasis(int nodes, const BlockSplineOptions& options)
+{
+  RequireSplineOptions(options);
+  return NodeBasis(nodes, ChooseKnots(nodes, options));
 }
 
 MatrixXd Evaluate(const BlockSpline& spline, const MatrixXd& parameters, const Progress& progress)

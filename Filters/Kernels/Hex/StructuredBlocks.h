@@ -51,6 +51,10 @@ std::vector<GridBlock> FindGridBlocks(const Eigen::MatrixXi& cells,
 BlockSpline FitBlockSpline(const Eigen::RowVector3i& counts, const Eigen::MatrixXd& values,
   const BlockSplineOptions& options = {});
 
+/// Returns the values of the basis functions (columns) of such a spline along an axis, at its nodes
+/// (rows). nodes: >= 2. Throws InvalidInput if an option is out of range.
+Eigen::MatrixXd ComputeNodeBasis(int nodes, const BlockSplineOptions& options = {});
+
 /// Evaluates a spline. parameters: k x 3, in [0, 1]; others are moved to the nearest of these.
 /// Throws Aborted.
 Eigen::MatrixXd Evaluate(

@@ -30,6 +30,7 @@ vtkStandardNewMacro(vtkShapeStructuredBlocks);
 vtkShapeStructuredBlocks::vtkShapeStructuredBlocks()
 {
   this->DeclareInput("Input", PortData::WholeGrid, PortUse::Required, { "vtkUnstructuredGrid" });
+  this->DeclareInput("Surface", PortData::WholeSurface, PortUse::Optional, { "vtkPolyData" });
   this->DeclareOutput("vtkMultiBlockDataSet");
   this->DeclareOutput("vtkMultiBlockDataSet");
   this->DeclareFacts();
@@ -188,12 +189,25 @@ void vtkShapeStructuredBlocks::Execute(const shape::Progress& progress)
     return;
   }
   vtkUnstructuredGrid* input = this->GetGatheredInput(0).Grid;
-  const MappedGrid mapped = ReadGrid(input, this->MapArray);
+  MappedGrid mapped = ReadGrid(input, this->MapArray);
   const Eigen::VectorXi blockOf = vtkShapeConvert::ToCellIntegers(
     input, "Block", "the Input", "give the third output of Shape Hex Remesh");
   const Eigen::MatrixXi indices = ReadIndices(input);
+  const Eigen::MatrixXi hexahedra = ReadHexahedra(input);
   const std::vector<shape::GridBlock> blocks =
-    shape::FindGridBlocks(ReadHexahedra(input), mapped.Positions, blockOf, indices);
+    shape::FindGridBlocks(hexahedra, mapped.Positions, blockOf, indices);
+  double motion = 0.0, fitted = 0.0;
+  if (this->GetNumberOfInputConnections(1) > 0)
+  {
+    const shape::Surface surface =
+      vtkShapeConvert::ToMesh(this->GetGatheredInput(1).Data, "the Surface");
+    shape::RequireClosedSurface(surface, "the Surface");
+    fitted = 0.8; // the share of progress
+    shape::SmoothBlockMap smooth = shape::SmoothMapOfBlocks(blocks, hexahedra, mapped.Targets,
+      surface, this->Options, progress.Part(0.0, fitted, "moving the nodes along the surface"));
+    motion = smooth.LargestMotion;
+    mapped.Targets = std::move(smooth.Targets);
+  }
   const std::vector<std::vector<int>> cells = SortCells(blocks, blockOf, indices);
   auto* nodes = vtkMultiBlockDataSet::SafeDownCast(this->GetOutputDataObject(0));
   auto* controls = vtkMultiBlockDataSet::SafeDownCast(this->GetOutputDataObject(1));
@@ -203,8 +217,8 @@ void vtkShapeStructuredBlocks::Execute(const shape::Progress& progress)
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
     const FittedBlock block = FitBlock(mapped, blocks[i], cells[i], this->Options,
-      progress.Part(
-        count(i) / count(blocks.size()), count(i + 1) / count(blocks.size()), "fitting splines"));
+      progress.Part(fitted + (1.0 - fitted) * count(i) / count(blocks.size()),
+        fitted + (1.0 - fitted) * count(i + 1) / count(blocks.size()), "fitting splines"));
     nodes->SetBlock(static_cast<unsigned int>(i), block.Nodes);
     controls->SetBlock(static_cast<unsigned int>(i), block.Controls);
     largest = std::max(largest, block.Errors.maxCoeff());
@@ -216,7 +230,8 @@ void vtkShapeStructuredBlocks::Execute(const shape::Progress& progress)
     { "Nodes", count(nodeCount) }, { "ControlPoints", count(controlCount) },
     { "SplineError", largest },
     { "MeanSplineError", sum / count(std::max<vtkIdType>(nodeCount, 1)) },
-    { "RelativeError", largest / shape::ComputeBoxDiagonal(mapped.Targets) } };
+    { "RelativeError", largest / shape::ComputeBoxDiagonal(mapped.Targets) },
+    { "LargestMotion", motion } };
   for (vtkDataObject* output : { this->GetOutputDataObject(0), this->GetOutputDataObject(1) })
   {
     output->GetFieldData()->PassData(input->GetFieldData());

@@ -6,8 +6,12 @@
  * 3) and a map array at their points, such as output 2 of vtkShapeHexRemesh. Each block is a box of
  * cells.
  *
+ * Input 1, optional (vtkPolyData): the closed surface of the solid. If it is given, nodes of the
+ * boundary slide along it and those inside move, so that splines follow the map closely.
+ *
  * Output 0 (vtkMultiBlockDataSet): a structured grid for each block, with the input's arrays except
- * for the map array, `Block` and `BlockIndex`. Its points are at the values of the map array. The
+ * for the map array, `Block` and `BlockIndex`. Its points are at the values of the map array, or
+ * where they moved. The
  * point array `SourcePosition` (double, 3) is the position in the input, `SplinePosition`
  * (double, 3) that of the spline, and `SplineError` (double) the distance between spline and point.
  *
@@ -22,15 +26,16 @@
  * - .SplineError, .MeanSplineError: the largest and the mean distance at the nodes.
  * - .RelativeError: the largest distance divided by the diagonal of the bounding box of the map's
  *   values.
+ * - .LargestMotion: the largest distance by which a node moved; 0 without Surface.
  *
- * The mathematics: shape::FitBlockSpline.
+ * The mathematics: shape::FitBlockSpline, shape::SmoothMapOfBlocks.
  */
 #ifndef vtkShapeStructuredBlocks_h
 #define vtkShapeStructuredBlocks_h
 
 #include "vtkShapeAlgorithm.h"
 
-#include "Hex/StructuredBlocks.h" // for the options
+#include "Hex/SmoothBlockMap.h" // for the options
 
 #include <string> // for names
 
@@ -42,11 +47,12 @@ public:
 
   ///@{
   /// The properties. Effects and ranges: vtkShapeStructuredBlocks.xml. Defaults:
-  /// shape::BlockSplineOptions.
+  /// shape::SmoothBlockMapOptions.
   vtkSetStdStringFromCharMacro(MapArray);
   vtkGetCharFromStdStringMacro(MapArray);
   vtkShapeOption(Degree, int);
   vtkShapeOption(NodesPerControl, double);
+  vtkShapeOption(FeatureAngle, double);
   ///@}
 
 protected:
@@ -59,7 +65,7 @@ private:
   void operator=(const vtkShapeStructuredBlocks&) = delete;
 
   std::string MapArray = "TargetPosition";
-  shape::BlockSplineOptions Options;
+  shape::SmoothBlockMapOptions Options;
 };
 
 #endif

@@ -1,5 +1,8 @@
+#include "Hex/SmoothBlockMap.h"
 #include "Hex/StructuredBlocks.h"
+#include "Mesh/HexMesh.h"
 #include "Support/Refusals.h"
+#include "Support/SimpleSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -100,4 +103,67 @@ TEST(StructuredBlocks, CellsThatFillNoBoxAreRefused)
   EXPECT_REFUSED(shape::FindGridBlocks(cells, positions, block, indices), "block 0 has 2 cells",
     "do not fill a box");
   EXPECT_REFUSED(shape::FitBlockSpline(Counts, positions, { 0, 2.0 }), "Degree is 0");
+}
+
+namespace
+{
+
+/// The cells of a box of nodes.
+Eigen::MatrixXi CellsOf(const Eigen::RowVector3i& counts)
+{
+  const Eigen::RowVector3i cells = counts.array() - 1;
+  Eigen::MatrixXi corners(cells.prod(), 8);
+  for (int cell = 0; cell < static_cast<int>(corners.rows()); ++cell)
+  {
+    const int i = cell % cells(0), j = cell / cells(0) % cells(1), k = cell / cells(0) / cells(1);
+    const int first = i + counts(0) * (j + counts(1) * k), layer = counts(0) * counts(1);
+    corners.row(cell) << first, first + 1, first + counts(0) + 1, first + counts(0), first + layer,
+      first + layer + 1, first + layer + counts(0) + 1, first + layer + counts(0);
+  }
+  return corners;
+}
+
+double SplineError(const std::vector<shape::GridBlock>& blocks, const Eigen::MatrixXd& targets)
+{
+  return (shape::EvaluateAtNodes(blocks, targets) - targets).rowwise().norm().maxCoeff();
+}
+
+} // namespace
+
+TEST(StructuredBlocks, PlacesOfNodesOnASurfaceNeedNotBeFollowed)
+{
+  // Every second node of a cube moves along its side, which splines with half the nodes cannot
+  // follow. The shape, a cube, they can.
+  const Eigen::RowVector3i counts(13, 13, 13);
+  const Eigen::MatrixXi cells = CellsOf(counts);
+  Eigen::MatrixXd targets = shape::NodeParameters(counts);
+  const shape::GridBlock block{ counts,
+    Eigen::VectorXi::LinSpaced(counts.prod(), 0, counts.prod() - 1) };
+  const Eigen::MatrixXd straight = targets;
+  for (Eigen::Index node = 0; node < targets.rows(); ++node)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      double& at = targets(node, axis);
+      at += at > 0.0 && at < 1.0 ? (node % 2 == 0 ? 0.015 : -0.015) : 0.0;
+    }
+  }
+  const shape::Mesh cube = shapetest::Box({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 });
+  const shape::SmoothBlockMap smooth = shape::SmoothMapOfBlocks({ block }, cells, targets, cube);
+  EXPECT_GT(SplineError({ block }, targets), 1e-2);
+  EXPECT_LT(SplineError({ block }, smooth.Targets), 1e-6);
+  EXPECT_EQ(smooth.Inverted, 0);
+  EXPECT_NEAR(smooth.LargestMotion, (smooth.Targets - targets).rowwise().norm().maxCoeff(), 1e-15);
+  // Nodes stay on their side, edge or corner.
+  for (Eigen::Index i = 0; i < targets.size(); ++i)
+  {
+    if (const double at = straight.data()[i]; at == 0.0 || at == 1.0)
+    {
+      EXPECT_NEAR(smooth.Targets.data()[i], at, 1e-12);
+    }
+  }
+  shape::SmoothBlockMapOptions options;
+  options.FeatureAngle = 0.0;
+  EXPECT_REFUSED(
+    shape::SmoothMapOfBlocks({ block }, cells, targets, cube, options), "FeatureAngle is 0");
 }
