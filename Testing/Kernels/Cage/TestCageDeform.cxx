@@ -1,4 +1,5 @@
 #include "Cage/CageDeform.h"
+#include "Distance/SignedDistance.h"
 #include "Mesh/Mesh.h"
 #include "Support/CageShapes.h"
 #include "Support/ProgressChecks.h"
@@ -57,6 +58,71 @@ Eigen::RowVector3d MoveByPaper(
   return (sum / total).transpose().cast<double>();
 }
 
+/// The paper's normal of a moved triangle, times its stretch. rows: the corners.
+Eigen::RowVector3d StretchedNormal(const Eigen::Matrix3d& corners, const Eigen::Matrix3d& images)
+{
+  // The stretch is the root mean square of the singular values of the triangle's linear map.
+  Eigen::Matrix<double, 3, 2> edges, imageEdges;
+  edges << (corners.row(1) - corners.row(0)).transpose(),
+    (corners.row(2) - corners.row(0)).transpose();
+  imageEdges << (images.row(1) - images.row(0)).transpose(),
+    (images.row(2) - images.row(0)).transpose();
+  const Eigen::Matrix<double, 3, 3> linear =
+    imageEdges * (edges.transpose() * edges).inverse() * edges.transpose();
+  return std::sqrt(0.5) * linear.norm() *
+    imageEdges.col(0).cross(imageEdges.col(1)).normalized().transpose();
+}
+
+/// Green coordinates in closed form, triangle by triangle with extended precision. The potential of
+/// an edge of length l with its ends at distances a and b is log((a + b + l) / (a + b - l)).
+Eigen::RowVector3d MoveByClosedForm(
+  const Mesh& cage, const Eigen::MatrixXd& moved, const Eigen::RowVector3d& position)
+{
+  using Vector = Eigen::Matrix<long double, 3, 1>;
+  Vector sum = Vector::Zero();
+  for (Eigen::Index t = 0; t < cage.Triangles.rows(); ++t)
+  {
+    const Eigen::Matrix3d corners = shape::GetCorners(cage, t),
+                          images = shape::GetCorners({ moved, cage.Triangles }, t);
+    std::array<Vector, 3> rays, edges;
+    std::array<long double, 3> distances;
+    for (int k = 0; k < 3; ++k)
+    {
+      rays[k] = (corners.row(k) - position).transpose().cast<long double>();
+      edges[k] =
+        (corners.row((k + 2) % 3) - corners.row((k + 1) % 3)).transpose().cast<long double>();
+      distances[k] = rays[k].norm();
+    }
+    const Vector area = edges[0].cross(edges[1]);
+    const Vector normal = area.normalized();
+    const long double height = normal.dot(rays[0]);
+    const long double angle = 2.0L *
+      std::atan2(rays[0].dot(rays[1].cross(rays[2])),
+        distances[0] * distances[1] * distances[2] + distances[0] * rays[1].dot(rays[2]) +
+          distances[1] * rays[2].dot(rays[0]) + distances[2] * rays[0].dot(rays[1]));
+    Vector potentials = Vector::Zero(), sides;
+    for (int k = 0; k < 3; ++k)
+    {
+      const long double length = edges[k].norm(),
+                        both = distances[(k + 1) % 3] + distances[(k + 2) % 3];
+      potentials(k) = std::log((both + length) / (both - length));
+      sides(k) = -normal.cross(edges[k]).dot(rays[(k + 1) % 3]) / length;
+    }
+    sum += (sides.dot(potentials) - height * angle) *
+      StretchedNormal(corners, images).transpose().cast<long double>();
+    for (int i = 0; i < 3; ++i)
+    {
+      long double share = edges[i].norm() * sides(i) / area.norm() * angle;
+      for (int k = 0; k < 3; ++k)
+      {
+        share += height / area.norm() * edges[i].dot(edges[k]) / edges[k].norm() * potentials(k);
+      }
+      sum += share * images.row(i).transpose().cast<long double>();
+    }
+  }
+  return (sum / (4.0L * std::acos(-1.0L))).transpose().cast<double>();
+}
+
 /// Green's third identity by sums over small triangles.
 Eigen::RowVector3d MoveByIntegrals(
   const Mesh& cage, const Eigen::MatrixXd& moved, const Eigen::RowVector3d& position)
@@ -69,18 +135,7 @@ Eigen::RowVector3d MoveByIntegrals(
                           images = shape::GetCorners({ moved, cage.Triangles }, t);
     const Eigen::RowVector3d area =
       (corners.row(1) - corners.row(0)).cross(corners.row(2) - corners.row(0));
-    // The stretch is the root mean square of the singular values of the triangle's linear map.
-    Eigen::Matrix<double, 3, 2> edges, imageEdges;
-    edges << (corners.row(1) - corners.row(0)).transpose(),
-      (corners.row(2) - corners.row(0)).transpose();
-    imageEdges << (images.row(1) - images.row(0)).transpose(),
-      (images.row(2) - images.row(0)).transpose();
-    const Eigen::Matrix<double, 3, 3> linear =
-      imageEdges * (edges.transpose() * edges).inverse() * edges.transpose();
-    const Eigen::RowVector3d normal = std::sqrt(0.5) * linear.norm() *
-      Eigen::RowVector3d(images.row(1) - images.row(0))
-        .cross(Eigen::RowVector3d(images.row(2) - images.row(0)))
-        .normalized();
+    const Eigen::RowVector3d normal = StretchedNormal(corners, images);
     const double part = 0.5 * area.norm() / (Parts * Parts);
     for (int i = 0; i < Parts; ++i)
     {
@@ -137,7 +192,50 @@ TEST(CageDeform, MeanValueIsThePapersDefinition)
       MoveByCage(cage, moved, points, WithCoordinates(CageCoordinates::MeanValue));
     for (Eigen::Index i = 0; i < points.rows(); ++i)
     {
-      EXPECT_LT((result.Points.row(i) - MoveByPaper(cage, moved, points.row(i))).norm(), 1e-11);
+      EXPECT_LT((result.Points.row(i) - MoveByPaper(cage, moved, points.row(i))).norm(), 1e-12);
+    }
+  }
+}
+
+TEST(CageDeform, GreenIsItsClosedForm)
+{
+  for (const Mesh& cage : { CornerCage(), PebbleCage(2, 2.0) })
+  {
+    // Inside, also close to the surface, and in the planes of triangles.
+    const Eigen::MatrixXd moved = Bent(cage.Points),
+                          points =
+                            Stacked(PointsAround(cage, 300, 1.0), PointsNear(cage, Sides::Inner));
+    const shape::CageDeformer deformer(cage, moved, WithCoordinates(CageCoordinates::Green));
+    const CageMovedPoints result = deformer.Evaluate(points);
+    // Not at the surface, where the closed form is not defined.
+    const Eigen::VectorXd distances = shape::SignedDistance(cage).Evaluate(points).Distances;
+    int compared = 0;
+    for (Eigen::Index i = 0; i < points.rows(); ++i)
+    {
+      if (distances(i) < -1e-7)
+      {
+        EXPECT_LT(
+          (result.Points.row(i) - MoveByClosedForm(cage, moved, points.row(i))).norm(), 1e-12);
+        ++compared;
+      }
+    }
+    EXPECT_GT(compared, 200);
+  }
+}
+
+TEST(CageDeform, APositionDoesNotDependOnThoseBesideIt)
+{
+  const Mesh cage = CornerCage();
+  const Eigen::MatrixXd points = PointsAround(cage, 13, 1.1);
+  for (const CageCoordinates coordinates : { CageCoordinates::MeanValue, CageCoordinates::Green })
+  {
+    const shape::CageDeformer deformer(cage, Bent(cage.Points), WithCoordinates(coordinates, true));
+    const CageMovedPoints all = deformer.Evaluate(points);
+    for (Eigen::Index i = 0; i < points.rows(); ++i)
+    {
+      const CageMovedPoints one = deformer.Evaluate(points.row(i));
+      EXPECT_EQ(one.Points.row(0), all.Points.row(i));
+      EXPECT_EQ(one.Gradients.row(0), all.Gradients.row(i));
     }
   }
 }

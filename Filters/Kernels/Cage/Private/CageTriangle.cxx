@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 namespace shape
@@ -48,20 +47,6 @@ std::vector<CageTriangle> MakeCageTriangles(const Mesh& cage)
     }
   }
   return triangles;
-}
-
-double LiftHeight(
-  const CageTriangle& triangle, const std::array<Eigen::Vector3d, 3>& rays, double height)
-{
-  double square = rays[0].squaredNorm(); // of the distance from the edges
-  for (int k = 0; k < 3; ++k)
-  {
-    const Eigen::Vector3d& ray = rays[(k + 1) % 3];
-    const double along = std::clamp(-triangle.Tangents[k].dot(ray), 0.0, triangle.Lengths[k]);
-    square = std::min(square, (ray + along * triangle.Tangents[k]).squaredNorm());
-  }
-  const double lowest = 1e-8 * std::sqrt(square);
-  return std::abs(height) < lowest ? std::copysign(lowest, height) : height;
 }
 
 } // namespace shape

@@ -15,9 +15,9 @@ public:
   GreenMap(const Mesh& cage, const Eigen::MatrixXd& moved);
 
 private:
-  Eigen::RowVector3d FindStep(const CagePositions& positions, Eigen::Index i) const override;
-  Eigen::Matrix3d FindGradient(
-    const Eigen::Vector3d& position, const Eigen::Vector3d& near) const override;
+  bool FollowsCage() const override { return false; }
+  void FindSteps(const PositionBlock& block, StepBlock& result) const override;
+  void FindSlopes(const PositionBlock& block, SlopeBlock& result) const override;
 
   Eigen::Matrix3Xd NormalSteps; ///< for each triangle, its moved and stretched normal - its normal
 };

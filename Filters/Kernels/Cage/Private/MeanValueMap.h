@@ -15,9 +15,9 @@ public:
   MeanValueMap(const Mesh& cage, const Eigen::MatrixXd& steps);
 
 private:
-  Eigen::RowVector3d FindStep(const CagePositions& positions, Eigen::Index i) const override;
-  Eigen::Matrix3d FindGradient(
-    const Eigen::Vector3d& position, const Eigen::Vector3d& near) const override;
+  bool FollowsCage() const override { return true; }
+  void FindSteps(const PositionBlock& block, StepBlock& result) const override;
+  void FindSlopes(const PositionBlock& block, SlopeBlock& result) const override;
 };
 
 } // namespace shape

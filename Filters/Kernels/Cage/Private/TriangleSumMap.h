@@ -2,6 +2,7 @@
 
 #include "Cage/Private/CageMap.h"
 #include "Cage/Private/CageTriangle.h"
+#include "Cage/Private/PositionBlock.h"
 #include "Mesh/Mesh.h"
 
 #include <vector>
@@ -20,18 +21,20 @@ protected:
   /// InvalidInput if a triangle has no area.
   TriangleSumMap(const Mesh& cage, const Eigen::MatrixXd& steps);
 
-  /// Returns the displacement of the point of the cage that is closest to position i.
-  Eigen::Vector3d FindNearStep(const CagePositions& positions, Eigen::Index i) const;
-
   std::vector<CageTriangle> Triangles;
   Eigen::Matrix3Xd Steps; ///< a column for each point
 
 private:
-  /// Returns the displacement of position i.
-  virtual Eigen::RowVector3d FindStep(const CagePositions& positions, Eigen::Index i) const = 0;
-  /// Returns the gradient of the displacement. near: FindNearStep.
-  virtual Eigen::Matrix3d FindGradient(
-    const Eigen::Vector3d& position, const Eigen::Vector3d& near) const = 0;
+  /// Returns the displacement of the point of the cage that is closest to position i.
+  Eigen::Vector3d FindNearStep(const CagePositions& positions, Eigen::Index i) const;
+  /// Returns positions `begin` up to `end` of `points`, at most a block. The last one fills it.
+  PositionBlock MakeBlock(
+    const CagePositions& positions, const Eigen::MatrixXd& points, int begin, int end) const;
+
+  /// Whether positions on the cage have the displacement of the cage, and the sums do not apply.
+  virtual bool FollowsCage() const = 0;
+  virtual void FindSteps(const PositionBlock& block, StepBlock& result) const = 0;
+  virtual void FindSlopes(const PositionBlock& block, SlopeBlock& result) const = 0;
 };
 
 } // namespace shape
