@@ -78,7 +78,8 @@
  *
  * With FreeBoundary, the facts also have .DistortionBefore and .DistortionAfter. They are the
  * mean symmetric Dirichlet energy of the map of the solid, after scaling the image to the same
- * volume. The energy is 6 for an isometry. To measure it, the solid is filled with tetrahedra.
+ * volume. The energy is 6 for an isometry. To lower and measure it, the solid is filled with
+ * tetrahedra. The unknowns are the images: the map stays harmonic while they slide.
  * .FreeBoundary (a string) is Slid or, if the energy did not decrease and the images are unchanged,
  * NotLower.
  *

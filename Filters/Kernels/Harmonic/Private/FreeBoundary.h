@@ -23,15 +23,14 @@ struct FreeBoundaryResult
 
 /**
  * Reduces the distortion of a volume map by letting the images of the boundary's points slide on
- * the target surface. The solid's tetrahedra are moved by the harmonic map and untangled. Then
- * their elliptic energy (EllipticEnergy) is minimized while the boundary points stay on the target.
- * Finally the harmonic map with the new boundary values is solved. Points may slide across creases
- * of the target.
+ * the target surface. The solid is filled with at least about 20,000 tetrahedra. The images slide
+ * to lower the energy of the tetrahedra's harmonic map, which is linear in the images
+ * (SlideImages). Finally the harmonic map with the new boundary values is solved. Points may slide
+ * across creases of the target.
  *
  * boundary, targets, features, options: as for ComputeHarmonicVolumeMap. map: the result of
  * ComputeHarmonicVolumeMap. Throws the exceptions of ComputeHarmonicVolumeMap, Tetrahedralize and
- * Untangle. Throws SolveFailure if tetrahedra stay inverted, for example because the boundary map
- * folds; Aborted.
+ * SlideImages; Aborted.
  */
 FreeBoundaryResult SlideBoundary(const Surface& boundary, const Eigen::MatrixXd& targets,
   const Surface& target, const VolumeFeatures& features, const HarmonicVolumeMapOptions& options,
