@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "CutPaste/PasteTarget.h"
+#include "CutPaste/PointTarget.h"
 #include "ExponentialMap/ConformalPatch.h"
 #include "ExponentialMap/ExponentialMap.h"
 #include "Fill/FillHoles.h"
@@ -144,6 +145,18 @@ Eigen::RowVector3d FindCenterOfTriangles(const Surface& surface, const std::vect
     : Eigen::RowVector3d(midpoints.colwise().mean());
   // The centroid of a curved fill is not on it.
   return SurfaceLocator(part).FindOne(centroid).Position;
+}
+
+FeatureFootprint BuildFootprintOnPoints(
+  PointTarget& home, const FilledLoop& loop, const Progress& progress)
+{
+  const auto [rows, patch] = FlattenLoop(home.Layout(), loop, progress.Part(0.0, 0.5));
+  FeatureFootprint base{ loop.Loop, patch.Positions(rows, Eigen::all),
+    home.Sampled().Normals(loop.On, Eigen::all), patch.Seed.Normal, patch.Seed.XAxis, loop.Seed };
+  base.ReturnsInPlace = IsSimplePolygon(base.LoopPositions) &&
+    home.Land(base, { loop.Seed, 0.0, 1.0 }, progress.Part(0.5, 1.0)).Positions ==
+      home.Surface().Points()(loop.On, Eigen::all);
+  return base;
 }
 
 std::vector<FeatureFootprint> BuildFootprintsOnSurface(

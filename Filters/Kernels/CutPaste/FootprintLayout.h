@@ -11,6 +11,8 @@
 namespace shape
 {
 
+class PointTarget;
+
 /// Returns the point of the given triangles that is closest to their centroid.
 Eigen::RowVector3d FindCenterOfTriangles(const Surface& surface, const std::vector<int>& triangles);
 
@@ -21,6 +23,12 @@ struct FilledLoop
   std::vector<int> Loop;   ///< points of the feature, with the feature to the left
   std::vector<int> On;     ///< for each of these points, the coincident point of the surface
 };
+
+/// Builds the footprint of a feature at its loop on a point cloud. home: the rest with the points
+/// of its fill. Throws InvalidInput if the loop and its seed are on parts that no local triangle
+/// connects; Aborted.
+FeatureFootprint BuildFootprintOnPoints(
+  PointTarget& home, const FilledLoop& loop, const Progress& progress = {});
 
 /// Builds the footprint of a feature at each of its loops. filled: the surface with the fills.
 /// Throws InvalidInput if a loop and its seed are on different components; Aborted.

@@ -1,6 +1,7 @@
 #include "CutPaste/PasteFeature.h"
 
 #include "Base/Errors.h"
+#include "CutPaste/Private/PointJoin.h"
 #include "CutPaste/Private/SoupJoin.h"
 #include "Deform/BoundaryNormals.h"
 #include "Geometry/VertexNormals.h"
@@ -307,6 +308,35 @@ FeatureToPaste::Deformed FeatureToPaste::DeformTo(const Eigen::MatrixXd& positio
   return result;
 }
 
+const FeatureFootprint& FeatureToPaste::SingleBase(const std::string& target) const
+{
+  if (this->Stands.size() > 1)
+  {
+    throw InvalidInput("the target " + target +
+      ", to which only one loop can be joined, but the feature has " +
+      std::to_string(this->Stands.size()) +
+      " loops to join; set Loops to One, or use a manifold as target");
+  }
+  return this->Stands.front();
+}
+
+/// Completes the result on a target that is no manifold.
+template <typename Landing>
+void FeatureToPaste::Finish(const Landing& landing, Deformed deformed, const SurfaceLocator& target,
+  PastedFeature& result) const
+{
+  RequireFinite(result.Surface.Points, "the result");
+  result.AnglesBefore = std::move(deformed.AnglesBefore);
+  result.AnglesAfter = std::move(deformed.AnglesAfter);
+  result.Facts = this->Prepared->Facts();
+  result.Loop = { landing.Positions, landing.Normals, std::move(deformed.Turns) };
+  LoopOnTarget& there = result.Landings.front();
+  there.Seed = landing.Seed;
+  there.Positions = landing.Positions;
+  there.Normals = landing.Normals;
+  there.Cover.Positions = target.Find(landing.Positions);
+}
+
 // Section 4.2 of the paper:
 // 1. Map the loops to the target by the exponential maps of both (PasteTarget::Land).
 // 2. Deform the feature to follow its loops, with frames that rotate the bases' normals to the
@@ -352,34 +382,34 @@ PastedFeature FeatureToPaste::PasteOn(PasteTarget& target, const PastePlacement&
   return result;
 }
 
+// As on a manifold, but points are joined, and no triangles (JoinFeatureAndPoints).
+PastedFeature FeatureToPaste::PasteOn(PointTarget& target, const PastePlacement& placement,
+  const PasteFeatureOptions& options, const Progress& progress) const
+{
+  const FeatureFootprint& base = this->SingleBase("is a point cloud");
+  const LoopOnPoints landing =
+    target.Land(base, placement, progress.Part(0.0, 0.3, "placing the base on the target"));
+  Deformed deformed = this->DeformTo(landing.Positions, landing.Normals, placement.Scale, options,
+    progress.Part(0.3, 0.9, "deforming the feature"));
+  PastedFeature result = JoinFeatureAndPoints(
+    target, base, landing, deformed.Points.topRows(this->Feature.Points().rows()));
+  this->Finish(landing, std::move(deformed), target.Closest(), result);
+  progress(1.0);
+  return result;
+}
+
 // As on a manifold, but the soup is cut along the loop and needs no band (JoinFeatureAndSoup).
 PastedFeature FeatureToPaste::PasteOn(SoupTarget& target, const PastePlacement& placement,
   const PasteFeatureOptions& options, const Progress& progress) const
 {
-  if (this->Stands.size() > 1)
-  {
-    throw InvalidInput("the target is a polygon soup, to which only one loop can be joined, but "
-                       "the feature has " +
-      std::to_string(this->Stands.size()) +
-      " loops to join; set Loops to One, or repair the target with Shape Solidify");
-  }
-  const FeatureFootprint& base = this->Stands.front();
+  const FeatureFootprint& base = this->SingleBase("is a polygon soup");
   const LoopOnSoup landing =
     target.Land(base, placement, progress.Part(0.0, 0.4, "placing the base on the target"));
   Deformed deformed = this->DeformTo(landing.Positions, landing.Normals, placement.Scale, options,
     progress.Part(0.4, 0.9, "deforming the feature"));
   PastedFeature result = JoinFeatureAndSoup(this->Feature.Triangles(), base, landing,
     deformed.Points.topRows(this->Feature.Points().rows()));
-  RequireFinite(result.Surface.Points, "the joined surface");
-  result.AnglesBefore = std::move(deformed.AnglesBefore);
-  result.AnglesAfter = std::move(deformed.AnglesAfter);
-  result.Facts = this->Prepared->Facts();
-  result.Loop = { landing.Positions, landing.Normals, std::move(deformed.Turns) };
-  LoopOnTarget& onSoup = result.Landings.front();
-  onSoup.Seed = landing.Seed;
-  onSoup.Positions = landing.Positions;
-  onSoup.Normals = landing.Normals;
-  onSoup.Cover.Positions = target.Closest().Find(landing.Positions);
+  this->Finish(landing, std::move(deformed), target.Closest(), result);
   progress(1.0);
   return result;
 }

@@ -4,6 +4,7 @@
 #include "CutPaste/FeatureFootprint.h"
 #include "CutPaste/PasteTarget.h"
 #include "CutPaste/PastedFeature.h"
+#include "CutPaste/PointTarget.h"
 #include "CutPaste/Seam.h"
 #include "CutPaste/SoupTarget.h"
 #include "Deform/HandleFrames.h"
@@ -14,6 +15,7 @@
 #include <Eigen/Core>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace shape
@@ -94,6 +96,20 @@ public:
   PastedFeature PasteOn(SoupTarget& target, const PastePlacement& placement,
     const PasteFeatureOptions& options = {}, const Progress& progress = {}) const;
 
+  /**
+   * Pastes the feature on a point cloud: the same, but only the feature's points are joined to the
+   * target's. Those below the feature are removed (PointTarget::Land). Where the next point of the
+   * target is farther from the seam than the target's spacing, points of the target's surface are
+   * added between them. The feature may be given by any triangles, such as the local ones of a
+   * point cloud (ConnectSamples). A feature returns to its position if it is pasted where it was
+   * cut, as on a manifold.
+   *
+   * Throws InvalidInput if the feature has several bases. Throws the exceptions of
+   * PointTarget::Land; Aborted.
+   */
+  PastedFeature PasteOn(PointTarget& target, const PastePlacement& placement,
+    const PasteFeatureOptions& options = {}, const Progress& progress = {}) const;
+
   const shape::Surface& Surface() const { return this->Feature; }
   const std::vector<FeatureFootprint>& Bases() const { return this->Stands; }
   /// The points of all joined loops, one loop after another.
@@ -116,6 +132,10 @@ private:
   Eigen::MatrixXd LoopNormals(const Eigen::MatrixXd& points) const;
   Eigen::MatrixXd WithMidpoints(const Eigen::MatrixXd& points) const;
 
+  const FeatureFootprint& SingleBase(const std::string& target) const;
+  template <typename Landing>
+  void Finish(const Landing& landing, Deformed deformed, const SurfaceLocator& target,
+    PastedFeature& result) const;
   void Check(const PastedFeature& pasted) const;
 
   shape::Surface Feature;

@@ -41,9 +41,18 @@ struct PastedFeature
   /// soup, that of Surface.
   int EulerNumber = 0;
 
+  /// Whether target and feature are point clouds: Surface then has no triangles. Its points are
+  /// those of the target, AddedPoints on the target's surface at the seam, and those of the
+  /// feature.
+  bool IsOfPoints = false;
+  int AddedPoints = 0;
+  /// On a point cloud: the mean distance between neighbouring points of the target.
+  double Spacing = 0.0;
   bool IsOnSoup = false; ///< whether the target was treated as a soup (SoupTarget)
   /// On a soup: the largest distance of a point of the seam, on the feature, from the target, or of
   /// one on the cut target from the feature's seam. It is the distance across gaps of the target.
+  /// On a point cloud: the largest distance of a point of the loop from the nearest point of the
+  /// target that remains, or of such a point at the hole from the nearest point of the feature.
   double LargestGap = 0.0;
   /// On a soup: the share of the seam's length where feature and target have common edges, 0 to 1.
   double JoinedShare = 1.0;

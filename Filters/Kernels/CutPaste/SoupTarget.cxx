@@ -1,10 +1,10 @@
 #include "CutPaste/SoupTarget.h"
 
 #include "Base/Errors.h"
+#include "CutPaste/Private/PlacedLoop.h"
 #include "CutPaste/Private/SoupPatch.h"
 #include "Mesh/Extent.h"
 #include "Mesh/Topology.h"
-#include "Planar/PlanarLocator.h"
 
 #include <Eigen/Geometry>
 
@@ -13,7 +13,6 @@
 #include <cmath>
 #include <limits>
 #include <random>
-#include <string>
 #include <utility>
 
 namespace shape
@@ -32,44 +31,6 @@ void MoveAtRandom(Eigen::MatrixXd& loop, double edge)
   {
     constexpr double half = 2147483648.0; // of the generator's range
     coordinate += 1e-7 * edge * (static_cast<double>(random()) / half - 1.0);
-  }
-}
-
-double MeanEdgeOf(const Eigen::MatrixXd& loop)
-{
-  double sum = 0.0;
-  for (Eigen::Index i = 0; i < loop.rows(); ++i)
-  {
-    sum += (loop.row((i + 1) % loop.rows()) - loop.row(i)).norm();
-  }
-  return sum / static_cast<double>(loop.rows());
-}
-
-/// Positions and normals of the loop's points on the sampled surface.
-void PlaceLoop(const SoupPatch& flat, const Eigen::MatrixXd& loop, LoopOnSoup& landing)
-{
-  const PlanarLocator locator(flat.Patch.Positions, flat.Patch.Corners, flat.Patch.Torn);
-  landing.Positions.resize(loop.rows(), 3);
-  landing.Normals.resize(loop.rows(), 3);
-  int beyond = 0;
-  for (Eigen::Index i = 0; i < loop.rows(); ++i)
-  {
-    const SurfacePoint at = locator.Find(loop.row(i));
-    if (at.Triangle < 0)
-    {
-      ++beyond;
-      continue;
-    }
-    const Eigen::RowVector3i corners = flat.Patch.Corners.row(at.Triangle);
-    landing.Positions.row(i) = at.Barycentric * flat.Points(corners, Eigen::all);
-    landing.Normals.row(i) = (at.Barycentric * flat.Normals(corners, Eigen::all)).normalized();
-  }
-  if (beyond > 0)
-  {
-    throw InvalidInput("the feature does not fit at the seed: " + std::to_string(beyond) +
-      " of the " + std::to_string(loop.rows()) +
-      " points of its loop would lie beyond the polygons there, or in a "
-      "gap that is too wide; lower Scale or move Seed");
   }
 }
 
@@ -230,7 +191,9 @@ LoopOnSoup SoupTarget::Land(
     FlattenSoup(refined, base, seed, radius, length, this->Options, progress.Part(0.3, 0.8));
   LoopOnSoup landing;
   landing.Seed = flat.Patch.Seed;
-  PlaceLoop(flat, loop, landing);
+  PlacedLoop placed = PlaceLoop(flat.Patch, flat.Points, flat.Normals, loop, "polygons");
+  landing.Positions = std::move(placed.Positions);
+  landing.Normals = std::move(placed.Normals);
   CutSoup(this->Surface(), refined, flat, loop, snapShare * length, landing);
   PutLoopOnSoup(landing);
   progress(1.0);
