@@ -282,10 +282,8 @@ print('panels: largest gap %.4f, mean edge %.4f, joined %.3f' % (
 assert 'BridgeGaps is on' in shapetesting.facts(result).GetAbstractArray('PasteFeature.Warning').GetValue(0)
 refused('beyond the polygons', feature, hood, [1.45, 0.0, 0.4], BridgeGaps=True)
 
-# Points alone have no edges to join.
+# Points alone have no boundary (TestPointClouds.py has features and targets of points).
 cloud = vtkPolyData()
 cloud.SetPoints(target.GetPoints())
-refused('the Target has %d points and no polygons' % cloud.GetNumberOfPoints(), feature, cloud, [0.0, 0.0, 1.2])
-refused('Delaunay 3D and Extract Surface', cloud, target, [0.0, 0.0, 1.2])
-cutter = shapetesting.new(shapemap.vtkShapeCutFeature, cloud, NumberOfLoopPoints=3)
-shapetesting.check_refused(cutter, 'the Input has', 'a feature is cut along edges of polygons', 'Delaunay 2D')
+refused('the Feature is a point cloud without a loop', cloud, target, [0.0, 0.0, 1.2])
+refused('cut it with Shape Cut Feature', cloud, target, [0.0, 0.0, 1.2])

@@ -154,10 +154,11 @@ def facts_of(data, name):
     return scenes.vtk_to_numpy(shapetesting.facts(data).GetArray(name))[0]
 
 
-def pasted_points(surface):
-    """The numbers of a feature's points in what it was pasted into."""
-    part = scenes.vtk_to_numpy(surface.GetCellData().GetArray('Part'))
-    return numpy.unique(triangles(surface)[part == 2])
+def pasted_points(result):
+    """The numbers of a feature's points in what it was pasted into, a surface or points."""
+    part = scenes.vtk_to_numpy(result.GetCellData().GetArray('Part'))
+    faces = triangles(result)
+    return numpy.unique(faces[part == 2]) if len(faces) else numpy.flatnonzero(part == 2)
 
 
 def facing(feature, target, seed, side, wanted, **options):

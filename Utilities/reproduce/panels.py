@@ -24,12 +24,12 @@ def source(data):
     return producer
 
 
-def balls(positions, radius):
+def balls(positions, radius, resolution=20):
     """A small ball at each position."""
     ball, glyphs = vtkSphereSource(), vtkGlyph3D()
     ball.SetRadius(radius)
-    ball.SetThetaResolution(20)
-    ball.SetPhiResolution(20)
+    ball.SetThetaResolution(resolution)
+    ball.SetPhiResolution(resolution)
     glyphs.SetInputData(scenes.point_set(positions))
     glyphs.SetSourceConnection(ball.GetOutputPort())
     glyphs.ScalingOff()

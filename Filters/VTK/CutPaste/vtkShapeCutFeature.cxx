@@ -1,8 +1,9 @@
 #include "vtkShapeCutFeature.h"
 
 #include "vtkShapeCarry.h"
-#include "vtkShapeComplete.h"
+#include "vtkShapeCloud.h"
 #include "vtkShapeConvert.h"
+#include "vtkShapeCutCloud.h"
 #include "vtkShapeCutParts.h"
 #include "vtkShapeGather.h"
 #include "vtkShapeList.h"
@@ -20,6 +21,7 @@
 #include "vtkPolyData.h"
 
 #include "Base/Errors.h"
+#include "CutPaste/CutPoints.h"
 #include "Geodesics/SurfaceLoop.h"
 #include "Mesh/Topology.h"
 
@@ -35,6 +37,7 @@ struct vtkShapeCutFeature::Kept
   vtkShapeSeenInput Input;
   shape::NumberedSurface Numbered;
   std::unique_ptr<shape::FeatureCutter> Cutter;
+  std::unique_ptr<shape::PointCutter> PointCutter; ///< instead of Cutter, for a point cloud
   vtkNew<vtkPolyData> LastFeature, LastRest;
 };
 
@@ -161,47 +164,21 @@ void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progres
   }
   const GatheredInput& input = this->GetGatheredInput(0);
   vtkPolyData* surface = input.Data;
-  vtkShapeComplete::RequireNoPointCloud(
-    surface, "the Input", "a feature is cut along edges of polygons");
   Kept& kept = *this->Cache;
+  const bool isCloud = vtkShapeCloud::IsPointCloud(surface);
   // A new loop on the same surface uses the stored search structures.
-  if (kept.Input.IsNew(*this, 0, surface) || !kept.Cutter)
+  if (kept.Input.IsNew(*this, 0, surface) || !(isCloud ? !!kept.PointCutter : !!kept.Cutter))
   {
     kept.Cutter.reset();
+    kept.PointCutter.reset();
     kept.LastFeature->Initialize();
     kept.LastRest->Initialize();
-    kept.Numbered = vtkShapePreciseMap::ToSurface(surface, "the Input");
-    kept.Cutter =
-      std::make_unique<shape::FeatureCutter>(kept.Numbered.Surface, progress.Part(0.0, 0.1));
+    this->Prepare(isCloud, progress.Part(0.0, 0.1, "preparing the surface"));
   }
-  shape::CutFeatureOptions options = this->Options;
-  // Filling is too slow for a step of a drag. The hole is filled when the mouse button is released.
-  options.FillHole = options.FillHole && !this->Dragging;
-  shape::CutFeatureResult cut;
-  if (marked)
-  {
-    cut = kept.Cutter->Cut(
-      SelectedTriangles(marked, vtkShapeRepaired::ToGiven(input.GivenCells, kept.Numbered.Cells)),
-      options, progress.Part(0.1, 1.0));
-  }
-  else
-  {
-    using Positions = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
-    std::vector<Eigen::MatrixXd> curves;
-    if (hasLoop)
-    {
-      curves = ToCurves(this->GetGatheredInput(1).Data);
-    }
-    else
-    {
-      curves.emplace_back(Eigen::Map<const Positions>(this->LoopPoints.data(), loopPoints, 3));
-    }
-    cut = kept.Cutter->Cut(curves, options, progress.Part(0.1, 1.0));
-  }
-
   auto* feature = vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
   auto* rest = vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
-  vtkShapeCutParts::Write(cut, kept.Numbered, surface, feature, rest);
+  const FactWriter addFacts = isCloud ? this->CutCloud(marked, progress.Part(0.1, 1.0))
+                                      : this->CutSurface(marked, progress.Part(0.1, 1.0));
   for (vtkPolyData* part : { feature, rest })
   {
     vtkShapeCarry::RenumberOriginals(input.GivenPoints, part->GetPointData());
@@ -215,8 +192,83 @@ void vtkShapeCutFeature::Cut(vtkPolyData* marked, const shape::Progress& progres
     // distributed data.
     rest->ShallowCopy(own && isAlone ? own : input.Given.Get());
   }
-  vtkShapeCutParts::AddFacts(cut, feature);
-  vtkShapeCutParts::AddFacts(cut, rest);
+  addFacts(feature);
+  addFacts(rest);
   kept.LastFeature->ShallowCopy(feature);
   kept.LastRest->ShallowCopy(rest);
+}
+
+void vtkShapeCutFeature::Prepare(bool isCloud, const shape::Progress& progress)
+{
+  Kept& kept = *this->Cache;
+  vtkPolyData* surface = this->GetGatheredInput(0).Data;
+  if (isCloud)
+  {
+    kept.PointCutter = std::make_unique<shape::PointCutter>(
+      vtkShapeCloud::Connect(surface, progress.Part(0.0, 0.7)), progress.Part(0.7, 1.0));
+    return;
+  }
+  kept.Numbered = vtkShapePreciseMap::ToSurface(surface, "the Input");
+  kept.Cutter = std::make_unique<shape::FeatureCutter>(kept.Numbered.Surface, progress);
+}
+
+std::vector<Eigen::MatrixXd> vtkShapeCutFeature::ReadCurves()
+{
+  if (this->GetNumberOfInputConnections(1) > 0)
+  {
+    return ToCurves(this->GetGatheredInput(1).Data);
+  }
+  using Positions = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+  const auto count = static_cast<Eigen::Index>(this->LoopPoints.size() / 3);
+  return { Eigen::Map<const Positions>(this->LoopPoints.data(), count, 3) };
+}
+
+vtkShapeCutFeature::FactWriter vtkShapeCutFeature::CutSurface(
+  vtkPolyData* marked, const shape::Progress& progress)
+{
+  Kept& kept = *this->Cache;
+  const GatheredInput& input = this->GetGatheredInput(0);
+  shape::CutFeatureOptions options = this->Options;
+  // Filling is too slow for a step of a drag. The hole is filled when the mouse button is released.
+  options.FillHole = options.FillHole && !this->Dragging;
+  const shape::CutFeatureResult cut = marked
+    ? kept.Cutter->Cut(
+        SelectedTriangles(marked, vtkShapeRepaired::ToGiven(input.GivenCells, kept.Numbered.Cells)),
+        options, progress)
+    : kept.Cutter->Cut(this->ReadCurves(), options, progress);
+  vtkShapeCutParts::Write(cut, kept.Numbered, input.Data,
+    vtkPolyData::SafeDownCast(this->GetOutputDataObject(0)),
+    vtkPolyData::SafeDownCast(this->GetOutputDataObject(1)));
+  return [cut](vtkPolyData* output) { vtkShapeCutParts::AddFacts(cut, output); };
+}
+
+vtkShapeCutFeature::FactWriter vtkShapeCutFeature::CutCloud(
+  vtkPolyData* marked, const shape::Progress& progress)
+{
+  if (marked)
+  {
+    throw shape::InvalidInput("the Input is a point cloud, which is cut along a loop: selected "
+                              "points have no ordered boundary; draw Loop Points around them");
+  }
+  const std::vector<Eigen::MatrixXd> curves = this->ReadCurves();
+  const auto count = static_cast<int>(curves.size());
+  const int index = this->Options.LoopIndex == -1 && count == 1 ? 0 : this->Options.LoopIndex;
+  if (index < 0 || index >= count)
+  {
+    throw shape::InvalidInput("the Input is a point cloud, which is cut along one loop, but there "
+                              "are " +
+      std::to_string(count) + " and Loop Index is " + std::to_string(index) +
+      "; set Loop Index to one of them, numbered from 0");
+  }
+  Kept& kept = *this->Cache;
+  vtkPolyData* cloud = this->GetGatheredInput(0).Data;
+  const shape::CutPointsOptions options{ this->Options.Side,
+    this->Options.FillHole && !this->Dragging, this->Options.Fill };
+  const shape::CutPointsResult cut = kept.PointCutter->Cut(curves[index], options, progress);
+  vtkShapeCutCloud::Write(cut, kept.PointCutter->Sampled(), cloud,
+    vtkPolyData::SafeDownCast(this->GetOutputDataObject(0)),
+    vtkPolyData::SafeDownCast(this->GetOutputDataObject(1)));
+  return
+    [cut, spacing = kept.PointCutter->Spacing(), isEstimated = !vtkShapeCloud::HasNormals(cloud)](
+      vtkPolyData* output) { vtkShapeCutCloud::AddFacts(cut, spacing, isEstimated, output); };
 }

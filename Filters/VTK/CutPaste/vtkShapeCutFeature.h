@@ -6,6 +6,7 @@
  * - Input: a surface, open or closed, which may be non-manifold. Polygons are triangulated
  *   internally, and seams are closed (shape::WeldedSurface). Blocks and distributed pieces are
  *   joined first.
+ *   Points without polygons are a point cloud (below).
  * - Loop (optional): closed curves on the surface or near it. Their points are projected to the
  *   surface and joined by locally shortest paths. Lines connected end to end, in any order, are
  *   one curve.
@@ -45,9 +46,18 @@
  * - .Refused: 1 if Dragging is on and the loop cannot be cut, otherwise 0. .Refusal is then the
  *   reason, and the outputs are the last valid ones.
  *
+ * Point clouds: if Input has no polygons, its points sample a surface, with their normals or
+ * estimated ones (shape::PointCutter). The loop runs from point to point along shortest links, and
+ * the outputs are vertices with normals. Both have the points of the loop. The feature has a closed
+ * line through them, and so has the rest if it was not filled: with it, vtkShapeFillHoles fills the
+ * hole. The points of the fill are new vertices of the rest, with `Filled` 1. Selection, SnapShare
+ * and the creases are not used. Further facts:
+ * - .PointCloud: 1. .Spacing: mean distance of neighbouring points. .EstimatedNormals: 1 if normals
+ *   were estimated.
+ *
  * If only the loop changes, everything that depends only on Input is reused.
  *
- * The mathematics: shape::CutFeature.
+ * The mathematics: shape::CutFeature, shape::PointCutter.
  */
 #ifndef vtkShapeCutFeature_h
 #define vtkShapeCutFeature_h
@@ -56,7 +66,8 @@
 
 #include "CutPaste/CutFeature.h" // for the options
 
-#include <memory> // for what is kept
+#include <functional> // for the facts
+#include <memory>     // for what is kept
 #include <vector>
 
 class vtkPolyData;
@@ -107,7 +118,12 @@ private:
   vtkShapeCutFeature(const vtkShapeCutFeature&) = delete;
   void operator=(const vtkShapeCutFeature&) = delete;
 
+  using FactWriter = std::function<void(vtkPolyData*)>;
   void Cut(vtkPolyData* marked, const shape::Progress& progress);
+  void Prepare(bool isCloud, const shape::Progress& progress);
+  std::vector<Eigen::MatrixXd> ReadCurves();
+  FactWriter CutSurface(vtkPolyData* marked, const shape::Progress& progress);
+  FactWriter CutCloud(vtkPolyData* marked, const shape::Progress& progress);
 
   std::vector<double> LoopPoints;
   bool KeepOriginal = false;

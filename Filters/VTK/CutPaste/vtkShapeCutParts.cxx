@@ -43,7 +43,7 @@ void vtkShapeCutParts::Write(const shape::CutFeatureResult& cut,
   vtkPolyData* rest)
 {
   WritePart(cut.Feature, {}, numbered, surface, feature);
-  vtkShapeFeatureBase::Write(cut, feature);
+  vtkShapeFeatureBase::Write(cut.Bases, cut.Feature.Ids, feature);
   WritePart(cut.Rest, cut.Holes, numbered, surface, rest);
   Eigen::VectorXi filled = Eigen::VectorXi::Zero(cut.Rest.Surface.Triangles.rows());
   for (const shape::FilledHole& hole : cut.Holes)

@@ -1,5 +1,6 @@
 #include "vtkShapeFeatureBase.h"
 
+#include "vtkShapeCloud.h"
 #include "vtkShapeConvert.h"
 
 #include "vtkDataArray.h"
@@ -64,12 +65,26 @@ int FindBase(
 }
 
 /// Returns the loops to join, the one at the seed first.
-std::vector<std::vector<int>> ChooseLoops(const shape::Mesh& feature,
+std::vector<std::vector<int>> ChooseLoops(vtkPolyData* data, const shape::Mesh& feature,
   const Eigen::MatrixXd& positions, const Eigen::MatrixXd& normals,
   const shape::JoinedLoops& joined)
 {
   const int index = joined.LoopIndex;
-  std::vector<std::vector<int>> loops = shape::FindBoundaryLoops(feature).Loops;
+  std::vector<std::vector<int>> loops;
+  if (vtkShapeCloud::IsPointCloud(data))
+  {
+    loops.push_back(vtkShapeCloud::FindLoop(data));
+    if (loops.front().empty())
+    {
+      throw shape::InvalidInput("the Feature is a point cloud without a loop: points alone have no "
+                                "boundary along which they could be joined; cut it with Shape Cut "
+                                "Feature, or add a closed polyline through its outer points");
+    }
+  }
+  else
+  {
+    loops = shape::FindBoundaryLoops(feature).Loops;
+  }
   const auto count = static_cast<int>(loops.size());
   if (count == 0)
   {
@@ -106,31 +121,32 @@ std::vector<std::vector<int>> ChooseLoops(const shape::Mesh& feature,
 
 } // namespace
 
-void vtkShapeFeatureBase::Write(const shape::CutFeatureResult& cut, vtkPolyData* feature)
+void vtkShapeFeatureBase::Write(const std::vector<shape::FeatureFootprint>& all,
+  const std::vector<int>& ids, vtkPolyData* feature)
 {
-  if (cut.Bases.empty())
+  if (all.empty())
   {
     return;
   }
-  Eigen::MatrixXd positions = Eigen::MatrixXd::Zero(cut.Feature.Surface.Points.rows(), 3);
+  Eigen::MatrixXd positions = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(ids.size()), 3);
   Eigen::MatrixXd normals = positions;
-  const auto bases = static_cast<Eigen::Index>(cut.Bases.size());
+  const auto bases = static_cast<Eigen::Index>(all.size());
   Eigen::MatrixXd seeds(bases, 3), planes(bases, 3), axes(bases, 3), radii(bases, 1),
     refined(bases, 1);
   bool returns = true;
   for (Eigen::Index k = 0; k < bases; ++k)
   {
-    const shape::FeatureFootprint& base = cut.Bases[k];
+    const shape::FeatureFootprint& base = all[k];
     // Points are found by position, because points on a seam are duplicated, and all copies must
     // store the base.
     std::map<int, Eigen::Index> rows; // of the loop, by the position on the surface
     for (std::size_t i = 0; i < base.Loop.size(); ++i)
     {
-      rows[cut.Feature.Ids[base.Loop[i]]] = static_cast<Eigen::Index>(i);
+      rows[ids[base.Loop[i]]] = static_cast<Eigen::Index>(i);
     }
     for (Eigen::Index point = 0; point < positions.rows(); ++point)
     {
-      const auto row = rows.find(cut.Feature.Ids[point]);
+      const auto row = rows.find(ids[point]);
       if (row != rows.end())
       {
         positions.row(point) << base.LoopPositions.row(row->second), static_cast<double>(k);
@@ -168,7 +184,8 @@ vtkShapeFeatureBase::Feature vtkShapeFeatureBase::Read(vtkPolyData* data,
     normals.resize(0, 3);
   }
   Feature feature{ {}, false };
-  const std::vector<std::vector<int>> loops = ChooseLoops(surface, positions, normals, joined);
+  const std::vector<std::vector<int>> loops =
+    ChooseLoops(data, surface, positions, normals, joined);
   for (const std::vector<int>& loop : loops)
   {
     const auto done = static_cast<double>(feature.Bases.size());

@@ -15,9 +15,10 @@ class vtkPolyData;
 namespace vtkShapeFeatureBase
 {
 
-/// Writes the bases of a cut feature to `feature`, if it has any. All duplicate points of a seam
-/// get the same values.
-void Write(const shape::CutFeatureResult& cut, vtkPolyData* feature);
+/// Writes the bases of a cut feature to `feature`, if it has any. ids: the id of each of its points
+/// (shape::DividedPart); all duplicate points of a seam get the same values.
+void Write(const std::vector<shape::FeatureFootprint>& bases, const std::vector<int>& ids,
+  vtkPolyData* feature);
 
 /// A feature to be pasted.
 struct Feature
@@ -28,8 +29,9 @@ struct Feature
 
 /**
  * Returns the bases of a feature at one or all of its loops. surface: the points and triangles of
- * `data`. Throws shape::InvalidInput if there is no such loop, the exceptions of
- * shape::BuildFootprintOnOwnFill, and shape::Aborted.
+ * `data`. A point cloud has a single loop, its closed line, and local triangles. Throws
+ * shape::InvalidInput if there is no such loop, the exceptions of shape::BuildFootprintOnOwnFill,
+ * and shape::Aborted.
  */
 Feature Read(vtkPolyData* data, const shape::Mesh& surface, const shape::JoinedLoops& joined,
   const shape::Progress& progress);

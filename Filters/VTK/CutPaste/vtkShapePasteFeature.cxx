@@ -1,5 +1,6 @@
 #include "vtkShapePasteFeature.h"
 
+#include "vtkShapeCloud.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeFeatureBase.h"
 #include "vtkShapePastedData.h"
@@ -13,9 +14,11 @@
 #include "vtkPolyData.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Extent.h"
 #include "Mesh/Topology.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -73,7 +76,11 @@ struct vtkShapePasteFeature::Kept
   std::unique_ptr<shape::FeatureToPaste> Paste;
   std::unique_ptr<shape::PasteTarget> Position;
   std::unique_ptr<shape::SoupTarget> Soup; ///< instead of Position, if the target is a soup
+  /// Instead of both, if Feature or Target is a point cloud.
+  std::unique_ptr<shape::PointTarget> Points;
   bool BridgesGaps = false;
+  /// The feature for which the target, a surface, was sampled; only compared.
+  const shape::FeatureToPaste* Sampled = nullptr;
   std::string SoupReason; ///< why the target is a soup
   bool HasOwnFill = false;
   int NonManifold = 0;                      ///< edges and points of the feature
@@ -142,14 +149,20 @@ void vtkShapePasteFeature::PrepareFeature(const shape::Progress& progress)
   kept.Paste.reset();
   kept.LastResult->Initialize();
   kept.LastLoop->Initialize();
-  kept.Feature = vtkShapePastedData::Read(
-    this->GetGatheredInput(0).Data, "the Feature", progress.Part(0.0, 0.1));
+  kept.NonManifold = 0;
+  vtkPolyData* data = this->GetGatheredInput(0).Data;
+  kept.Feature = vtkShapeCloud::IsPointCloud(data)
+    ? vtkShapePastedData::ReadCloud(data, progress.Part(0.0, 0.1))
+    : vtkShapePastedData::Read(data, "the Feature", progress.Part(0.0, 0.1));
   const shape::Mesh& surface = kept.Feature.Surface;
   vtkShapeFeatureBase::Feature feature =
     vtkShapeFeatureBase::Read(kept.Feature.Data, surface, this->Joined, progress.Part(0.1, 0.5));
   kept.HasOwnFill = feature.HasOwnFill;
-  const shape::Topology topology = shape::ComputeTopology(surface);
-  kept.NonManifold = topology.NonManifoldEdges + topology.NonManifoldPoints;
+  if (!vtkShapeCloud::IsPointCloud(data)) // local triangles overlap
+  {
+    const shape::Topology topology = shape::ComputeTopology(surface);
+    kept.NonManifold = topology.NonManifoldEdges + topology.NonManifoldPoints;
+  }
   kept.Paste = std::make_unique<shape::FeatureToPaste>(surface, std::move(feature.Bases),
     this->Options, this->ReadFields(kept.Feature.Data, "the Feature"), progress.Part(0.5, 1.0));
   kept.Joined = this->Joined;
@@ -157,24 +170,57 @@ void vtkShapePasteFeature::PrepareFeature(const shape::Progress& progress)
   kept.Fields = fields;
 }
 
+/// A surface is sampled as densely as the feature's loop, within limits. Edges are split in two,
+/// so the mean edge is about this length divided by the square root of 2.
+double vtkShapePasteFeature::SpacingOnTarget() const
+{
+  const Kept& kept = *this->Cache;
+  constexpr double finest = 1.0 / 300.0; // of the diagonal: at most about 300,000 points
+  const shape::BoundaryHandle& loop = kept.Paste->LoopHandle();
+  double length = 0.0;
+  for (const auto side : loop.Segments.rowwise())
+  {
+    length += (loop.Positions.row(side(1)) - loop.Positions.row(side(0))).norm();
+  }
+  return std::max(M_SQRT2 * length / static_cast<double>(loop.Segments.rows()),
+    finest * shape::ComputeBoxDiagonal(kept.Target.Surface));
+}
+
 void vtkShapePasteFeature::PrepareTarget(const shape::Progress& progress)
 {
   Kept& kept = *this->Cache;
   const bool isFlattenedSo = kept.Flattening.UpwindAverage == this->Flattening.UpwindAverage &&
     kept.Flattening.NormalSmoothing == this->Flattening.NormalSmoothing;
-  if (!kept.TargetInput.IsNew(*this, 1, this->GetGatheredInput(1).Data) &&
-    (kept.Position || kept.Soup) && isFlattenedSo && kept.BridgesGaps == this->BridgeGaps)
+  vtkPolyData* data = this->GetGatheredInput(1).Data;
+  const bool isCloud = vtkShapeCloud::IsPointCloud(data);
+  const bool isOfPoints = isCloud || vtkShapeCloud::IsPointCloud(this->GetGatheredInput(0).Data);
+  const bool isReady = isOfPoints ? !!kept.Points : kept.Position || kept.Soup;
+  const bool isNew = kept.TargetInput.IsNew(*this, 1, data);
+  if (!isNew && isReady && isFlattenedSo && kept.BridgesGaps == this->BridgeGaps &&
+    (!isOfPoints || isCloud || kept.Sampled == kept.Paste.get()))
   {
     return;
   }
   kept.Position.reset();
   kept.Soup.reset();
+  kept.Points.reset();
   kept.LastResult->Initialize();
   kept.LastLoop->Initialize();
-  kept.Target =
-    vtkShapePastedData::Read(this->GetGatheredInput(1).Data, "the Target", progress.Part(0.0, 0.3));
-  kept.SoupReason = DescribeFaults(kept.Target.Surface);
-  if (this->BridgeGaps || !kept.SoupReason.empty())
+  kept.Target = isCloud ? vtkShapePastedData::ReadCloud(data, progress.Part(0.0, 0.7))
+                        : vtkShapePastedData::Read(data, "the Target", progress.Part(0.0, 0.3));
+  kept.SoupReason = isOfPoints ? "" : DescribeFaults(kept.Target.Surface);
+  if (isOfPoints)
+  {
+    if (!isCloud)
+    {
+      kept.Target = vtkShapePastedData::SamplePart(
+        kept.Target, this->SpacingOnTarget(), progress.Part(0.3, 0.7, "sampling the target"));
+      kept.Sampled = kept.Paste.get();
+    }
+    kept.Points = std::make_unique<shape::PointTarget>(
+      kept.Target.Samples, this->Flattening, progress.Part(0.7, 1.0));
+  }
+  else if (this->BridgeGaps || !kept.SoupReason.empty())
   {
     kept.Soup = std::make_unique<shape::SoupTarget>(
       kept.Target.Surface, this->Flattening, progress.Part(0.3, 1.0));
@@ -192,9 +238,10 @@ void vtkShapePasteFeature::PasteInto(
   vtkPolyData* output, vtkPolyData* loop, const shape::Progress& progress)
 {
   const Kept& kept = *this->Cache;
-  const shape::PastedFeature pasted = kept.Soup
-    ? kept.Paste->PasteOn(*kept.Soup, this->Placement, this->Paste, progress)
-    : kept.Paste->PasteOn(*kept.Position, this->Placement, this->Paste, progress);
+  const shape::PastedFeature pasted = kept.Points
+    ? kept.Paste->PasteOn(*kept.Points, this->Placement, this->Paste, progress)
+    : kept.Soup ? kept.Paste->PasteOn(*kept.Soup, this->Placement, this->Paste, progress)
+                : kept.Paste->PasteOn(*kept.Position, this->Placement, this->Paste, progress);
   vtkShapePastedData::Write(
     pasted, *kept.Paste, kept.Target, kept.Feature, this->BlendWidth, output);
   vtkShapePastedData::WriteLoop(pasted, *kept.Paste, loop);
@@ -213,6 +260,12 @@ void vtkShapePasteFeature::PasteInto(
           << " % of the seam is joined edge by edge, and the largest gap is " << pasted.LargestGap
           << "; for a manifold, repair the Target with Shape Solidify";
     this->Warn(words.str());
+  }
+  if (kept.Target.Data != this->GetGatheredInput(1).Data && pasted.IsOfPoints)
+  {
+    this->Warn("the Feature is a point cloud, and so is the result: the Target was sampled at " +
+      std::to_string(kept.Target.Surface.Points.rows()) +
+      " points; for a surface, connect the points of both first");
   }
   const shape::TangentFrame& seed = pasted.Landings.front().Seed;
   const std::pair<const char*, Eigen::RowVector3d> frame[] = { { "Seed", seed.Origin },
@@ -237,7 +290,9 @@ void vtkShapePasteFeature::PasteInto(
     { "BandTriangles", pasted.BandTriangles }, { "FlippedTriangles", flipped },
     { "EulerNumber", pasted.EulerNumber }, { "Loops", static_cast<double>(pasted.Landings.size()) },
     { "NonManifold", kept.NonManifold }, { "Soup", pasted.IsOnSoup ? 1.0 : 0.0 },
-    { "LargestGap", pasted.LargestGap }, { "JoinedShare", pasted.JoinedShare },
+    { "PointCloud", pasted.IsOfPoints ? 1.0 : 0.0 }, { "Spacing", pasted.Spacing },
+    { "AddedPoints", pasted.AddedPoints }, { "LargestGap", pasted.LargestGap },
+    { "JoinedShare", pasted.JoinedShare },
     { "WeldedPoints", kept.Feature.WeldedPoints + kept.Target.WeldedPoints }
   };
   for (const auto& [fact, value] : facts)

@@ -9,6 +9,10 @@
  *   feature may be non-manifold.
  * - Target: an oriented 2-manifold, open or closed. Another surface, or any if BridgeGaps is on, is
  *   treated as a polygon soup (shape::SoupTarget).
+ * If one of both is a point cloud (points without polygons), the result is one, too. The vertices
+ * of the other input are then its points. Edges of a target that are longer than those of the
+ * feature's loop are split (shape::SampleTriangles). A feature that is a point cloud has its loop as
+ * a closed line, as vtkShapeCutFeature writes it. Normals are estimated if there are none.
  * In both inputs, polygons are triangulated, seams are closed (shape::WeldedSurface), and points
  * without triangles are removed.
  *
@@ -17,7 +21,9 @@
  * joined loops, .Seed, .Normal and .Direction are those of the first. Points and cells keep their
  * arrays (see vtkShapePastedData). The cell array `Part` is 0 on the target, 1 on the seam band and
  * 2 on the feature. A soup is cut along the loop instead and has no band; triangles of it near the
- * loop are split.
+ * loop are split. Of point clouds, the points are joined (shape::PointTarget): `Part` is 1 on
+ * points that were added on the target where the seam would be wider than the spacing. Normals of
+ * points are dropped.
  *
  * Output 1: the loop of the feature on the target, as lines. With it as the Boundary and with the
  * same properties, vtkShapeDeform deforms anything that belongs to the feature in the same way. Its
@@ -39,6 +45,9 @@
  * - .Soup: 1 if the target was treated as a polygon soup. .LargestGap: then the largest distance
  *   across a gap of the seam. .JoinedShare: the share of the seam's length where feature and target
  *   have common edges; 1 if the target is a manifold.
+ * - .PointCloud: 1 if the result is a point cloud. .Spacing is then the mean distance of
+ *   neighbouring points of the target. .AddedPoints: number of points added at the seam.
+ *   .LargestGap is the largest distance of a point at the seam from the other side.
  * - .Base: "where it was cut" or "own fill".
  * - .EulerNumber, .BandTriangles, .WeldedPoints (number of welded points of both inputs),
  *   .NonManifold (number of non-manifold edges and points of the feature).
@@ -49,7 +58,8 @@
  * Everything that depends only on the feature, or only on the target, is reused while the position
  * changes. In parallel, the first process has the result.
  *
- * The mathematics: shape::FeatureToPaste, shape::PasteTarget, shape::SoupTarget.
+ * The mathematics: shape::FeatureToPaste, shape::PasteTarget, shape::SoupTarget,
+ * shape::PointTarget.
  */
 #ifndef vtkShapePasteFeature_h
 #define vtkShapePasteFeature_h
@@ -102,6 +112,7 @@ private:
   void PasteInto(vtkPolyData* output, vtkPolyData* loop, const shape::Progress& progress);
   void PrepareFeature(const shape::Progress& progress);
   void PrepareTarget(const shape::Progress& progress);
+  double SpacingOnTarget() const;
 
   double Seed[3] = { 0.0, 0.0, 0.0 };
   shape::JoinedLoops Joined;

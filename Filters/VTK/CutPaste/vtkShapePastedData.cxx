@@ -1,7 +1,7 @@
 #include "vtkShapePastedData.h"
 
 #include "vtkShapeCarry.h"
-#include "vtkShapeComplete.h"
+#include "vtkShapeCloud.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeHandle.h"
 #include "vtkShapePreciseMap.h"
@@ -12,6 +12,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include "CutPaste/PointTarget.h"
 #include "CutPaste/Seam.h"
 #include "Geometry/SurfaceWelding.h"
 #include "Mesh/UsedPoints.h"
@@ -71,7 +72,6 @@ vtkSmartPointer<vtkPolyData> Blend(const shape::PastedFeature& pasted,
 vtkShapePastedData::Part vtkShapePastedData::Read(
   vtkPolyData* data, const std::string& name, const shape::Progress& progress)
 {
-  vtkShapeComplete::RequireNoPointCloud(data, name, "feature and target are joined along edges");
   const shape::NumberedSurface numbered = vtkShapePreciseMap::ToSurface(data, name);
   const shape::WeldedSurface welded(numbered.Surface, progress, name);
   const Eigen::Index all = welded.Surface.Points.rows();
@@ -88,6 +88,30 @@ vtkShapePastedData::Part vtkShapePastedData::Read(
   return part;
 }
 
+vtkShapePastedData::Part vtkShapePastedData::ReadCloud(
+  vtkPolyData* data, const shape::Progress& progress)
+{
+  Part part;
+  part.Samples = vtkShapeCloud::Connect(data, progress);
+  part.Surface = part.Samples.Surface;
+  part.Data = data;
+  return part;
+}
+
+vtkShapePastedData::Part vtkShapePastedData::SamplePart(
+  const Part& part, double spacing, const shape::Progress& progress)
+{
+  shape::SurfaceSamples samples = shape::SampleTriangles(part.Surface, spacing, progress);
+  Part sampled;
+  sampled.Samples = std::move(samples.Samples);
+  sampled.Surface = sampled.Samples.Surface;
+  sampled.Data = vtkSmartPointer<vtkPolyData>::New();
+  vtkShapeConvert::FromMesh({ sampled.Surface.Points, Eigen::MatrixXi(0, 3) }, sampled.Data);
+  vtkShapeCarry::Carry({ { part.Data, samples.Origin } }, sampled.Data);
+  sampled.WeldedPoints = part.WeldedPoints;
+  return sampled;
+}
+
 void vtkShapePastedData::Write(const shape::PastedFeature& pasted,
   const shape::FeatureToPaste& feature, const Part& target, const Part& featurePart,
   double blendWidth, vtkPolyData* output)
@@ -97,6 +121,17 @@ void vtkShapePastedData::Write(const shape::PastedFeature& pasted,
     Blend(pasted, feature, target, featurePart, blendWidth);
   vtkShapeCarry::Carry({ { target.Data, pasted.Target }, { blended, pasted.Feature } }, output);
 
+  if (pasted.IsOfPoints)
+  {
+    vtkShapeCloud::WriteCells({}, output);
+    const Eigen::Index points = pasted.Surface.Points.rows();
+    const Eigen::Index ofFeature = feature.Surface().Points().rows();
+    Eigen::VectorXi parts = Eigen::VectorXi::Zero(points);
+    parts.segment(points - ofFeature - pasted.AddedPoints, pasted.AddedPoints).setOnes();
+    parts.tail(ofFeature).setConstant(2);
+    output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(parts, "Part"));
+    return;
+  }
   const Eigen::Index all = pasted.Surface.Triangles.rows();
   Eigen::VectorXi parts =
     (pasted.Feature.Cells.array() >= 0).select(Eigen::VectorXi::Constant(all, 2), 0);

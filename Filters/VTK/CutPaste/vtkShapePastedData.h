@@ -1,6 +1,7 @@
 #pragma once
 
 #include "CutPaste/PasteFeature.h"
+#include "Geometry/SampledSurface.h"
 #include "Mesh/Mesh.h"
 
 #include "vtkPolyData.h"
@@ -12,17 +13,25 @@
 namespace vtkShapePastedData
 {
 
-/// A surface of triangles with closed seams (shape::WeldedSurface), and its data.
+/// A surface of triangles with closed seams (shape::WeldedSurface), or a point cloud with its local
+/// triangles (shape::ConnectSamples), and its data.
 struct Part
 {
   shape::Mesh Surface;               ///< without points that no triangle uses
   vtkSmartPointer<vtkPolyData> Data; ///< the same surface with its point and cell data
   int WeldedPoints = 0;
+  shape::SampledSurface Samples; ///< of a point cloud
 };
 
 /// Converts `data` and closes its seams. name: denotes the data in errors. Throws the exceptions of
 /// shape::WeldedSurface.
 Part Read(vtkPolyData* data, const std::string& name, const shape::Progress& progress);
+
+/// Converts a point cloud. Throws the exceptions of shape::ConnectSamples.
+Part ReadCloud(vtkPolyData* data, const shape::Progress& progress);
+
+/// Samples a surface that Read converted, no coarser than `spacing` (shape::SampleTriangles).
+Part SamplePart(const Part& part, double spacing, const shape::Progress& progress);
 
 /**
  * Writes the pasted surface with the data of target and feature (vtkShapeCarry). If both have a

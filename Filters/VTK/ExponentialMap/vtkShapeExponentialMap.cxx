@@ -1,7 +1,7 @@
 #include "vtkShapeExponentialMap.h"
 
 #include "vtkShapeCarry.h"
-#include "vtkShapeConvert.h"
+#include "vtkShapeCloud.h"
 #include "vtkShapeLargeSize.h"
 #include "vtkShapePatch.h"
 #include "vtkShapePreciseMap.h"
@@ -29,17 +29,6 @@ struct vtkShapeExponentialMap::Kept
   Eigen::MatrixXd EstimatedNormals; ///< of its points, if it has none
 };
 
-namespace
-{
-
-/// Whether the data are points alone. Lines are no samples of a surface, and are refused as before.
-bool IsPointCloud(vtkPolyData* data)
-{
-  return data->GetNumberOfPolys() + data->GetNumberOfStrips() + data->GetNumberOfLines() == 0;
-}
-
-} // namespace
-
 vtkShapeExponentialMap::vtkShapeExponentialMap()
   : Cache(std::make_unique<Kept>())
 {
@@ -64,7 +53,7 @@ vtkShapeExponentialMap::Kept& vtkShapeExponentialMap::Update(const shape::Progre
     kept.Map.reset();
     kept.Options = this->Options;
     kept.Surface = this->GetGatheredInput(0).Data;
-    kept.IsSampled = IsPointCloud(kept.Surface);
+    kept.IsSampled = vtkShapeCloud::IsPointCloud(kept.Surface);
     kept.EstimatedNormals.resize(0, 3);
     if (kept.IsSampled)
     {
@@ -81,14 +70,12 @@ vtkShapeExponentialMap::Kept& vtkShapeExponentialMap::Update(const shape::Progre
 void vtkShapeExponentialMap::ConnectPoints(const shape::Progress& progress)
 {
   Kept& kept = *this->Cache;
-  vtkDataArray* normals = vtkShapeCarry::GetNormals(kept.Surface->GetPointData());
-  shape::SampledSurface samples = shape::ConnectSamples(vtkShapeConvert::ToPoints(kept.Surface),
-    normals ? vtkShapeCarry::GetTuples(normals) : Eigen::MatrixXd(0, 3), {},
-    progress.Part(0.0, 0.8, "connecting the points"));
+  shape::SampledSurface samples =
+    vtkShapeCloud::Connect(kept.Surface, progress.Part(0.0, 0.8, "connecting the points"));
   kept.Cells = Eigen::VectorXi::Constant(samples.Shares.size(), -1);
   kept.Map =
     std::make_unique<shape::ExponentialMap>(samples, this->Options, progress.Part(0.8, 1.0));
-  if (!normals)
+  if (!vtkShapeCloud::HasNormals(kept.Surface))
   {
     kept.EstimatedNormals = std::move(samples.Normals);
   }

@@ -1,15 +1,13 @@
 #include "vtkShapePatch.h"
 
 #include "vtkShapeCarry.h"
+#include "vtkShapeCloud.h"
 #include "vtkShapeConvert.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -89,23 +87,6 @@ void WriteFacts(const shape::PatchLayout& layout, bool hasEstimatedNormals, vtkP
   }
 }
 
-/// Returns, for each point, the first vertex cell at it, or -1.
-Eigen::VectorXi VerticesAt(vtkPolyData* cloud)
-{
-  Eigen::VectorXi vertices =
-    Eigen::VectorXi::Constant(static_cast<Eigen::Index>(cloud->GetNumberOfPoints()), -1);
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType cell = 0; cell < cloud->GetNumberOfVerts(); ++cell)
-  {
-    cloud->GetVerts()->GetCellAtId(cell, corners);
-    for (const vtkIdType point : *corners)
-    {
-      vertices(point) = vertices(point) < 0 ? static_cast<int>(cell) : vertices(point);
-    }
-  }
-  return vertices;
-}
-
 } // namespace
 
 void vtkShapePatch::Write(const shape::PatchLayout& layout, const shape::Mesh& mesh,
@@ -127,14 +108,9 @@ void vtkShapePatch::WritePoints(const shape::PatchLayout& layout, vtkPolyData* c
   vtkShapeConvert::FromMesh(
     { vtkShapeConvert::Rows(vtkShapeConvert::ToPoints(cloud), points), Eigen::MatrixXi(0, 3) },
     output);
-  vtkNew<vtkCellArray> vertices;
-  for (vtkIdType point = 0; point < output->GetNumberOfPoints(); ++point)
-  {
-    vertices->InsertNextCell(1, &point);
-  }
-  output->SetVerts(vertices);
+  vtkShapeCloud::WriteCells({}, output);
   shape::Provenance provenance = layout.Provenance;
-  provenance.Cells = VerticesAt(cloud)(points);
+  provenance.Cells = vtkShapeCloud::FindVertices(cloud)(points);
   vtkShapeCarry::Carry({ { cloud, provenance } }, output);
   AddPointData(layout, output->GetPointData());
   if (estimatedNormals.rows() > 0)

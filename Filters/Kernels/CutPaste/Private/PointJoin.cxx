@@ -4,6 +4,7 @@
 #include "Search/PointTree.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace shape
@@ -44,7 +45,7 @@ public:
     return largest;
   }
 
-  /// Returns positions in the middle of gaps, until no gap is wider than `spacing`. isSampled:
+  /// Returns positions that divide gaps evenly, until none is wider than `spacing`. isSampled:
   /// points of the loop that replace a point of the target; the sampling there is the target's own.
   std::vector<RowVector3d> FindMiddles(double spacing, const std::vector<char>& isSampled) const
   {
@@ -53,7 +54,12 @@ public:
     {
       if (DistanceFrom(middles, point, other) > spacing)
       {
-        middles.emplace_back(0.5 * (point + other));
+        // A little closer than needed, as the positions move onto the target.
+        const double steps = std::ceil((point - other).norm() / (0.8 * spacing));
+        for (double step = 1.0; step < steps; ++step)
+        {
+          middles.emplace_back(point + step / steps * (other - point));
+        }
       }
     };
     for (Eigen::Index i = 0; i < this->Loop.rows(); ++i)

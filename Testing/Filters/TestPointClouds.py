@@ -1,0 +1,122 @@
+"""Shape Cut Feature, Shape Fill Holes and Shape Paste Feature on point clouds: a horn moves from
+one cloud to another."""
+import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+import shapemap
+
+import shapetesting
+from shapetesting import add_array, array, copy, fact, points
+
+ANGLE = 0.7
+TURNS = 2 * numpy.pi * numpy.arange(12) / 12
+CIRCLE = numpy.column_stack([numpy.sin(ANGLE) * numpy.cos(TURNS), numpy.sin(ANGLE) * numpy.sin(TURNS),
+                             numpy.full(12, numpy.cos(ANGLE))])
+
+
+def spread(count):
+    """Points of the unit sphere, as evenly as sunflower seeds, but not quite."""
+    i = numpy.arange(count) + 0.5
+    z, turn = 1 - 2 * i / count, i * numpy.pi * (3 - numpy.sqrt(5))
+    flat = numpy.sqrt(1 - z * z)
+    places = numpy.column_stack([flat * numpy.cos(turn), flat * numpy.sin(turn), z])
+    places += 0.2 * numpy.sqrt(4 * numpy.pi / count) * numpy.random.default_rng(1).uniform(-1, 1, places.shape)
+    return places / numpy.linalg.norm(places, axis=1)[:, None]
+
+
+def horned(count):
+    places = spread(count)
+    near = numpy.maximum(0, 1 - ((places - [0, 0, 1]) ** 2).sum(axis=1) / 0.2)
+    return places * (1 + 0.4 * near ** 3)[:, None]
+
+
+def cloud(places, normals=None, **arrays):
+    data, held = vtkPolyData(), vtkPoints()
+    held.SetDataTypeToDouble()
+    for place in places:
+        held.InsertNextPoint(place)
+    data.SetPoints(held)
+    vertices = vtkCellArray()
+    for i in range(len(places)):
+        vertices.InsertNextCell(1, [i])
+    data.SetVerts(vertices)
+    if normals is not None:
+        add_array(data, normals, 'Normals')
+    for name, values in arrays.items():
+        add_array(data, values, name)
+    return data
+
+
+def cut(data, **properties):
+    algorithm = shapetesting.new(shapemap.vtkShapeCutFeature, data, **properties)
+    algorithm.SetNumberOfLoopPoints(len(CIRCLE))
+    for i, place in enumerate(CIRCLE):
+        algorithm.SetLoopPoints(i, *place)
+    return [copy(output) for output in shapetesting.outputs(algorithm)[:2]]
+
+
+def paste(feature, target, seed, **properties):
+    algorithm = shapetesting.new(shapemap.vtkShapePasteFeature, feature, target, Seed=seed, **properties)
+    messages = shapetesting.run(algorithm)
+    return copy(algorithm.GetOutputDataObject(0)), messages
+
+
+def apart(one, other):
+    """The largest distance of a point of one set from the other."""
+    return max(numpy.linalg.norm(other - place, axis=1).min() for place in one)
+
+
+places = horned(4000)
+whole = cloud(places, Height=places[:, 2], Number=numpy.arange(len(places)))
+feature, rest = cut(whole)
+assert fact(feature, 'CutFeature.PointCloud') == fact(rest, 'CutFeature.EstimatedNormals') == 1
+assert fact(feature, 'CutFeature.ReturnsInPlace') == 1 and fact(rest, 'CutFeature.Holes') == 1
+assert feature.GetNumberOfLines() == 1 and rest.GetNumberOfLines() == 0
+for part in (feature, rest):
+    originals = array(part, 'OriginalPointId')
+    kept = originals >= 0
+    assert (points(part)[kept] == places[originals[kept]]).all() and part.GetNumberOfPolys() == 0
+    assert (array(part, 'Number')[kept] == originals[kept]).all()
+    assert part.GetNumberOfVerts() == part.GetNumberOfPoints()
+filled = vtk_to_numpy(rest.GetCellData().GetArray('Filled'))
+new = array(rest, 'OriginalPointId') < 0
+assert (filled == new).all() and filled.sum() > 300
+# The fill continues the sphere, its normals and a linear field.
+assert abs(numpy.linalg.norm(points(rest)[new], axis=1) - 1).max() < 0.01
+assert abs(array(rest, 'Normals')[new] - points(rest)[new]).max() < 0.03
+assert array(rest, 'Height')[new].min() > array(rest, 'Height')[numpy.isin(array(rest, 'OriginalPointId'), array(feature, 'OriginalPointId'))].min() - 1e-9
+
+# Dropped in place, each point is back.
+seed = [shapetesting.facts(feature).GetArray('CutFeature.Seed').GetComponent(0, k) for k in range(3)]
+back, messages = paste(feature, rest, seed)
+assert not messages and back.GetNumberOfPoints() == len(places)
+assert max(apart(points(back), places), apart(places, points(back))) < 1e-12
+assert fact(back, 'PasteFeature.PointCloud') == 1 and fact(back, 'PasteFeature.AddedPoints') == 0
+
+# On another cloud, and on a surface, of which the points count: no gap is wider than the spacing.
+ball = cloud(1.5 * spread(6000))
+for target in (ball, shapetesting.torus(1.5, 0.8, 40, 24)):
+    result, messages = paste(feature, target, [1.0, 1.0, 1.0], Rotation=30.0, Scale=0.8)
+    warning = shapetesting.facts(result).GetAbstractArray('PasteFeature.Warning')
+    assert not messages and (warning is None) == (target is ball), messages
+    assert target is ball or 'the Target was sampled' in warning.GetValue(0)
+    assert 0.0 < fact(result, 'PasteFeature.LargestGap') <= fact(result, 'PasteFeature.Spacing')
+    part = vtk_to_numpy(result.GetCellData().GetArray('Part'))
+    assert (part == 2).sum() == feature.GetNumberOfPoints() and result.GetNumberOfPolys() == 0
+    assert (part == 1).sum() == fact(result, 'PasteFeature.AddedPoints')
+    assert fact(result, 'PasteFeature.DeviationAfter') < 3.0
+
+# With Fill Hole off, the loop stays as a closed line, and Shape Fill Holes fills it with triangles.
+_, open_rest = cut(whole, FillHole=False)
+assert open_rest.GetNumberOfLines() == 1
+filler = shapetesting.new(shapemap.vtkShapeFillHoles, open_rest)
+closed = shapetesting.outputs(filler)[0]
+added = points(closed)[open_rest.GetNumberOfPoints():]
+assert closed.GetNumberOfPolys() > 600 and abs(numpy.linalg.norm(added, axis=1) - 1).max() < 0.01
+
+# What cannot be done is refused, with a remedy.
+shapetesting.check_refused(shapetesting.new(shapemap.vtkShapePasteFeature, cloud(places), ball, Seed=seed),
+                           'point cloud without a loop', 'Shape Cut Feature')
+shapetesting.check_refused(shapetesting.new(shapemap.vtkShapePasteFeature, feature, cloud(0.1 * spread(300)), Seed=seed),
+                           'would lie beyond the points there', 'lower Scale')
