@@ -308,14 +308,14 @@ FeatureToPaste::Deformed FeatureToPaste::DeformTo(const Eigen::MatrixXd& positio
   return result;
 }
 
-const FeatureFootprint& FeatureToPaste::SingleBase(const std::string& target) const
+const FeatureFootprint& FeatureToPaste::SingleBase(
+  const std::string& target, const std::string& remedy) const
 {
   if (this->Stands.size() > 1)
   {
     throw InvalidInput("the target " + target +
       ", to which only one loop can be joined, but the feature has " +
-      std::to_string(this->Stands.size()) +
-      " loops to join; set Loops to One, or use a manifold as target");
+      std::to_string(this->Stands.size()) + " loops to join; set Loops to One, or " + remedy);
   }
   return this->Stands.front();
 }
@@ -386,7 +386,7 @@ PastedFeature FeatureToPaste::PasteOn(PasteTarget& target, const PastePlacement&
 PastedFeature FeatureToPaste::PasteOn(PointTarget& target, const PastePlacement& placement,
   const PasteFeatureOptions& options, const Progress& progress) const
 {
-  const FeatureFootprint& base = this->SingleBase("is a point cloud");
+  const FeatureFootprint& base = this->SingleBase("is a point cloud", "use a surface as target");
   const LoopOnPoints landing =
     target.Land(base, placement, progress.Part(0.0, 0.3, "placing the base on the target"));
   Deformed deformed = this->DeformTo(landing.Positions, landing.Normals, placement.Scale, options,
@@ -402,7 +402,8 @@ PastedFeature FeatureToPaste::PasteOn(PointTarget& target, const PastePlacement&
 PastedFeature FeatureToPaste::PasteOn(SoupTarget& target, const PastePlacement& placement,
   const PasteFeatureOptions& options, const Progress& progress) const
 {
-  const FeatureFootprint& base = this->SingleBase("is a polygon soup");
+  const FeatureFootprint& base =
+    this->SingleBase("is a polygon soup", "repair the target with Shape Solidify");
   const LoopOnSoup landing =
     target.Land(base, placement, progress.Part(0.0, 0.4, "placing the base on the target"));
   Deformed deformed = this->DeformTo(landing.Positions, landing.Normals, placement.Scale, options,

@@ -132,7 +132,7 @@ private:
   Eigen::MatrixXd LoopNormals(const Eigen::MatrixXd& points) const;
   Eigen::MatrixXd WithMidpoints(const Eigen::MatrixXd& points) const;
 
-  const FeatureFootprint& SingleBase(const std::string& target) const;
+  const FeatureFootprint& SingleBase(const std::string& target, const std::string& remedy) const;
   template <typename Landing>
   void Finish(const Landing& landing, Deformed deformed, const SurfaceLocator& target,
     PastedFeature& result) const;

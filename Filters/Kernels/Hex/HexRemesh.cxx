@@ -7,6 +7,7 @@
 #include "Hex/Grid/SizedHexes.h"
 #include "Hex/Polycube/FlatShare.h"
 #include "Hex/Polycube/PolycubeHexes.h"
+#include "Hex/Private/HexQuality.h"
 #include "Mesh/Extent.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
@@ -26,13 +27,9 @@ namespace
 
 using MethodType = HexRemeshOptions::MethodType;
 
-/// Hexahedra of a polycube that are this good are accepted without comparison with a grid.
-constexpr double MinimumScaledJacobian = 0.3, LargestDistance = 0.01;
-/// The same for hexahedra of a grid, if a grid is tried first.
-constexpr double GoodGridScaledJacobian = 0.55;
 /// Snapping seldom brings a polycube from farther than this, as a fraction of the diagonal, to
-/// LargestDistance: a grid is tried first.
-constexpr double SnappedDistance = 2.0 * LargestDistance;
+/// AcceptedDistance: a grid is tried first.
+constexpr double SnappedDistance = 2.0 * AcceptedDistance;
 
 /// Returns the options of one method.
 template <typename MethodOptions>
@@ -81,7 +78,7 @@ PolycubeHexesResult WithNearCreases(const Surface& surface, PolycubeHexesOptions
 {
   const HexFit& fit = coarse.Fit;
   const double wanted = GridHexesOptions().WantedCreaseDistance * ComputeBoxDiagonal(surface);
-  if (!fit.CreasesKept || fit.MinimumScaledJacobian < MinimumScaledJacobian ||
+  if (!fit.CreasesKept || fit.MinimumScaledJacobian < AcceptedScaledJacobian ||
     fit.Creases.Distance <= wanted)
   {
     return coarse;
@@ -95,7 +92,7 @@ PolycubeHexesResult WithNearCreases(const Surface& surface, PolycubeHexesOptions
   try
   {
     PolycubeHexesResult fine = BuildPolycubeHexahedra(surface, options, progress);
-    if (fine.Fit.CreasesKept && fine.Fit.MinimumScaledJacobian >= MinimumScaledJacobian &&
+    if (fine.Fit.CreasesKept && fine.Fit.MinimumScaledJacobian >= AcceptedScaledJacobian &&
       fine.Fit.Creases.Distance < fit.Creases.Distance)
     {
       return fine;
@@ -170,28 +167,6 @@ HexRemeshResult ByGivenPolycube(const Surface& surface, const HexRemeshOptions& 
   return result;
 }
 
-/// Valid hexahedra are better than others, then those with more creases, then those that are
-/// closer.
-bool IsBetter(const HexFit& one, const HexFit& other)
-{
-  if ((one.Inverted > 0) != (other.Inverted > 0))
-  {
-    return one.Inverted == 0;
-  }
-  if (one.CreasesKept != other.CreasesKept)
-  {
-    return one.CreasesKept;
-  }
-  if (const double own = ComputeLength(one.Followed), others = ComputeLength(other.Followed);
-      std::abs(own - others) > 1e-9 * std::max(own, others))
-  {
-    return own > others;
-  }
-  // Quality divided by distance: twice the scaled Jacobian makes up for twice the distance.
-  return one.MinimumScaledJacobian / std::max(one.Distance, 1e-300) >
-    other.MinimumScaledJacobian / std::max(other.Distance, 1e-300);
-}
-
 /// Whether a polycube is likely to be good: it needs creases that its edges follow, or flat parts
 /// that its faces follow.
 bool SuitsPolycube(const Surface& surface, const HexRemeshOptions& options)
@@ -199,18 +174,6 @@ bool SuitsPolycube(const Surface& surface, const HexRemeshOptions& options)
   constexpr double minimum = 0.25; // of the area; about that of a cube whose edges are rounded
   return !FindFeatures(surface, options, 0.0).Curves.empty() ||
     ComputeFlatShare(surface) >= minimum;
-}
-
-bool IsGoodGrid(const HexFit& fit, double diagonal)
-{
-  return fit.Inverted == 0 && fit.MinimumScaledJacobian >= GoodGridScaledJacobian &&
-    fit.Distance <= LargestDistance * diagonal;
-}
-
-bool IsGoodPolycube(const HexFit& fit, double diagonal)
-{
-  return fit.CreasesKept && fit.MinimumScaledJacobian >= MinimumScaledJacobian &&
-    fit.Distance <= LargestDistance * diagonal;
 }
 
 /// The hexahedra of a method, or why it gives none.

@@ -1,5 +1,6 @@
 #include "Hex/Features/Private/CurveResampling.h"
 
+#include "Hex/Features/Private/ChoicePath.h"
 #include "Mesh/Extent.h"
 
 #include <algorithm>
@@ -263,77 +264,62 @@ private:
     return least;
   }
 
-  /// Moves free points to bends of the curve near them, or leaves them, so that the edges of the
-  /// chain deviate little from the curve and keep about their lengths: the shortest path through
-  /// the choices of all points. An edge with a bend in its middle would cut it off.
-  void MoveToBends()
+  /// Returns, for each point, the arc lengths that it may take: its own and, if it is free, those
+  /// of the nearest bends.
+  std::vector<std::vector<double>> FindChoices() const
   {
     constexpr double near = 0.6; // mean steps
-    const std::size_t count = this->Lengths.size();
-    std::vector<std::vector<double>> choices(count);
-    for (std::size_t i = 0; i < count; ++i)
+    constexpr std::size_t most = 4;
+    std::vector<std::vector<double>> choices;
+    for (std::size_t i = 0; i < this->Lengths.size(); ++i)
     {
       const double here = this->Lengths[i];
-      choices[i] = { here };
+      choices.push_back({ here });
       if (!this->Fixed[i])
       {
         std::vector<double> bends =
           this->Along.BendsBetween(here - near * this->Step(), here + near * this->Step());
         std::sort(bends.begin(), bends.end(),
           [&](double a, double b) { return std::abs(a - here) < std::abs(b - here); });
-        constexpr std::size_t most = 4;
         bends.resize(std::min(bends.size(), most));
         choices[i].insert(choices[i].end(), bends.begin(), bends.end());
       }
     }
-    std::vector<double> best = this->Lengths;
-    double minimum = std::numeric_limits<double>::infinity();
-    for (std::size_t first = 0; first < choices[0].size(); ++first)
+    return choices;
+  }
+
+  /// Moves free points to bends of the curve near them, or leaves them, so that the edges of the
+  /// chain deviate little from the curve and keep about their lengths: the shortest path through
+  /// the choices of all points. An edge with a bend in its middle would cut it off.
+  void MoveToBends()
+  {
+    const std::vector<std::vector<double>> choices = this->FindChoices();
+    const auto cost = [this](std::size_t edge, double begin, double end)
+    { return this->EdgeCost(edge, begin, end); };
+    ChoicePath best;
+    if (!this->Closed)
     {
-      std::vector<std::vector<double>> costs = { std::vector<double>(
-        choices[0].size(), std::numeric_limits<double>::infinity()) };
-      costs[0][first] = 0.0;
-      std::vector<std::vector<std::size_t>> before(1);
-      for (std::size_t i = 1; i < count; ++i)
+      best = FindShortestPath(choices, cost);
+    }
+    else
+    {
+      // The first point is also the end of the last edge.
+      for (const double first : choices[0])
       {
-        costs.emplace_back(choices[i].size(), std::numeric_limits<double>::infinity());
-        before.emplace_back(choices[i].size(), 0);
-        for (std::size_t k = 0; k < choices[i].size(); ++k)
+        std::vector<std::vector<double>> around = choices;
+        around[0] = { first };
+        around.push_back({ first + std::copysign(this->Along.Length(), this->Scale) });
+        if (ChoicePath path = FindShortestPath(around, cost); path.Cost < best.Cost)
         {
-          for (std::size_t j = 0; j < choices[i - 1].size(); ++j)
-          {
-            const double cost = costs[i - 1][j] < std::numeric_limits<double>::infinity()
-              ? costs[i - 1][j] + this->EdgeCost(i - 1, choices[i - 1][j], choices[i][k])
-              : costs[i - 1][j];
-            if (cost < costs[i][k])
-            {
-              costs[i][k] = cost;
-              before[i][k] = j;
-            }
-          }
-        }
-      }
-      for (std::size_t last = 0; last < choices.back().size(); ++last)
-      {
-        double cost = costs.back()[last];
-        if (this->Closed && cost < std::numeric_limits<double>::infinity())
-        {
-          cost += this->EdgeCost(count - 1, choices.back()[last],
-            choices[0][first] + std::copysign(this->Along.Length(), this->Scale));
-        }
-        if (cost < minimum)
-        {
-          minimum = cost;
-          std::size_t k = last;
-          for (std::size_t i = count; i-- > 0;)
-          {
-            best[i] = choices[i][k];
-            k = i > 0 ? before[i][k] : k;
-          }
+          best = std::move(path);
+          best.Values.pop_back();
         }
       }
     }
-    this->Lengths = best;
+    if (std::isfinite(best.Cost))
+    {
+      this->Lengths = best.Values;
+    }
   }
 
   /// The cost of an edge of the chain whose ends have these arc lengths: it grows with the edge's
