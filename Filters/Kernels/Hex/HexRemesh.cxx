@@ -89,6 +89,7 @@ PolycubeHexesResult WithNearCreases(const Surface& surface, PolycubeHexesOptions
                minimum = std::cbrt(static_cast<double>(fit.Solid.Hexahedra.rows()) /
                  static_cast<double>(options.MaximumHexahedra));
   options.CellSize = coarse.CellSize * std::max(needed, minimum);
+  options.NeedsCreases = true;
   try
   {
     PolycubeHexesResult fine = BuildPolycubeHexahedra(surface, options, progress);

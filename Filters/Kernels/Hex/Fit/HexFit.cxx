@@ -311,10 +311,10 @@ std::optional<HexFit> FitWithFewer(const HexMesh& core, const Surface& surface,
   const Progress& progress)
 {
   // Finding that a curve is missing takes a small part of the time of a fit.
-  constexpr int attempts = 24, fits = 3;
+  constexpr int attempts = 24;
   SurfaceFeatures fewer = features;
   std::optional<HexFit> best;
-  for (int attempt = 0, fitted = 0; attempt < attempts && fitted < fits; ++attempt)
+  for (int attempt = 0, fitted = 0; attempt < attempts && fitted <= options.FurtherFits; ++attempt)
   {
     std::set<int> unmatched;
     std::optional<HexFit> fit =
@@ -335,7 +335,7 @@ std::optional<HexFit> FitWithFewer(const HexMesh& core, const Surface& surface,
         break;
       }
     }
-    if (unmatched.empty())
+    if (unmatched.empty() || options.NeedsCreases)
     {
       break;
     }
@@ -387,6 +387,10 @@ HexFit FitHexahedra(const HexMesh& core, const Surface& surface, const SurfaceFe
   if (!fit ||
     (!features.Curves.empty() && fit->MinimumScaledJacobian <= options.MinimumWithFeatures))
   {
+    if (options.NeedsCreases)
+    {
+      throw SolveFailure("hexahedra at creases are too bad, or too coarse");
+    }
     std::set<int> none;
     std::optional<HexFit> smooth = FitWith(
       core, surface, RemoveCurves(features), options, interfaces, none, progress.Part(first, 1.0));

@@ -88,6 +88,11 @@ struct HexFitOptions
   /// Creases are dropped if the minimum scaled Jacobian with them is at most this value and is
   /// better without them.
   double MinimumWithFeatures = 0.2;
+  /// Number of fits that may follow, each without the creases at the hexahedra that are too bad;
+  /// >= 0. Where another mesh is the remedy, none is worth its time.
+  int FurtherFits = 2;
+  /// Whether hexahedra without all creases are of no use: no crease is given up.
+  bool NeedsCreases = false;
   /// If the minimum scaled Jacobian is below this value, no further sweeps try to raise it.
   /// ImproveWorst can raise it later.
   double RaisedFrom = 0.0;
@@ -132,14 +137,15 @@ struct HexFit
  * (OptimizeHexahedra).
  *
  * If the hexahedra are too coarse for a crease, it is given up (WithoutCurves), and they follow the
- * others. If hexahedra are too bad, the creases nearest to them are given up, in at most two
- * further fits. If they stay too bad, all creases are dropped: the boundary is then a single patch.
+ * others. If hexahedra are too bad, the creases nearest to them are given up (FurtherFits). If they
+ * stay too bad, all creases are dropped: the boundary is then a single patch.
  *
  * Layers are also added on both sides of each interface. The points of an interface lie on its
  * inner surface, whose creases are not kept.
  *
  * core: hexahedra whose boundary is a manifold. surface: closed and consistently oriented.
- * features: the features of the surface. Throws Aborted.
+ * features: the features of the surface. Throws SolveFailure if NeedsCreases and a crease would be
+ * given up; Aborted.
  */
 HexFit FitHexahedra(const HexMesh& core, const Surface& surface, const SurfaceFeatures& features,
   const HexFitOptions& options = {}, const Progress& progress = {},

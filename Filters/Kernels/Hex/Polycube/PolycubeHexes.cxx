@@ -152,8 +152,10 @@ PolycubeHexesResult FitCubes(const Cubes& cubes, const Surface& surface,
 {
   PolycubeHexesResult result;
   result.Features = FindFeatures(surface, options, cubes.CellSize);
-  result.Fit = FitHexahedra(cubes.Solid, surface, result.Features,
-    { options.PaddingLayers, options.MaximumHexahedra }, progress);
+  HexFitOptions fitting{ options.PaddingLayers, options.MaximumHexahedra };
+  fitting.FurtherFits = 0;
+  fitting.NeedsCreases = options.NeedsCreases;
+  result.Fit = FitHexahedra(cubes.Solid, surface, result.Features, fitting, progress);
   // Boundary points remain boundary points.
   Eigen::VectorXi points;
   result.Polycube = Compacted(cubes.Positions, SplitQuads(FindBoundaryQuads(cubes.Solid)), points);

@@ -16,6 +16,7 @@ namespace shape
 struct PolycubeHexesOptions : HexMeshOptions
 {
   double Compactness = PolycubeOptions().Compactness;
+  bool NeedsCreases = false; ///< see HexFitOptions
 };
 
 struct PolycubeHexesResult

@@ -1,5 +1,6 @@
 #include "Hex/Features/LostCreases.h"
 
+#include "Base/Errors.h"
 #include "Hex/Fit/HexFit.h"
 #include "Hex/HexRemesh.h"
 #include "Mesh/QuadSurface.h"
@@ -140,6 +141,9 @@ TEST(LostCreases, CellsTooCoarseForSomeCreasesFollowTheOthers)
   EXPECT_NEAR(shape::ComputeLength(fit.Followed), 36.0, 1e-9);
   EXPECT_NEAR(shape::ComputeFollowedShare(fit, surface, features), 36.0 / 37.2, 1e-9);
   EXPECT_EQ(fit.PatchOf.maxCoeff(), 5);
+  shape::HexFitOptions all;
+  all.NeedsCreases = true;
+  EXPECT_THROW(shape::FitHexahedra(Cube(6, 3.0), surface, features, all), shape::SolveFailure);
 }
 
 TEST(LostCreases, AreNamedWithTheirPlace)
