@@ -41,7 +41,7 @@ struct CutPointsResult
 /**
  * Cuts features from a surface given by points, any number of times, along closed curves on it.
  * See section 4.2 of Schmidt and Singh, "Drag-and-drop surface composition" (Graphics Interface
- * 2010); "our techniques require only point samples".
+ * 2010), which needs no more than samples.
  *
  * The points are connected by local triangles (ConnectSamples). The loop runs along their edges,
  * from point to point (SampledLoops). The points on one side of it are the feature. The hole of the

@@ -29,10 +29,11 @@ struct LoopOnPoints
 };
 
 /**
- * A point cloud on which features are pasted. "We utilize only point samples" (Schmidt and Singh,
- * "Drag-and-drop surface composition", section 1). The exponential map of its local triangles
- * (ConnectSamples) carries the loop. Points whose images are inside it are removed; so are points
- * at which a point of the loop lies, within a thousandth of the spacing: the latter replaces them.
+ * A point cloud on which features are pasted. Samples are all that the method needs (Schmidt and
+ * Singh, "Drag-and-drop surface composition", section 1). The exponential map of its local
+ * triangles (ConnectSamples) carries the loop. Points whose images are inside it are removed; so
+ * are points at which a point of the loop lies, within a thousandth of the spacing: the latter
+ * replaces them.
  */
 class PointTarget
 {

@@ -283,12 +283,17 @@ MatrixXd EvaluateAtNodes(const std::vector<GridBlock>& blocks, const MatrixXd& t
   return positions;
 }
 
+void RequireInRange(const SmoothBlockMapOptions& options)
+{
+  RequireOption(options.FeatureAngle > 0.0 && options.FeatureAngle <= 180.0, "FeatureAngle",
+    options.FeatureAngle, "in (0, 180]");
+}
+
 SmoothBlockMap SmoothMapOfBlocks(const std::vector<GridBlock>& blocks, const Eigen::MatrixXi& cells,
   const MatrixXd& targets, const Surface& surface, const SmoothBlockMapOptions& options,
   const Progress& progress)
 {
-  RequireOption(options.FeatureAngle > 0.0 && options.FeatureAngle <= 180.0, "FeatureAngle",
-    options.FeatureAngle, "in (0, 180]");
+  RequireInRange(options);
   const SlidingPoints sliding(
     FindBoundaryQuads({ targets, cells }), targets, surface, options.FeatureAngle);
   const BoundarySplines splines(blocks, targets.rows(), options);

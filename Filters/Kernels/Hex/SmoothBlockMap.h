@@ -17,6 +17,9 @@ struct SmoothBlockMapOptions : BlockSplineOptions
   double FeatureAngle = DefaultFeatureAngle; ///< of creases (FindFeatures); degrees, in (0, 180]
 };
 
+/// Throws InvalidInput if FeatureAngle is out of its range.
+void RequireInRange(const SmoothBlockMapOptions& options);
+
 struct SmoothBlockMap
 {
   Eigen::MatrixXd Targets;    ///< n x 3: the new position of each point

@@ -11,9 +11,9 @@
  *   treated as a polygon soup (shape::SoupTarget).
  * If one of both is a point cloud (points without polygons), the result is one, too. The vertices
  * of the other input are then its points. Edges of a target that are longer than those of the
- * feature's loop are split (shape::SampleTriangles). A feature that is a point cloud has its loop as
- * a closed line, as vtkShapeCutFeature writes it. Normals are estimated if there are none.
- * In both inputs, polygons are triangulated, seams are closed (shape::WeldedSurface), and points
+ * feature's loop are split (shape::SampleTriangles). A feature that is a point cloud has its loop
+ * as a closed line, as vtkShapeCutFeature writes it. Normals are estimated if there are none. In
+ * both inputs, polygons are triangulated, seams are closed (shape::WeldedSurface), and points
  * without triangles are removed.
  *
  * Output 0: the target without its covered region, a seam band, and the feature, deformed to fit.

@@ -182,6 +182,7 @@ FittedBlock FitBlock(const MappedGrid& mapped, const shape::GridBlock& block,
 
 void vtkShapeStructuredBlocks::Execute(const shape::Progress& progress)
 {
+  shape::RequireInRange(this->Options); // also if there is no Surface
   vtkShapeComposite::RequireDataSets(this->GetInputDataObject(0, 0));
   // Every process has the complete input, and one of them computes the result.
   if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)

@@ -110,8 +110,8 @@ TEST(Snapping, PointsOnCreasesStay)
   const shape::Surface disk = EllipticDisk();
   shape::MultiMaterialVoxels cubes(disk, {});
   constexpr double sharp = 40.0;
-  shape::HexFit fit = shape::FitHexahedra(cubes.Fill(0.2, shape::GridDensity()).value().Solid,
-    disk, shape::FindFeatures(disk, sharp, 0.0));
+  shape::HexFit fit = shape::FitHexahedra(cubes.Fill(0.2, shape::GridDensity()).value().Solid, disk,
+    shape::FindFeatures(disk, sharp, 0.0));
   ASSERT_TRUE(fit.CreasesKept);
   const Eigen::MatrixXd before = fit.Solid.Points;
   shape::SnappingOptions options;
