@@ -28,7 +28,7 @@ def cloud(surface, places):
 
 
 def dots(row, panel, view, positions, colour):
-    """The points on this side of the head, as small balls, as far as the panel shows them."""
+    """The points on this side of the head, as small balls, within the panel."""
     centre, size, direction, up = view
     toward = numpy.array(direction) / numpy.linalg.norm(direction)
     right = numpy.cross(up, toward) / numpy.linalg.norm(numpy.cross(up, toward))

@@ -161,14 +161,26 @@ std::vector<PasteTarget::Trial> PasteTarget::TryAll(const std::vector<FeatureFoo
   return trials;
 }
 
+void RequireInRange(const PastePlacement& placement)
+{
+  RequireOption(
+    placement.Scale > 0.0 && std::isfinite(placement.Scale), "Scale", placement.Scale, "positive");
+  RequireOption(std::isfinite(placement.Rotation), "Rotation", placement.Rotation, "finite");
+  RequireFinite(placement.Seed, "Seed");
+}
+
+Eigen::MatrixXd PoseLoop(const FeatureFootprint& base, const PastePlacement& placement)
+{
+  const Eigen::Rotation2Dd turn(placement.Rotation * M_PI / 180.0);
+  return placement.Scale * base.LoopPositions * turn.toRotationMatrix().transpose();
+}
+
 /// First the layout of the base, if that is conformal; then the exponential map; then, if the fault
 /// is one of the layout, conformal maps of the same patch.
 PasteTarget::Trial PasteTarget::Try(const FeatureFootprint& base, const ClosestPoint& seed,
   const PastePlacement& placement, bool quick, const Progress& progress)
 {
-  const Eigen::Rotation2Dd turn(placement.Rotation * M_PI / 180.0);
-  const Eigen::MatrixXd loop =
-    placement.Scale * base.LoopPositions * turn.toRotationMatrix().transpose();
+  const Eigen::MatrixXd loop = PoseLoop(base, placement);
   const Eigen::RowVector3d axis = TurnAxis(base, this->Map.Normal(seed));
   Trial trial;
   // Distances on the surface are longer than those in the plane: the patch grows until it contains
@@ -277,10 +289,7 @@ LoopOnTarget PasteTarget::Land(const FeatureFootprint& base, const PastePlacemen
 std::vector<LoopOnTarget> PasteTarget::Land(const std::vector<FeatureFootprint>& bases,
   const PastePlacement& placement, bool search, const Progress& progress)
 {
-  RequireOption(
-    placement.Scale > 0.0 && std::isfinite(placement.Scale), "Scale", placement.Scale, "positive");
-  RequireOption(std::isfinite(placement.Rotation), "Rotation", placement.Rotation, "finite");
-  RequireFinite(placement.Seed, "Seed");
+  RequireInRange(placement);
   const ClosestPoint seed = this->Map.Locator().FindOne(placement.Seed, this->LastTriangle);
   this->LastTriangle = seed.Triangle;
   std::vector<Trial> trials = this->TryAll(bases, seed, placement, !search, progress);

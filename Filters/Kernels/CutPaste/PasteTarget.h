@@ -23,6 +23,12 @@ struct PastePlacement
   double Scale = 1.0;           ///< > 0
 };
 
+/// Throws InvalidInput if Scale is not positive, or a value is not finite.
+void RequireInRange(const PastePlacement& placement);
+
+/// Returns the loop of a base (n x 2), scaled and rotated in its plane.
+Eigen::MatrixXd PoseLoop(const FeatureFootprint& base, const PastePlacement& placement);
+
 /// The map of a target to the plane: its exponential map, or one of the two methods of
 /// FlattenPatchConformally.
 enum class TargetLayout

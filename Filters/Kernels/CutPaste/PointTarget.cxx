@@ -14,48 +14,12 @@
 
 namespace shape
 {
-namespace
-{
-
-using Eigen::RowVector2d;
-using Eigen::RowVector3d;
-
-double MeanLinkOf(const Mesh& surface)
-{
-  double sum = 0.0;
-  for (const auto& corners : surface.Triangles.rowwise())
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      sum += (surface.Points.row(corners(k)) - surface.Points.row(corners((k + 1) % 3))).norm();
-    }
-  }
-  return sum / (3.0 * static_cast<double>(surface.Triangles.rows()));
-}
-
-bool IsInside(const Eigen::MatrixXd& polygon, const RowVector2d& point)
-{
-  bool inside = false;
-  const Eigen::Index size = polygon.rows();
-  for (Eigen::Index i = 0, j = size - 1; i < size; j = i++)
-  {
-    const RowVector2d a = polygon.row(i), b = polygon.row(j);
-    if ((a.y() > point.y()) != (b.y() > point.y()) &&
-      point.x() < a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
-    {
-      inside = !inside;
-    }
-  }
-  return inside;
-}
-
-} // namespace
 
 PointTarget::PointTarget(
   SampledSurface samples, const ExponentialMapOptions& options, const Progress& progress)
   : Samples(std::move(samples))
   , Map(this->Samples, options, progress)
-  , MeanLink(MeanLinkOf(this->Samples.Surface))
+  , MeanLink(ComputeSpacing(this->Samples))
 {
 }
 
@@ -65,13 +29,8 @@ PointTarget::PointTarget(
 LoopOnPoints PointTarget::Land(
   const FeatureFootprint& base, const PastePlacement& placement, const Progress& progress)
 {
-  RequireOption(
-    placement.Scale > 0.0 && std::isfinite(placement.Scale), "Scale", placement.Scale, "positive");
-  RequireOption(std::isfinite(placement.Rotation), "Rotation", placement.Rotation, "finite");
-  RequireFinite(placement.Seed, "Seed");
-  const Eigen::Rotation2Dd turn(placement.Rotation * M_PI / 180.0);
-  const Eigen::MatrixXd loop =
-    placement.Scale * base.LoopPositions * turn.toRotationMatrix().transpose();
+  RequireInRange(placement);
+  const Eigen::MatrixXd loop = PoseLoop(base, placement);
   const double radius = 1.1 * loop.rowwise().norm().maxCoeff() + 4.0 * this->MeanLink;
   const ClosestPoint seed = this->Map.Locator().FindOne(placement.Seed);
   const ExponentialPatch patch =
@@ -94,7 +53,7 @@ LoopOnPoints PointTarget::Land(
   for (std::size_t k = 0; k < patch.Points.size(); ++k)
   {
     const auto row = static_cast<Eigen::Index>(k);
-    const RowVector2d image = patch.Positions.row(row);
+    const Eigen::RowVector2d image = patch.Positions.row(row);
     Eigen::Index nearest = 0;
     const double distance = (loop.rowwise() - image).rowwise().norm().minCoeff(&nearest);
     const bool isSame = distance <= snap;
@@ -104,7 +63,7 @@ LoopOnPoints PointTarget::Land(
       placed.Normals.row(nearest) = normals.row(row);
       landing.IsAtSample[nearest] = 1;
     }
-    const bool isBelow = !isSame && IsInside(loop, image);
+    const bool isBelow = !isSame && Contains(loop, image);
     landing.IsRemoved[patch.Points[k]] = isSame || isBelow ? 1 : 0;
     landing.Covered += isBelow ? 1 : 0;
   }

@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <set>
 #include <string>
 #include <utility>
@@ -33,11 +32,6 @@ Graph LinkSamples(const Mesh& surface)
     }
   }
   return BuildGraph(surface.Points, std::move(links));
-}
-
-double MeanOf(const std::vector<double>& lengths)
-{
-  return std::accumulate(lengths.begin(), lengths.end(), 0.0) / static_cast<double>(lengths.size());
 }
 
 double DistanceFromLine(const RowVector2d& point, const RowVector2d& end)
@@ -259,7 +253,7 @@ SampledLoops::SampledLoops(const SampledSurface& samples, const Progress& progre
   : Samples(samples)
   , Links(LinkSamples(samples.Surface))
   , Map(samples, {}, progress)
-  , MeanLink(MeanOf(this->Links.Lengths))
+  , MeanLink(ComputeSpacing(samples))
 {
 }
 

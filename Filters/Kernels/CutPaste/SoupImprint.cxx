@@ -1,5 +1,6 @@
 #include "CutPaste/SoupImprint.h"
 
+#include "CutPaste/Private/PlacedLoop.h"
 #include "Geometry/Orientation.h"
 
 #include <algorithm>
@@ -18,22 +19,6 @@ using Weights = std::vector<std::pair<int, double>>;
 double TwiceAreaOf(const RowVector2d& a, const RowVector2d& b, const RowVector2d& c)
 {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
-
-/// Whether a polygon contains a position (even-odd rule).
-bool Contains(const Eigen::MatrixXd& polygon, const RowVector2d& position)
-{
-  bool inside = false;
-  for (Eigen::Index i = 0, j = polygon.rows() - 1; i < polygon.rows(); j = i++)
-  {
-    const RowVector2d a = polygon.row(i), b = polygon.row(j);
-    if ((a.y() > position.y()) != (b.y() > position.y()) &&
-      position.x() < (b.x() - a.x()) * (position.y() - a.y()) / (b.y() - a.y()) + a.x())
-    {
-      inside = !inside;
-    }
-  }
-  return inside;
 }
 
 /// The triangles while they are cut.

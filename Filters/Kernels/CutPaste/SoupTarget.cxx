@@ -173,13 +173,9 @@ SoupTarget::SoupTarget(
 LoopOnSoup SoupTarget::Land(
   const FeatureFootprint& base, const PastePlacement& placement, const Progress& progress)
 {
-  RequireOption(
-    placement.Scale > 0.0 && std::isfinite(placement.Scale), "Scale", placement.Scale, "positive");
-  RequireOption(std::isfinite(placement.Rotation), "Rotation", placement.Rotation, "finite");
-  RequireFinite(placement.Seed, "Seed");
+  RequireInRange(placement);
   constexpr double snapShare = 1e-3; // far above rounding, far below what can be seen
-  const Eigen::Rotation2Dd turn(placement.Rotation * M_PI / 180.0);
-  Eigen::MatrixXd loop = placement.Scale * base.LoopPositions * turn.toRotationMatrix().transpose();
+  Eigen::MatrixXd loop = PoseLoop(base, placement);
   const double edge = MeanEdgeOf(loop), extent = loop.rowwise().norm().maxCoeff();
   MoveAtRandom(loop, edge);
   const double length = std::clamp(edge, extent / 50.0, extent / 8.0);

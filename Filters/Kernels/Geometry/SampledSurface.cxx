@@ -314,4 +314,18 @@ SampledSurface ConnectSamples(const Eigen::MatrixXd& points, const Eigen::Matrix
   return result;
 }
 
+double ComputeSpacing(const SampledSurface& samples)
+{
+  const Mesh& surface = samples.Surface;
+  double sum = 0.0;
+  for (const auto& corners : surface.Triangles.rowwise())
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      sum += (surface.Points.row(corners(k)) - surface.Points.row(corners((k + 1) % 3))).norm();
+    }
+  }
+  return sum / (3.0 * static_cast<double>(surface.Triangles.rows()));
+}
+
 } // namespace shape

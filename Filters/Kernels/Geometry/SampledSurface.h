@@ -56,4 +56,7 @@ struct SampledSurfaceOptions
 SampledSurface ConnectSamples(const Eigen::MatrixXd& points, const Eigen::MatrixXd& normals = {},
   const SampledSurfaceOptions& options = {}, const Progress& progress = {});
 
+/// Returns the mean length of an edge of the local triangles: the distance of neighbouring points.
+double ComputeSpacing(const SampledSurface& samples);
+
 } // namespace shape

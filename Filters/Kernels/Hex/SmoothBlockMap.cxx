@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Base/Parallel.h"
+#include "Hex/Features/LostCreases.h"
 #include "Hex/Private/BoundarySplines.h"
 #include "Hex/Private/HarmonicExtension.h"
 #include "Linear/SparseSolve.h"
@@ -50,7 +51,7 @@ public:
     const SurfaceFeatures features = FindFeatures(surface, featureAngle, 0.0);
     if (!features.Curves.empty())
     {
-      this->OnCreases.emplace(CurvesAsMesh(surface, features));
+      this->OnCreases.emplace(BuildFlatTriangles(BuildCreaseLines(surface, features)));
       this->BindToCreases(quads, MatrixXd(surface.Points()(features.Corners, Eigen::all)));
     }
   }
@@ -91,24 +92,6 @@ public:
   }
 
 private:
-  /// The edges of curves as triangles without area.
-  static Mesh CurvesAsMesh(const Surface& surface, const SurfaceFeatures& features)
-  {
-    std::vector<int> corners;
-    for (const FeatureCurve& curve : features.Curves)
-    {
-      const std::size_t count = curve.Points.size();
-      for (std::size_t i = 0; i + (curve.Closed ? 0 : 1) < count; ++i)
-      {
-        const int next = curve.Points[(i + 1) % count];
-        corners.insert(corners.end(), { curve.Points[i], next, next });
-      }
-    }
-    return { surface.Points(),
-      Eigen::Map<Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>>(
-        corners.data(), static_cast<Eigen::Index>(corners.size() / 3), 3) };
-  }
-
   void BindToCreases(const Eigen::MatrixXi& quads, const MatrixXd& corners)
   {
     constexpr double sagitta = 0.125; // of an edge along a crease, as a fraction of its length
@@ -306,7 +289,8 @@ SmoothBlockMap SmoothMapOfBlocks(const std::vector<GridBlock>& blocks, const Eig
   const HarmonicExtension extension(ListHexEdges(cells), isOuter, progress.Part(0.05, 0.2));
   const auto error = [&](const MatrixXd& positions)
   { return (EvaluateAtNodes(blocks, positions, options) - positions).rowwise().norm().maxCoeff(); };
-  SmoothBlockMap best{ targets, 0.0, CountInvertedCells(cells, targets) };
+  const int invertedBefore = CountInvertedCells(cells, targets);
+  SmoothBlockMap best{ targets, 0.0, invertedBefore };
   double smallest = error(targets);
   TangentDistances fit(splines, sliding, targets);
   const double factors[] = { 1.0, 0.1, 0.01, 1e-3, 1e-4 };
@@ -330,7 +314,7 @@ SmoothBlockMap SmoothMapOfBlocks(const std::vector<GridBlock>& blocks, const Eig
     }
     const int inverted = CountInvertedCells(cells, positions);
     const double largest = error(positions);
-    if (inverted <= CountInvertedCells(cells, targets) && largest < smallest)
+    if (inverted <= invertedBefore && largest < smallest)
     {
       smallest = largest;
       best.Inverted = inverted;

@@ -301,4 +301,27 @@ ClosestPoint SurfaceLocator::FindOne(const RowVector3d& point, int guess) const
   return { { nearest.Triangle, nearest.Barycentric }, position, (position - point).norm() };
 }
 
+Mesh BuildFlatTriangles(const std::vector<Eigen::MatrixXd>& lines)
+{
+  Eigen::Index points = 0;
+  for (const Eigen::MatrixXd& line : lines)
+  {
+    points += line.rows();
+  }
+  Mesh mesh{ Eigen::MatrixXd(points, 3),
+    Eigen::MatrixXi(points - static_cast<Eigen::Index>(lines.size()), 3) };
+  Eigen::Index first = 0, edge = 0;
+  for (const Eigen::MatrixXd& line : lines)
+  {
+    mesh.Points.middleRows(first, line.rows()) = line;
+    for (Eigen::Index i = 0; i + 1 < line.rows(); ++i)
+    {
+      const auto begin = static_cast<int>(first + i);
+      mesh.Triangles.row(edge++) << begin, begin + 1, begin + 1;
+    }
+    first += line.rows();
+  }
+  return mesh;
+}
+
 } // namespace shape

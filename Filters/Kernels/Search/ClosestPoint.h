@@ -6,6 +6,7 @@
 #include "Mesh/SurfacePoints.h"
 
 #include <memory>
+#include <vector>
 
 namespace shape
 {
@@ -67,5 +68,9 @@ private:
   Surface Searched;
   std::shared_ptr<const Tree> Impl;
 };
+
+/// Returns the edges of polylines (k x 3 each, in order) as triangles without area, whose locator
+/// finds the closest points of the polylines.
+Mesh BuildFlatTriangles(const std::vector<Eigen::MatrixXd>& polylines);
 
 } // namespace shape

@@ -79,8 +79,7 @@ struct vtkShapePasteFeature::Kept
   /// Instead of both, if Feature or Target is a point cloud.
   std::unique_ptr<shape::PointTarget> Points;
   bool BridgesGaps = false;
-  /// The feature for which the target, a surface, was sampled; only compared.
-  const shape::FeatureToPaste* Sampled = nullptr;
+  double SampledAt = 0.0; ///< the spacing at which the target, a surface, was sampled
   std::string SoupReason; ///< why the target is a soup
   bool HasOwnFill = false;
   int NonManifold = 0;                      ///< edges and points of the feature
@@ -197,7 +196,7 @@ void vtkShapePasteFeature::PrepareTarget(const shape::Progress& progress)
   const bool isReady = isOfPoints ? !!kept.Points : kept.Position || kept.Soup;
   const bool isNew = kept.TargetInput.IsNew(*this, 1, data);
   if (!isNew && isReady && isFlattenedSo && kept.BridgesGaps == this->BridgeGaps &&
-    (!isOfPoints || isCloud || kept.Sampled == kept.Paste.get()))
+    (!isOfPoints || isCloud || kept.SampledAt == this->SpacingOnTarget()))
   {
     return;
   }
@@ -213,9 +212,9 @@ void vtkShapePasteFeature::PrepareTarget(const shape::Progress& progress)
   {
     if (!isCloud)
     {
+      kept.SampledAt = this->SpacingOnTarget();
       kept.Target = vtkShapePastedData::SamplePart(
-        kept.Target, this->SpacingOnTarget(), progress.Part(0.3, 0.7, "sampling the target"));
-      kept.Sampled = kept.Paste.get();
+        kept.Target, kept.SampledAt, progress.Part(0.3, 0.7, "sampling the target"));
     }
     kept.Points = std::make_unique<shape::PointTarget>(
       kept.Target.Samples, this->Flattening, progress.Part(0.7, 1.0));

@@ -16,6 +16,21 @@ double MeanEdgeOf(const Eigen::MatrixXd& loop)
   return sum / static_cast<double>(loop.rows());
 }
 
+bool Contains(const Eigen::MatrixXd& polygon, const Eigen::RowVector2d& position)
+{
+  bool inside = false;
+  for (Eigen::Index i = 0, j = polygon.rows() - 1; i < polygon.rows(); j = i++)
+  {
+    const Eigen::RowVector2d a = polygon.row(i), b = polygon.row(j);
+    if ((a.y() > position.y()) != (b.y() > position.y()) &&
+      position.x() < (b.x() - a.x()) * (position.y() - a.y()) / (b.y() - a.y()) + a.x())
+    {
+      inside = !inside;
+    }
+  }
+  return inside;
+}
+
 PlacedLoop PlaceLoop(const ExponentialPatch& patch, const Eigen::MatrixXd& points,
   const Eigen::MatrixXd& normals, const Eigen::MatrixXd& loop, const std::string& elements)
 {

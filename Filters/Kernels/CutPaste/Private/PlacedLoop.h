@@ -21,6 +21,9 @@ struct PlacedLoop
 PlacedLoop PlaceLoop(const ExponentialPatch& patch, const Eigen::MatrixXd& points,
   const Eigen::MatrixXd& normals, const Eigen::MatrixXd& loop, const std::string& elements);
 
+/// Whether a polygon (n x 2) contains a position (even-odd rule).
+bool Contains(const Eigen::MatrixXd& polygon, const Eigen::RowVector2d& position);
+
 /// The mean length of the edges of a closed polygon.
 double MeanEdgeOf(const Eigen::MatrixXd& loop);
 

@@ -252,14 +252,9 @@ void MeasureSeam(const Mesh& rest, const std::vector<int>& seam, const std::vect
   }
   if (!seam.empty() && !soupPoints.empty())
   {
-    // The seam's edges as triangles without area.
-    Mesh edgesOfSeam{ points, Eigen::MatrixXi(static_cast<Eigen::Index>(seam.size()), 3) };
-    for (std::size_t i = 0; i < seam.size(); ++i)
-    {
-      const int next = seam[(i + 1) % seam.size()];
-      edgesOfSeam.Triangles.row(static_cast<Eigen::Index>(i)) << seam[i], next, next;
-    }
-    const SurfaceLocator toSeam{ Surface(edgesOfSeam) };
+    std::vector<int> around = seam;
+    around.push_back(seam.front());
+    const SurfaceLocator toSeam{ Surface(BuildFlatTriangles({ points(around, Eigen::all) })) };
     result.LargestGap =
       std::max(result.LargestGap, toSeam.FindLargestDistance(points(soupPoints, Eigen::all)));
   }

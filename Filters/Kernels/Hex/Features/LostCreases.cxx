@@ -11,30 +11,6 @@ namespace shape
 namespace
 {
 
-/// Returns the edges of polylines as triangles without area.
-Mesh BuildEdges(const std::vector<CreaseLine>& lines)
-{
-  Eigen::Index points = 0;
-  for (const CreaseLine& line : lines)
-  {
-    points += line.rows();
-  }
-  Mesh mesh{ Eigen::MatrixXd(points, 3),
-    Eigen::MatrixXi(points - static_cast<Eigen::Index>(lines.size()), 3) };
-  Eigen::Index first = 0, edge = 0;
-  for (const CreaseLine& line : lines)
-  {
-    mesh.Points.middleRows(first, line.rows()) = line;
-    for (Eigen::Index i = 0; i + 1 < line.rows(); ++i)
-    {
-      const auto begin = static_cast<int>(first + i);
-      mesh.Triangles.row(edge++) << begin, begin + 1, begin + 1;
-    }
-    first += line.rows();
-  }
-  return mesh;
-}
-
 /// Returns the points of a polyline and the middles of its edges.
 Eigen::MatrixXd SampleLine(const CreaseLine& line)
 {
@@ -96,7 +72,7 @@ std::vector<CreaseLine> FindUncovered(
   {
     return lines;
   }
-  const SurfaceLocator near(BuildEdges(others));
+  const SurfaceLocator near(BuildFlatTriangles(others));
   std::vector<CreaseLine> uncovered;
   std::copy_if(lines.begin(), lines.end(), std::back_inserter(uncovered),
     [&](const CreaseLine& line)
@@ -117,7 +93,7 @@ std::set<int> FindNearestCurves(
   {
     curveOf.insert(curveOf.end(), lines[i].rows() - 1, static_cast<int>(i));
   }
-  const Eigen::VectorXi edges = SurfaceLocator(BuildEdges(lines)).Find(positions).Triangles;
+  const Eigen::VectorXi edges = SurfaceLocator(BuildFlatTriangles(lines)).Find(positions).Triangles;
   std::set<int> curves;
   std::transform(edges.begin(), edges.end(), std::inserter(curves, curves.end()),
     [&](int edge) { return curveOf[edge]; });

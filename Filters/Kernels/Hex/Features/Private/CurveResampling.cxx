@@ -234,8 +234,8 @@ private:
     return this->Along.Deviation(std::min(one, other), std::max(one, other));
   }
 
-  /// Returns how far a point may move to each side, in mean steps: as far as its edges stay within
-  /// the tolerance if their other ends move as far, or deviate little more than before.
+  /// Returns how far a point may move to each side, in mean steps. Its edges must stay within the
+  /// tolerance if their other ends move by the same, or deviate little more than before.
   double Reach(std::size_t i) const
   {
     constexpr double reaches[] = { 4.0, 1.0, 0.4, 0.2, 0.1 };

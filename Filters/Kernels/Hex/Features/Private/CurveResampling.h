@@ -17,7 +17,7 @@ struct CurvePositions
   Eigen::MatrixXd Positions; ///< n x 3
   /// For each of the n points: the part of the curve around its position, as a polyline (k x 3), or
   /// one row if the point is fixed. Points that could move along the whole curve would cut off its
-  /// bends: a point may move only as far as its edges stay within the tolerance.
+  /// bends: the edges of a point that moves stay within the tolerance.
   std::vector<Eigen::MatrixXd> Spans;
 };
 
