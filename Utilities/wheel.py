@@ -25,7 +25,9 @@ def needed(path):
 
 files = {'shapemap/' + os.path.basename(path): path
          for path in glob.glob(os.path.join(package, '*')) if os.path.isfile(path)}
-files['shapemap/' + os.path.basename(libraries[0])] = libraries[0]
+# With OpenCASCADE there are two: the one that calls it lies beside the filters'.
+for path in libraries + glob.glob(os.path.join(os.path.dirname(libraries[0]), 'libshape_cascade.so')):
+    files['shapemap/' + os.path.basename(path)] = path
 linked = set().union(*(needed(path) for path in files.values() if '.so' in path))
 linked -= {os.path.basename(path) for path in files}
 # libvtkCommonCore-pv5.11.so.1 is ParaView's, libvtkCommonCore-9.1.so.1 plain VTK's.

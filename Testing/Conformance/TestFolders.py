@@ -23,7 +23,7 @@ USE_VTK = ['Geometry/Private/QuadricSampling.cxx', 'Search/CellLocator.cxx', 'Se
            'Solids/IsoSurface.cxx']
 USE_TETGEN = ['Tetrahedra/Private/TetGen.cxx']
 USE_OCCT = ['Kernels/IO/Private/CascadeFile.cxx', 'Kernels/IO/Private/CascadeFile.h',
-            'Kernels/IO/Private/OpenCascade.cxx', 'Kernels/IO/TestCADReader.cxx']
+            'Kernels/IO/Private/CascadeLibrary.cxx', 'Kernels/IO/TestCADReader.cxx']
 # No mathematics, or one line in the wrapper, which its header states: no kernel.
 WITHOUT_KERNEL = ['vtkShapeExample', 'vtkShapeMorph']
 # Base classes, whose XML holds what the others inherit.

@@ -20,7 +20,8 @@ print('ShapeParameterize found and run')
 PY
 
 echo "the Python package:"
-PYTHONPATH=$prefix/lib/python3/dist-packages /usr/bin/python3 - <<'PY'
+PYTHONPATH=$prefix/lib/python3/dist-packages /usr/bin/python3 - "$prefix/broken.step" <<'PY'
+import sys
 import shapemap
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 source = vtkSphereSource()
@@ -28,6 +29,16 @@ sphere = shapemap.vtkShapeParameterize()
 sphere.SetInputConnection(source.GetOutputPort())
 sphere.Update()
 assert sphere.GetOutputDataObject(1).GetNumberOfPoints() == 50
+# The library that calls OpenCASCADE lies beside the filters'.
+open(sys.argv[1], 'w').write('ISO-10303-21;\n')
+reader, refusals = shapemap.vtkShapeCADReader(), []
+def hear(caller, event, text):
+    refusals.append(text)
+hear.CallDataType = 'string0'
+reader.AddObserver('ErrorEvent', hear)
+reader.SetFileName(sys.argv[1])
+reader.Update()
+assert any('OpenCASCADE cannot read it as STEP' in text for text in refusals), refusals
 print(shapemap.__file__.split('/')[-2], 'imported and run')
 PY
 

@@ -122,15 +122,15 @@ enum class Outcome : char
   SolveFailure
 };
 
-void RunInChild(
-  std::string_view content, CADFormat format, const CADReaderOptions& options, int pipe)
+void RunInChild(CascadeReader read, std::string_view content, CADFormat format,
+  const CADReaderOptions& options, int pipe)
 {
   std::vector<Outcome> outcome{ Outcome::Model };
   std::string message;
   CADModel model;
   try
   {
-    model = JoinFaces(RunOpenCascade(content, format, options));
+    model = JoinFaces(read(content, format, options));
   }
   catch (const InvalidInput& error)
   {
@@ -159,7 +159,8 @@ CADModel RunCADProcess(std::string_view content, CADFormat format, const CADRead
   const Progress& progress)
 {
   progress(0.0);
-  ChildProcess child([&](int pipe) { RunInChild(content, format, options, pipe); });
+  const CascadeReader read = LoadOpenCascade(); // here: it stays loaded for the next file
+  ChildProcess child([&](int pipe) { RunInChild(read, content, format, options, pipe); });
   // OpenCASCADE does not say how far it is: half of it is done after the time that is usual.
   const double usual = 0.5 + 1e-6 * static_cast<double>(content.size());
   const auto start = std::chrono::steady_clock::now();

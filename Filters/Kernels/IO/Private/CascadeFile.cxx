@@ -1,5 +1,3 @@
-#ifdef SHAPEMAP_OCCT
-
 #include "IO/Private/CascadeFile.h"
 
 #include "Base/Errors.h"
@@ -219,5 +217,3 @@ CascadeFile ReadCascadeFile(std::string_view content, CADFormat format)
 }
 
 } // namespace shape
-
-#endif

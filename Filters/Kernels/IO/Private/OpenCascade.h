@@ -45,7 +45,14 @@ struct CascadeModel
 
 /// Reads and triangulates a file in this process, which must expect a crash, and changes its
 /// numeric locale. Throws the exceptions of ReadCAD, if faces have no triangles excepted.
-CascadeModel RunOpenCascade(
-  std::string_view content, CADFormat format, const CADReaderOptions& options);
+using CascadeReader = CascadeModel (*)(std::string_view, CADFormat, const CADReaderOptions&);
+
+/// Loads OpenCASCADE, unless an earlier call did. Throws InvalidInput if ShapeMap was built without
+/// it, and SolveFailure if its libraries are missing.
+CascadeReader LoadOpenCascade();
 
 } // namespace shape
+
+/// The CascadeReader of libshape_cascade.so, which LoadOpenCascade looks up by its name.
+extern "C" [[gnu::visibility("default")]] shape::CascadeModel ShapeMapReadCascade(
+  std::string_view content, shape::CADFormat format, const shape::CADReaderOptions& options);
