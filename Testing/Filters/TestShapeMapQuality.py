@@ -12,7 +12,9 @@ import shapemap
 import shapetesting
 from shapetesting import fact, points, read
 
-MEASURES = ['JacobianDeterminant', 'Dirichlet', 'SymmetricDirichlet', 'ConformalDistortion', 'ARAP']
+MEASURES = ['JacobianDeterminant', 'Dirichlet', 'SymmetricDirichlet', 'ConformalDistortion', 'ARAP',
+            'Hencky', 'AMIPS', 'AreaDistortion', 'L2Stretch', 'LinfStretch',
+            'SmallestSingularValue', 'LargestSingularValue']
 LINEAR = numpy.array([[3.0, 0.4, 0.0], [0.0, 1.0, -0.2], [0.1, 0.0, 0.5]])
 
 
@@ -51,9 +53,13 @@ def expected(matrix):
     """Of a linear map of space."""
     s = numpy.linalg.svd(matrix, compute_uv=False)
     s[-1] *= numpy.sign(numpy.linalg.det(matrix))
-    d = len(s)
+    d, size = len(s), abs(s.prod())
+    area = 0.5 * (size + 1.0 / size)
+    angles = numpy.prod([0.5 * abs(s[i] / s[k] + s[k] / s[i]) for i in range(d) for k in range(i)])
     return [s.prod(), (s * s).sum() / 2.0, (s * s + 1.0 / (s * s)).sum(),
-            (s * s).sum() / (d * abs(s.prod()) ** (2.0 / d)), ((s - 1.0) ** 2).sum()]
+            (s * s).sum() / (d * size ** (2.0 / d)), ((s - 1.0) ** 2).sum(),
+            (numpy.log(abs(s)) ** 2).sum(), numpy.exp(angles + 0.5 * area), area,
+            numpy.sqrt((1.0 / (s * s)).mean()), 1.0 / abs(s).min(), abs(s).min(), abs(s).max()]
 
 
 # The example: through ParaView's own proxies, the image of Shape Parameterize.

@@ -145,6 +145,12 @@ FreeBoundaryMapResult MapWithFreeBoundary(
       unit, image, {}, options.Refinement, progress.Part(0.3, 1.0, "lowering the distortion"));
     image = refined.Points;
     result.Iterations = refined.Iterations;
+    result.MeasureBefore = refined.StartEnergy;
+    result.MeasureAfter = refined.Energy;
+    if (options.Refinement.Measure == Distortion::ConformalAMIPS)
+    {
+      image /= std::sqrt(ComputePlanarArea(surface.Triangles(), image));
+    }
   }
   // Step 5. Rounding in the rotation can flip a tiny triangle, so the check comes last.
   Settle(surface.Triangles(), image);

@@ -22,6 +22,8 @@ struct FreeBoundaryMapResult
   Eigen::MatrixXd Points;  ///< n x 3, z = 0
   bool IsConformal = true; ///< false if Tutte's map was the start of the refinement
   int Iterations = 0;      ///< number of refinement iterations
+  /// mean of the refinement's measure before and after it (InjectiveRefinementResult); else 0
+  double MeasureBefore = 0.0, MeasureAfter = 0.0;
   double LoopLength = 0.0; ///< length of the longest boundary loop, in the surface's units
 };
 
@@ -32,7 +34,8 @@ struct FreeBoundaryMapResult
  * of the longest loop to a circle (uniform weights, other loops filled with fans). Distant parts of
  * the image may overlap.
  *
- * The conformal image has the surface's area; a refined image has the size of minimum distortion.
+ * The conformal image has the surface's area, also if it is refined by ConformalAMIPS, which no
+ * size changes; an image refined by another measure has the size of minimum distortion.
  * The image's centroid is at the origin and its longer principal axis lies along x. If both axes
  * have equal moments, x points to the first point off the centre. The third moment along x is
  * positive; if it vanishes, the first point off the centre has positive x. So a rigid motion of the

@@ -265,7 +265,8 @@ InjectiveRefinementResult Descend(const PlanarElements& elements, ProxySystem& s
   result.StartEnergy = result.Energy = elements.Energy(start, options.Measure, options.Exponent);
   if (!std::isfinite(result.Energy))
   {
-    throw SolveFailure("the measure exceeds double precision at the start; reduce the Exponent");
+    throw SolveFailure("the measure exceeds double precision at the start; choose a smaller "
+                       "exponent, or a measure that is no exponential");
   }
   const double area = elements.Areas().sum();
   // One small gain may be due to a step limited by a single triangle.

@@ -4,7 +4,6 @@
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Parameterize/FreeBoundaryMap.h"
-#include "Parameterize/InjectiveRefinement.h"
 #include "Parameterize/OrbifoldTutte.h"
 #include "Parameterize/Private/PlanarElements.h"
 #include "Parameterize/SphereMap.h"
@@ -13,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -90,7 +90,39 @@ double ScaleTo(const Eigen::MatrixXd& image, const Surface& surface)
 
 bool IsRefined(const ParameterizeOptions& options)
 {
-  return options.Refine == ParameterizeOptions::RefineType::SymmetricDirichlet;
+  return options.Refine != ParameterizeOptions::RefineType::None;
+}
+
+/// A measure that Refine may name.
+struct RefineMeasure
+{
+  ParameterizeOptions::RefineType Refine;
+  Distortion Measure;
+  const char* Word;
+};
+
+const RefineMeasure& MeasureOf(const ParameterizeOptions& options)
+{
+  using Type = ParameterizeOptions::RefineType;
+  static constexpr RefineMeasure measures[] = {
+    { Type::SymmetricDirichlet, Distortion::SymmetricDirichlet, "SymmetricDirichlet" },
+    { Type::ExponentialSymmetricDirichlet, Distortion::ExponentialSymmetricDirichlet,
+      "ExponentialSymmetricDirichlet" },
+    { Type::AMIPS, Distortion::AMIPS, "AMIPS" },
+    { Type::ConformalAMIPS, Distortion::ConformalAMIPS, "ConformalAMIPS" },
+    { Type::Hencky, Distortion::LogARAP, "Hencky" },
+    { Type::ARAP, Distortion::ARAP, "ARAP" },
+  };
+  return *std::find_if(std::begin(measures), std::end(measures),
+    [&](const RefineMeasure& one) { return one.Refine == options.Refine; });
+}
+
+InjectiveRefinementOptions ForRefinement(const ParameterizeOptions& options)
+{
+  InjectiveRefinementOptions refinement;
+  refinement.Measure = MeasureOf(options).Measure;
+  refinement.Exponent = options.RefineExponent;
+  return refinement;
 }
 
 ParameterizeResult OntoDisk(
@@ -105,13 +137,15 @@ ParameterizeResult OntoDisk(
   result.LoopLength = map.LoopLength;
   if (IsRefined(options))
   {
-    InjectiveRefinementOptions refinement;
+    InjectiveRefinementOptions refinement = ForRefinement(options);
     refinement.Scale = ScaleTo(map.Points, surface);
     const InjectiveRefinementResult refined = RefineInjectively(surface, map.Points.leftCols(2),
       map.Loop, refinement, progress.Part(0.3, 1.0, "lowering the distortion"));
     result.Positions.leftCols(2) = refined.Points;
-    result.Method = "SymmetricDirichlet";
+    result.Method = MeasureOf(options).Word;
     result.Iterations = refined.Iterations;
+    result.MeasureBefore = refined.StartEnergy;
+    result.MeasureAfter = refined.Energy;
   }
   return result;
 }
@@ -121,11 +155,17 @@ ParameterizeResult WithFreeBoundary(
 {
   FreeBoundaryMapOptions own;
   own.Refine = IsRefined(options);
+  if (own.Refine)
+  {
+    own.Refinement = ForRefinement(options);
+  }
   const FreeBoundaryMapResult map = MapWithFreeBoundary(surface, own, progress);
   ParameterizeResult result;
   result.Positions = map.Points;
-  result.Method = own.Refine ? "SymmetricDirichlet" : "BoundaryFirst";
+  result.Method = own.Refine ? MeasureOf(options).Word : "BoundaryFirst";
   result.Iterations = map.Iterations;
+  result.MeasureBefore = map.MeasureBefore;
+  result.MeasureAfter = map.MeasureAfter;
   result.LoopLength = map.LoopLength;
   return result;
 }
@@ -244,6 +284,8 @@ ParameterizeResult Onto(const Surface& surface, const Eigen::MatrixXd& landmarks
 ParameterizeResult Parameterize(const Surface& surface, const Eigen::MatrixXd& landmarks,
   const ParameterizeOptions& options, const Progress& progress)
 {
+  RequireOption(options.RefineExponent > 0.0 && std::isfinite(options.RefineExponent),
+    "RefineExponent", options.RefineExponent, "positive");
   ParameterizeResult result = Onto(surface, landmarks, options, progress.Part(0.0, 0.9));
   const bool isCut = options.Domain == ParameterizeOptions::DomainType::Orbifold;
   const Mesh& mapped = isCut ? result.Cut.Surface : surface.AsMesh();

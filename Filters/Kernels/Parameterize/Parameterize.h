@@ -4,6 +4,7 @@
 #include "Mesh/Surface.h"
 #include "Mesh/SurfaceCut.h"
 #include "Parameterize/DiskMap.h"
+#include "Parameterize/InjectiveRefinement.h"
 #include "Parameterize/OrbifoldTile.h"
 
 #include <string>
@@ -26,13 +27,22 @@ struct ParameterizeOptions
   CombinationWeights Weights = DiskMapOptions().Weights;
   /// Disk: the image of the boundary loop.
   DiskOutline Outline = DiskMapOptions().Outline;
-  /// Disk and FreeBoundary: whether the distortion of the image is lowered.
+  /// Disk and FreeBoundary: whether shape::RefineInjectively lowers the distortion of the image,
+  /// and by which measure (shape::Distortion). The Disk's outline is fixed.
   enum class RefineType
   {
     None = 0,
-    SymmetricDirichlet = 1 ///< by shape::RefineInjectively; the Disk's outline is fixed
+    SymmetricDirichlet = 1,
+    ExponentialSymmetricDirichlet = 2,
+    AMIPS = 3,
+    ConformalAMIPS = 4,
+    Hencky = 5,
+    ARAP = 6
   };
   RefineType Refine = RefineType::None;
+  /// Exponent of ExponentialSymmetricDirichlet and AMIPS; > 0. The larger it is, the more the worst
+  /// triangles count.
+  double RefineExponent = InjectiveRefinementOptions().Exponent;
   /// Orbifold: the tile for three landmarks; Rhombus treats the three alike. With four landmarks,
   /// the tile is a parallelogram whatever this option says.
   OrbifoldType Tile = OrbifoldType::Rhombus;
@@ -58,6 +68,9 @@ struct ParameterizeResult
   int FlippedTriangles = 0;
   /// Disk, FreeBoundary: length of the longest boundary loop, in the surface's units
   double LoopLength = 0.0;
+  /// Area-weighted mean of the measure of Refine before and after the refinement; 0 without it. An
+  /// exponential measure is lowered from the result with SymmetricDirichlet.
+  double MeasureBefore = 0.0, MeasureAfter = 0.0;
   double ConformalDistortion = 1.0; ///< area-weighted mean; 1 if every angle is preserved
   /// Area-weighted mean of the symmetric Dirichlet energy; its minimum is 4, for an isometry. For
   /// Disk and Orbifold, the surface is first scaled to the image's area. The value is at most
@@ -72,8 +85,9 @@ struct ParameterizeResult
  * landmarks: k x 3. For the Orbifold, these are three or four positions; the points of the surface
  * nearest to them become its cones, in this order. For other domains, landmarks is empty.
  *
- * Throws InvalidInput if the surface or the landmarks do not fit the domain, SolveFailure if a
- * triangle would be flipped, and Aborted.
+ * Throws InvalidInput if the surface or the landmarks do not fit the domain, or RefineExponent is
+ * not positive. Throws SolveFailure if a triangle would be flipped or an exponential measure
+ * exceeds the range of double, and Aborted.
  */
 ParameterizeResult Parameterize(const Surface& surface, const Eigen::MatrixXd& landmarks,
   const ParameterizeOptions& options = {}, const Progress& progress = {});

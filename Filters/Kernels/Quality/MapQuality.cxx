@@ -107,14 +107,24 @@ private:
   Eigen::MatrixXd Around; ///< n x 3: sums of area vectors
 };
 
-/// Computes the measures from |J|^2, |adj J|^2, det J and the sum of the signed singular values.
-Measures FromInvariants(int d, double square, double adjugate, double determinant, double trace)
+/// Computes the measures from |J|^2, |adj J|^2, det J and the d singular values, the largest first.
+Measures FromInvariants(
+  int d, double square, double adjugate, double determinant, const Eigen::Vector3d& singular)
 {
-  // |J^-1|^2 = |adj J|^2 / det^2, and the sum of (s_i - 1)^2 is |J|^2 - 2 sum s_i + d.
+  // |J^-1|^2 = |adj J|^2 / det^2, and the sum of (s_i - 1)^2 is |J|^2 - 2 sum s_i + d. The smallest
+  // s_i carries the sign of the determinant.
   const double size = std::abs(determinant);
+  const double inverse = adjugate / (size * size);
+  const double smallest = singular(d - 1);
+  const double trace = singular.head(d - 1).sum() + (determinant < 0.0 ? -smallest : smallest);
+  const double area = 0.5 * (size + 1.0 / size);
+  const double angles = d == 2 ? 0.5 * square / size : 0.125 * (square * inverse - 1.0);
   Measures measures;
-  measures << determinant, 0.5 * square, square + adjugate / (size * size),
-    std::max(1.0, square / (d * std::pow(size, 2.0 / d))), std::max(0.0, square - 2.0 * trace + d);
+  measures << determinant, 0.5 * square, square + inverse,
+    std::max(1.0, square / (d * std::pow(size, 2.0 / d))), std::max(0.0, square - 2.0 * trace + d),
+    singular.head(d).array().log().square().sum(),
+    std::exp(std::max(1.0, angles) + 0.5 * std::max(1.0, area)), std::max(1.0, area),
+    std::sqrt(inverse / d), 1.0 / smallest, smallest, singular(0);
   return measures.isNaN()
     .select(Measures::Constant(LargestMeasure), measures)
     .cwiseMin(LargestMeasure)
@@ -131,9 +141,16 @@ Measures OfTriangle(const Eigen::Matrix3d& source, const Eigen::Matrix3d& image,
     (image.col(1) - u.dot(v) / square * image.col(0)) * (std::sqrt(square) / u.cross(v).norm());
   const double norm = first.squaredNorm() + second.squaredNorm();
   const double determinant = sign * first.cross(second).norm();
-  // In two dimensions |adj J| = |J|, and (s_1 + s_2)^2 = |J|^2 + 2 det.
-  return FromInvariants(
-    2, norm, norm, determinant, std::sqrt(std::max(0.0, norm + 2.0 * determinant)));
+  // In two dimensions |adj J| = |J|, and (s_1 +- s_2)^2 = |J|^2 +- 2 |det J|. The difference is
+  // written so that nothing cancels near a similarity.
+  const double size = std::abs(determinant);
+  const double lengths = first.norm() * second.norm(), cosine = first.dot(second);
+  const double apart = first.norm() - second.norm();
+  const double sheared = lengths > 0.0 ? cosine * cosine / (lengths + size) : 0.0;
+  const double largest =
+    0.5 * (std::sqrt(norm + 2.0 * size) + std::sqrt(apart * apart + 2.0 * sheared));
+  const double smallest = largest > 0.0 ? std::min(size / largest, largest) : 0.0;
+  return FromInvariants(2, norm, norm, determinant, { largest, smallest, 0.0 });
 }
 
 Measures OfTetrahedron(const Eigen::Matrix3d& source, const Eigen::Matrix3d& image)
@@ -151,15 +168,13 @@ Measures OfTetrahedron(const Eigen::Matrix3d& source, const Eigen::Matrix3d& ima
   {
     values = svd.singularValues();
   }
-  // The smallest singular value carries the sign of the determinant.
-  values(2) = determinant < 0.0 ? -values(2) : values(2);
-  return FromInvariants(3, jacobian.squaredNorm(), adjugate, determinant, values.sum());
+  return FromInvariants(3, jacobian.squaredNorm(), adjugate, determinant, values);
 }
 
 Measures OfIsometry(int d)
 {
   Measures measures;
-  measures << 1.0, 0.5 * d, 2.0 * d, 1.0, 0.0;
+  measures << 1.0, 0.5 * d, 2.0 * d, 1.0, 0.0, 0.0, std::exp(1.5), 1.0, 1.0, 1.0, 1.0, 1.0;
   return measures;
 }
 
@@ -173,8 +188,25 @@ double SizeOf(const Eigen::Matrix3d& edges, bool triangle)
   return size > minimum ? size : 0.0;
 }
 
-bool AnyAtLargest(const Measures& measures)
+/// The measures of a cell whose image has no size, given those by its rounded singular values.
+void SetWithoutSize(Measures& measures)
 {
+  for (const MapMeasure zero :
+    { MapMeasure::JacobianDeterminant, MapMeasure::SmallestSingularValue })
+  {
+    measures(static_cast<int>(zero)) = 0.0;
+  }
+  for (const MapMeasure infinite : { MapMeasure::SymmetricDirichlet,
+         MapMeasure::ConformalDistortion, MapMeasure::Hencky, MapMeasure::AMIPS,
+         MapMeasure::AreaDistortion, MapMeasure::L2Stretch, MapMeasure::LinfStretch })
+  {
+    measures(static_cast<int>(infinite)) = LargestMeasure;
+  }
+}
+
+bool AnyAtLargest(Measures measures)
+{
+  measures(static_cast<int>(MapMeasure::AMIPS)) = 0.0; // large, but finite
   return (measures.abs() >= LargestMeasure).any();
 }
 
@@ -235,9 +267,7 @@ MapQualityResult EvaluateMapQuality(const Eigen::MatrixXd& points, const Eigen::
         : OfTetrahedron(from, to);
       if (SizeOf(to, triangle) == 0.0)
       {
-        measures(static_cast<int>(MapMeasure::JacobianDeterminant)) = 0.0;
-        measures(static_cast<int>(MapMeasure::SymmetricDirichlet)) = LargestMeasure;
-        measures(static_cast<int>(MapMeasure::ConformalDistortion)) = LargestMeasure;
+        SetWithoutSize(measures);
       }
       result.Degenerate(cell) = result.Degenerate(cell) || AnyAtLargest(measures);
       // A measure that is infinite in one simplex is infinite in the mean.

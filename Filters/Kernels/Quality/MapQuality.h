@@ -24,9 +24,24 @@ enum class MapMeasure
   ConformalDistortion,
   /// sum of (s_i - 1)^2 (Liu et al. 2008); 0 for an isometry. If the map flips, the smallest s_i is
   /// taken as negative.
-  ARAP
+  ARAP,
+  /// sum of log(|s_i|)^2, the Hencky strain squared (Rabinovich et al. 2017, table 1); 0 for an
+  /// isometry
+  Hencky,
+  /// exp(c + a / 2) with a = AreaDistortion and c = (s_1 / s_2 + s_2 / s_1) / 2 on surfaces,
+  /// (|J|^2 |J^-1|^2 - 1) / 8 in solids (Fu, Liu and Guo 2015); minimum exp(3/2), for an isometry
+  AMIPS,
+  /// (|det J| + 1 / |det J|) / 2, of area or volume; minimum 1, where size is preserved
+  AreaDistortion,
+  /// How much the image must be stretched to get the source back (Sander et al. 2001): the root
+  /// mean square |J^-1| / sqrt(d) over all directions, and the maximum 1 / min |s_i|; both are 1
+  /// for an isometry.
+  L2Stretch,
+  LinfStretch,
+  SmallestSingularValue, ///< min |s_i|: the minimum factor of a length
+  LargestSingularValue   ///< max |s_i|: the maximum factor of a length
 };
-constexpr int MapMeasureCount = 5;
+constexpr int MapMeasureCount = 12;
 
 /// Replaces infinite values, so no measure exceeds it.
 constexpr double LargestMeasure = 1e30;
@@ -54,7 +69,8 @@ struct MapQualityResult
   Eigen::VectorXd Sizes;    ///< m: area or volume; 0 if a cell is not counted or has no size
   Eigen::VectorXi Counted;  ///< m: 1 for cells of the extent's dimension
   Eigen::VectorXi Flipped;  ///< m: 1 if JacobianDeterminant < 0
-  /// m: 1 if a counted cell, or the image of one of its simplices, has no size
+  /// m: 1 if a counted cell, or the image of one of its simplices, has no size, or if a measure
+  /// other than AMIPS, which grows exponentially, is LargestMeasure
   Eigen::VectorXi Degenerate;
 };
 
@@ -63,9 +79,10 @@ struct MapQualityResult
  * is affine on each simplex. JacobianDeterminant of a cell is the minimum over its simplices; every
  * other measure is the mean over its simplices, weighted by size. Only cells of extent.Dimension
  * are counted. All other cells, and cells without size, get the values of an isometry. A simplex
- * without size is ignored. If an image has no size, SymmetricDirichlet and ConformalDistortion are
- * LargestMeasure. A simplex has no size if the determinant of its edges is at most 1e-14 of its
- * longest edge squared (triangles) or cubed (tetrahedra).
+ * without size is ignored. If an image has no size, JacobianDeterminant and SmallestSingularValue
+ * are 0, and the measures that divide by them are LargestMeasure. A simplex has no size if the
+ * determinant of its edges is at most 1e-14 of its longest edge squared (triangles) or cubed
+ * (tetrahedra).
  *
  * Sign on surfaces: a triangle is flipped if it faces different sides before and after the map. Its
  * side is the sign of the dot product of its normal and a reference vector. The reference is +z if

@@ -55,9 +55,10 @@ const std::set<std::string> RealMeasures = {
   "Normals", "Tangents",
   // ShapeMap: distances, distortion of maps, spectra
   "BoundaryDistance", "GeodesicDistance", "DeformationGradient", "JacobianDeterminant", "Dirichlet",
-  "SymmetricDirichlet", "ConformalDistortion", "ARAP", "AreaDifference", "ConformalDifference",
-  "AreaEigenfunctions", "ConformalEigenfunctions", "Eigenfunctions", "HeatKernelSignature",
-  "WaveKernelSignature", "Embedding", "ArrivalTime", "Radius", "SplineError"
+  "SymmetricDirichlet", "ConformalDistortion", "ARAP", "Hencky", "AMIPS", "AreaDistortion",
+  "L2Stretch", "LinfStretch", "SmallestSingularValue", "LargestSingularValue", "AreaDifference",
+  "ConformalDifference", "AreaEigenfunctions", "ConformalEigenfunctions", "Eigenfunctions",
+  "HeatKernelSignature", "WaveKernelSignature", "Embedding", "ArrivalTime", "Radius", "SplineError"
 };
 
 /// Measures that are counts or Booleans.

@@ -135,6 +135,8 @@ void vtkShapeParameterize::Execute(const shape::Progress& progress)
     vtkShapeConvert::AddFact(output, "Parameterize.Method", map.Method);
     vtkShapeConvert::AddFact(output, "Parameterize.Iterations", map.Iterations);
     vtkShapeConvert::AddFact(output, "Parameterize.ReinsertedPoints", map.ReinsertedPoints);
+    vtkShapeConvert::AddFact(output, "Parameterize.MeasureBefore", map.MeasureBefore);
+    vtkShapeConvert::AddFact(output, "Parameterize.MeasureAfter", map.MeasureAfter);
     vtkShapeConvert::AddFact(output, "Parameterize.FlippedTriangles", map.FlippedTriangles);
     vtkShapeConvert::AddFact(output, "Parameterize.ConformalDistortion", map.ConformalDistortion);
     vtkShapeConvert::AddFact(output, "Parameterize.Energy", map.Energy);

@@ -22,9 +22,12 @@
  * - .Method: for Sphere, ConformalFlow or, if that would flip triangles, PositiveFlow or
  *   GlobalReinsertion. With AreaWeight > 0, it is GlobalReinsertion. For Disk, it is the name of
  *   the weights, and for FreeBoundary, it is BoundaryFirst. For Disk and FreeBoundary, it is
- *   SymmetricDirichlet if the map is refined. For Orbifold, it is the name of the tile.
+ *   the measure of Refine if the map is refined. For Orbifold, it is the name of the tile.
  * - .Iterations: number of iterations of the method. .ReinsertedPoints: number of points that got a
  *   new position because the method had flipped triangles around them.
+ * - .MeasureBefore, .MeasureAfter: mean of the measure of Refine over the area of the surface,
+ *   before and after the refinement; 0 without it. Exponential measures are lowered from the result
+ *   with SymmetricDirichlet.
  * - .FlippedTriangles: 0, because a map that flips a triangle is an error.
  * - .ConformalDistortion: its mean over the area of the surface. It is 1 if all angles are
  *   preserved.
@@ -59,8 +62,8 @@ public:
   vtkShapeEnumOption(
     Outline, shape::DiskOutline, shape::DiskOutline::Circle, shape::DiskOutline::Square);
   vtkShapeEnumOption(Refine, shape::ParameterizeOptions::RefineType,
-    shape::ParameterizeOptions::RefineType::None,
-    shape::ParameterizeOptions::RefineType::SymmetricDirichlet);
+    shape::ParameterizeOptions::RefineType::None, shape::ParameterizeOptions::RefineType::ARAP);
+  vtkShapeOption(RefineExponent, double);
   vtkShapeEnumOption(
     Tile, shape::OrbifoldType, shape::OrbifoldType::Square, shape::OrbifoldType::Triangle);
   vtkShapeOption(AreaWeight, double);

@@ -37,7 +37,8 @@ namespace
 
 /// In the order of shape::MapMeasure.
 const char* const MeasureNames[shape::MapMeasureCount] = { "JacobianDeterminant", "Dirichlet",
-  "SymmetricDirichlet", "ConformalDistortion", "ARAP" };
+  "SymmetricDirichlet", "ConformalDistortion", "ARAP", "Hencky", "AMIPS", "AreaDistortion",
+  "L2Stretch", "LinfStretch", "SmallestSingularValue", "LargestSingularValue" };
 
 /// The map of a block, prepared for evaluation.
 struct Part

@@ -24,9 +24,16 @@
  *   solids.
  * - `ConformalDistortion`: |J|^2 / (d |det J|^(2/d)). Its minimum, for similarities, is 1.
  * - `ARAP`: the sum of (s_i - 1)^2. In flipped cells, the smallest s_i is taken as negative.
+ * - `Hencky`: the sum of log(|s_i|)^2. 0 for an isometry.
+ * - `AMIPS`: exp(c + a / 2), where c is the distortion of angles, and a is `AreaDistortion`. Its
+ *   minimum, for isometries, is exp(3/2).
+ * - `AreaDistortion`: (|det J| + 1 / |det J|) / 2, of areas or volumes. Its minimum is 1.
+ * - `L2Stretch`, `LinfStretch`: |J^-1| / sqrt(d) and 1 / min |s_i|: the mean and the maximum factor
+ *   by which the image must be stretched to get the source back.
+ * - `SmallestSingularValue`, `LargestSingularValue`: min |s_i| and max |s_i|.
  * - `Degenerate` (int): 1 if the cell or a part of its image has no area or volume. If the cell
- *   itself has none, the measures have the values of an isometry. Otherwise, SymmetricDirichlet and
- *   ConformalDistortion are 1e30.
+ *   itself has none, the measures have the values of an isometry. Otherwise, the measures that
+ *   divide by the size of the image are 1e30.
  * Energies are means over the cell. Infinite values are replaced by 1e30.
  *
  * Output 1: a table of the measures over all blocks and processes, without ghost cells. The columns

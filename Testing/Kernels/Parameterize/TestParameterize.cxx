@@ -1,5 +1,7 @@
 #include "Base/Errors.h"
 #include "Parameterize/Parameterize.h"
+#include "Parameterize/Private/PlanarElements.h"
+#include "Quality/MapQuality.h"
 #include "Support/Refusals.h"
 #include "Support/TestShapes.h"
 
@@ -138,6 +140,76 @@ TEST(Parameterize, FreeBoundaryAndRefineHandTheirOptionsOn)
   const shape::ParameterizeResult disk = shape::Parameterize(bumps, options);
   EXPECT_GT(disk.Energy, refined.Energy);
   EXPECT_NEAR(disk.Positions.rowwise().norm().maxCoeff(), 1.0, 1e-15);
+}
+
+TEST(Parameterize, RefineLowersEachMeasureAndMapQualityMeasuresTheSame)
+{
+  using Refine = shape::ParameterizeOptions::RefineType;
+  using shape::MapMeasure;
+  shape::Mesh bumps = shapetest::FlatDisk(8);
+  bumps.Points.col(2) = 0.4 * (3.0 * bumps.Points.col(0)).array().sin();
+  shape::CellSimplices cells;
+  for (const auto& triangle : bumps.Triangles.rowwise())
+  {
+    const Eigen::RowVector3i corners = triangle;
+    cells.Add(shape::CellShape::Triangle, corners.data());
+    cells.EndCell();
+  }
+  struct Case
+  {
+    Refine Type;
+    const char* Name;
+    MapMeasure Same;
+    double Factor; // of the measure of Refine, relative to that of MapQuality
+  };
+  for (const Case& one :
+    { Case{ Refine::SymmetricDirichlet, "SymmetricDirichlet", MapMeasure::SymmetricDirichlet, 1.0 },
+      Case{ Refine::AMIPS, "AMIPS", MapMeasure::AMIPS, 1.0 },
+      Case{ Refine::ConformalAMIPS, "ConformalAMIPS", MapMeasure::ConformalDistortion, 2.0 },
+      Case{ Refine::Hencky, "Hencky", MapMeasure::Hencky, 1.0 },
+      Case{ Refine::ARAP, "ARAP", MapMeasure::ARAP, 1.0 } })
+  {
+    shape::ParameterizeOptions options;
+    options.Domain = shape::ParameterizeOptions::DomainType::FreeBoundary;
+    options.Refine = one.Type;
+    const shape::ParameterizeResult map = shape::Parameterize(bumps, options);
+    EXPECT_EQ(map.Method, one.Name);
+    EXPECT_EQ(map.FlippedTriangles, 0);
+    EXPECT_LT(map.MeasureAfter, map.MeasureBefore) << one.Name;
+    const shape::MapQualityResult quality = shape::EvaluateMapQuality(bumps.Points, map.Positions,
+      cells, shape::ComputeMapExtent(bumps.Points, map.Positions, cells));
+    shape::MapQualitySums sums;
+    sums.Add(quality, Eigen::VectorXi::Ones(bumps.Triangles.rows()));
+    EXPECT_NEAR(map.MeasureAfter / (one.Factor * sums.Mean(one.Same)), 1.0, 1e-9) << one.Name;
+  }
+}
+
+TEST(Parameterize, ALargerRefineExponentLowersTheWorstTriangle)
+{
+  shape::Mesh bumps = shapetest::FlatDisk(8);
+  bumps.Points.col(2) = 0.4 * (3.0 * bumps.Points.col(0)).array().sin();
+  shape::ParameterizeOptions options;
+  options.Domain = shape::ParameterizeOptions::DomainType::FreeBoundary;
+  options.Refine = shape::ParameterizeOptions::RefineType::ExponentialSymmetricDirichlet;
+  double worst = 1e30;
+  for (const double exponent : { 0.1, 1.0, 10.0 })
+  {
+    options.RefineExponent = exponent;
+    const shape::ParameterizeResult map = shape::Parameterize(bumps, options);
+    const shape::PlanarElements elements(bumps, 1.0);
+    double least = 0.0;
+    for (Eigen::Index t = 0; t < bumps.Triangles.rows(); ++t)
+    {
+      const Eigen::Vector2d s =
+        shape::DecomposePlanar(elements.Jacobian(static_cast<int>(t), map.Positions.leftCols(2)))
+          .Singular;
+      least = std::max(least, s.squaredNorm() + s.cwiseInverse().squaredNorm());
+    }
+    EXPECT_LT(least, worst) << "exponent " << exponent;
+    worst = least;
+  }
+  options.RefineExponent = 0.0;
+  EXPECT_THROW(shape::Parameterize(bumps, options), shape::InvalidInput);
 }
 
 TEST(Parameterize, OntoTheOrbifoldTakesTheNearestPointsAsCones)

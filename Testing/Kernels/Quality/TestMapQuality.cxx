@@ -83,13 +83,26 @@ MapQualitySums SumsOf(const MapQualityResult& result)
   return sums;
 }
 
-/// Determinant, Dirichlet, symmetric Dirichlet, conformal distortion, ARAP from singular values.
+/// The measures in their order, from the singular values; the last one has the determinant's sign.
 Eigen::RowVectorXd Expected(const Eigen::VectorXd& s)
 {
   const double d = s.size(), squares = s.squaredNorm(), product = s.prod();
-  Eigen::RowVectorXd values(5);
-  values << product, squares / 2.0, squares + s.cwiseInverse().squaredNorm(),
-    squares / (d * std::pow(std::abs(product), 2.0 / d)), (s.array() - 1.0).square().sum();
+  const double inverses = s.cwiseInverse().squaredNorm(), size = std::abs(product);
+  const Eigen::ArrayXd lengths = s.array().abs();
+  const double area = 0.5 * (size + 1.0 / size);
+  // In solids: the product of (s_i / s_k + s_k / s_i) over the three pairs.
+  double angles = 1.0;
+  for (Eigen::Index i = 0; i < s.size(); ++i)
+  {
+    for (Eigen::Index k = i + 1; k < s.size(); ++k)
+    {
+      angles *= 0.5 * (lengths(i) / lengths(k) + lengths(k) / lengths(i));
+    }
+  }
+  Eigen::RowVectorXd values(shape::MapMeasureCount);
+  values << product, squares / 2.0, squares + inverses, squares / (d * std::pow(size, 2.0 / d)),
+    (s.array() - 1.0).square().sum(), lengths.log().square().sum(), std::exp(angles + 0.5 * area),
+    area, std::sqrt(inverses / d), 1.0 / lengths.minCoeff(), lengths.minCoeff(), lengths.maxCoeff();
   return values;
 }
 
@@ -103,7 +116,10 @@ void ExpectMeasures(
 {
   for (Eigen::Index cell = 0; cell < result.Measures.rows(); ++cell)
   {
-    EXPECT_LT((result.Measures.row(cell) - expected).cwiseAbs().maxCoeff(), 1e-12 * scale)
+    EXPECT_LT(((result.Measures.row(cell) - expected).array() / expected.array().abs().max(1.0))
+                .abs()
+                .maxCoeff(),
+      1e-12 * scale)
       << result.Measures.row(cell) << "\nexpected\n"
       << expected;
   }
@@ -158,14 +174,14 @@ TEST(MapQuality, OfIsometriesIsFourForSurfacesAndSixForSolids)
   const shape::Mesh torus = shapetest::Torus(1.0, 0.4, 30, 20);
   const MapQualityResult surface =
     Quality(torus.Points, torus.Points * Rotation(2.0).transpose(), CellsOf(torus));
-  ExpectMeasures(surface, (Eigen::RowVectorXd(5) << 1, 1, 4, 1, 0).finished(), 100.0);
+  ExpectMeasures(surface, Expected(Eigen::Vector2d::Ones()), 100.0);
   EXPECT_EQ(surface.Flipped.sum(), 0);
   EXPECT_NEAR(
     surface.Sizes.sum(), shape::ComputeAreaVectors(torus).rowwise().norm().sum() / 2.0, 1e-12);
   const Solid cube = RegularSolids().back();
   const MapQualityResult solid =
     Quality(cube.Points, cube.Points * Rotation(2.0).transpose(), OneCell(cube.Shape, 8));
-  ExpectMeasures(solid, (Eigen::RowVectorXd(5) << 1, 1.5, 6, 1, 0).finished(), 100.0);
+  ExpectMeasures(solid, Expected(Eigen::Vector3d::Ones()), 100.0);
 }
 
 TEST(MapQuality, OfAShearHasTheSingularValuesOfTheGoldenRatio)
@@ -345,8 +361,7 @@ TEST(MapQuality, CellsAndImagesWithoutSizeAreFiniteAndCounted)
   Eigen::Index which = 0;
   source.Degenerate.maxCoeff(&which);
   EXPECT_EQ(source.Sizes(which), 0.0);
-  EXPECT_EQ(source.Measures.row(which),
-    Eigen::RowVectorXd((Eigen::RowVectorXd(5) << 1, 1, 4, 1, 0).finished()));
+  EXPECT_EQ(source.Measures.row(which), Expected(Eigen::Vector2d::Ones()));
 
   const MapQualityResult image = Quality(mesh.Points, flat.Points, CellsOf(mesh));
   EXPECT_TRUE(image.Measures.allFinite());
@@ -355,6 +370,12 @@ TEST(MapQuality, CellsAndImagesWithoutSizeAreFiniteAndCounted)
   EXPECT_EQ(image.Flipped(which), 0);
   EXPECT_EQ(image.Measures(which, 2), LargestMeasure);
   EXPECT_EQ(image.Measures(which, 3), LargestMeasure);
+  for (const MapMeasure infinite : { MapMeasure::Hencky, MapMeasure::AMIPS,
+         MapMeasure::AreaDistortion, MapMeasure::L2Stretch, MapMeasure::LinfStretch })
+  {
+    EXPECT_EQ(image.Measures(which, static_cast<int>(infinite)), LargestMeasure);
+  }
+  EXPECT_EQ(image.Measures(which, static_cast<int>(MapMeasure::SmallestSingularValue)), 0.0);
   const MapQualitySums sums = SumsOf(image);
   EXPECT_EQ(sums.Degenerate, 1.0);
   EXPECT_EQ(sums.Undefined(2), 1.0);
@@ -371,6 +392,16 @@ TEST(MapQuality, CellsAndImagesWithoutSizeAreFiniteAndCounted)
   EXPECT_EQ(point.Measures(0, 0), 0.0);
   EXPECT_NEAR(point.Measures(0, 4), 3.0, 1e-15);
   EXPECT_EQ(SumsOf(point).Mean(MapMeasure::SymmetricDirichlet), LargestMeasure);
+}
+
+TEST(MapQuality, AThinImageOverflowsAmipsAloneAndIsNotDegenerate)
+{
+  const shape::Mesh mesh = Square(2);
+  const Eigen::MatrixXd images = mesh.Points * Eigen::RowVector3d(1.0, 1e-4, 1.0).asDiagonal();
+  const MapQualityResult result = Quality(mesh.Points, images, CellsOf(mesh));
+  EXPECT_EQ(result.Degenerate.sum(), 0);
+  EXPECT_EQ(result.Measures(0, static_cast<int>(MapMeasure::AMIPS)), LargestMeasure);
+  EXPECT_NEAR(result.Measures(0, static_cast<int>(MapMeasure::LinfStretch)), 1e4, 1e-6);
 }
 
 TEST(MapQuality, WithSolidsTheTrianglesAndThePointsAreNotCounted)
