@@ -94,6 +94,25 @@ assert not messages and back.GetNumberOfPoints() == len(places)
 assert max(apart(points(back), places), apart(places, points(back))) < 1e-12
 assert fact(back, 'PasteFeature.PointCloud') == 1 and fact(back, 'PasteFeature.AddedPoints') == 0
 
+# Normals turn with the feature, whatever they are: the rest is turned about an axis perpendicular to that of the
+# feature, and the feature pasted on it.
+given = places + 0.2 * numpy.random.default_rng(2).uniform(-1, 1, places.shape)
+given /= numpy.linalg.norm(given, axis=1)[:, None]
+horn, left = cut(cloud(places, given))
+base = {name: numpy.array([shapetesting.facts(horn).GetArray('CutFeature.' + name).GetComponent(0, k) for k in range(3)])
+        for name in ('Seed', 'SeedNormal')}
+axis = numpy.cross(base['SeedNormal'], [0.6, 0.8, 0.1])
+a, b, c = axis / numpy.linalg.norm(axis)
+across = numpy.array([[0, -c, b], [c, 0, -a], [-b, a, 0]])
+turn = numpy.eye(3) + numpy.sin(1.1) * across + (1 - numpy.cos(1.1)) * across @ across
+turned = cloud(points(left) @ turn.T, array(left, 'Normals') @ turn.T)
+moved, messages = paste(horn, turned, turn @ base['Seed'])
+pairs = numpy.array([numpy.linalg.norm(places @ turn.T - place, axis=1).argmin() for place in points(moved)])
+assert not messages and sorted(pairs) == list(range(len(places)))
+assert abs(points(moved) - places[pairs] @ turn.T).max() < 1e-9
+assert abs(array(moved, 'Normals') - given[pairs] @ turn.T).max() < 1e-9
+assert fact(moved, 'PasteFeature.EstimatedNormals') == 0 and moved.GetPointData().GetNormals() is not None
+
 # On another cloud, and on a surface, of which the points count: no gap is wider than the spacing.
 ball = cloud(1.5 * spread(6000))
 for target in (ball, shapetesting.torus(1.5, 0.8, 40, 24)):
@@ -103,6 +122,12 @@ for target in (ball, shapetesting.torus(1.5, 0.8, 40, 24)):
     assert target is ball or 'the Target was sampled' in warning.GetValue(0)
     assert 0.0 < fact(result, 'PasteFeature.LargestGap') <= fact(result, 'PasteFeature.Spacing')
     part = vtk_to_numpy(result.GetCellData().GetArray('Part'))
+    normals = array(result, 'Normals')
+    assert abs(numpy.linalg.norm(normals, axis=1) - 1).max() < 1e-12
+    assert fact(result, 'PasteFeature.EstimatedNormals') == (target is ball)
+    if target is ball: # those of the sphere, which are estimated, also at added points
+        away = points(result)[part < 2]
+        assert (normals[part < 2] * away).sum(axis=1).min() > 0.99 * 1.5
     assert (part == 2).sum() == feature.GetNumberOfPoints() and result.GetNumberOfPolys() == 0
     assert (part == 1).sum() == fact(result, 'PasteFeature.AddedPoints')
     assert fact(result, 'PasteFeature.DeviationAfter') < 3.0

@@ -4,6 +4,7 @@
 #include "CutPaste/Private/PointJoin.h"
 #include "CutPaste/Private/SoupJoin.h"
 #include "Deform/BoundaryNormals.h"
+#include "Geometry/MovedNormals.h"
 #include "Geometry/VertexNormals.h"
 
 #include <Eigen/Geometry>
@@ -242,7 +243,7 @@ Eigen::MatrixXd FeatureToPaste::WithMidpoints(const Eigen::MatrixXd& points) con
 
 /// The boundary optimisation of section 4.2, which is that of section 4.1: a single angle while the
 /// feature is dragged, one angle for each sample when it is released. pose: its frames rotate.
-Eigen::MatrixXd FeatureToPaste::Smoothly(HandlePose& pose, const Eigen::MatrixXd& normals,
+DeformedShape FeatureToPaste::Smoothly(HandlePose& pose, const Eigen::MatrixXd& normals,
   const PasteFeatureOptions& options, const Progress& progress) const
 {
   constexpr double rigid = 5.0 * M_PI / 180.0;
@@ -265,15 +266,15 @@ Eigen::MatrixXd FeatureToPaste::Smoothly(HandlePose& pose, const Eigen::MatrixXd
     { return this->LoopNormals(this->WithMidpoints(shape.Points)); },
     search, progress.Part(0.0, 0.7))
            .Pose;
-  Eigen::MatrixXd deformed = this->WithMidpoints(
-    this->Prepared->Deform(pose, std::numeric_limits<double>::infinity(), progress.Part(0.7, 1.0))
-      .Points);
+  DeformedShape deformed =
+    this->Prepared->Deform(pose, std::numeric_limits<double>::infinity(), progress.Part(0.7, 1.0));
+  deformed.Points = this->WithMidpoints(deformed.Points);
   // A point at a bend of the loop goes to the mean of several positions. Further rounds remove the
   // angle that remains.
   const int rounds = options.Dragging ? 1 : 3;
   for (int round = 0; share > 0.0 && round < rounds; ++round)
   {
-    this->Turning->Apply(deformed, normals, share);
+    this->Turning->Apply(deformed.Points, normals, share);
   }
   return deformed;
 }
@@ -299,11 +300,17 @@ FeatureToPaste::Deformed FeatureToPaste::DeformTo(const Eigen::MatrixXd& positio
   result.AnglesBefore = AnglesAcross(
     this->LoopNormals(this->WithMidpoints(this->Prepared->Deform(pose, this->NormalReach).Points)),
     wanted, tangents);
-  const Eigen::MatrixXd deformed = options.OptimizeNormals
-    ? this->Smoothly(pose, wanted, options, progress)
-    : this->WithMidpoints(this->Prepared->Deform(pose, all, progress).Points);
-  result.AnglesAfter = AnglesAcross(this->LoopNormals(deformed), wanted, tangents);
-  result.Points = scale * deformed;
+  if (options.OptimizeNormals)
+  {
+    result.Shape = this->Smoothly(pose, wanted, options, progress);
+  }
+  else
+  {
+    result.Shape = this->Prepared->Deform(pose, all, progress);
+    result.Shape.Points = this->WithMidpoints(result.Shape.Points);
+  }
+  result.AnglesAfter = AnglesAcross(this->LoopNormals(result.Shape.Points), wanted, tangents);
+  result.Shape.Points *= scale;
   result.Turns = TurnsBetween(posed, pose);
   return result;
 }
@@ -365,7 +372,7 @@ PastedFeature FeatureToPaste::PasteOn(PasteTarget& target, const PastePlacement&
   const auto given = static_cast<int>(this->Feature.Points().rows());
   PastedFeature result = JoinFeatureAndTarget(target.Surface(),
     fits ? SplitEdges(this->Feature.Triangles(), {}, given) : this->Cut, this->Stands, landings,
-    deformed.Points.topRows(fits ? given : deformed.Points.rows()));
+    deformed.Shape.Points.topRows(fits ? given : deformed.Shape.Points.rows()));
   result.AnglesBefore = std::move(deformed.AnglesBefore);
   result.AnglesAfter = std::move(deformed.AnglesAfter);
   result.Facts = this->Prepared->Facts();
@@ -383,16 +390,18 @@ PastedFeature FeatureToPaste::PasteOn(PasteTarget& target, const PastePlacement&
 }
 
 // As on a manifold, but points are joined, and no triangles (JoinFeatureAndPoints).
-PastedFeature FeatureToPaste::PasteOn(PointTarget& target, const PastePlacement& placement,
-  const PasteFeatureOptions& options, const Progress& progress) const
+PastedFeature FeatureToPaste::PasteOn(PointTarget& target, const Eigen::MatrixXd& normals,
+  const PastePlacement& placement, const PasteFeatureOptions& options,
+  const Progress& progress) const
 {
   const FeatureFootprint& base = this->SingleBase("is a point cloud", "use a surface as target");
   const LoopOnPoints landing =
     target.Land(base, placement, progress.Part(0.0, 0.3, "placing the base on the target"));
   Deformed deformed = this->DeformTo(landing.Positions, landing.Normals, placement.Scale, options,
     progress.Part(0.3, 0.9, "deforming the feature"));
-  PastedFeature result = JoinFeatureAndPoints(
-    target, base, landing, deformed.Points.topRows(this->Feature.Points().rows()));
+  const Eigen::MatrixXd points = deformed.Shape.Points.topRows(this->Feature.Points().rows());
+  PastedFeature result = JoinFeatureAndPoints(target, base, landing, points,
+    MoveNormals(this->Feature, points, normals, deformed.Shape.Rotations));
   this->Finish(landing, std::move(deformed), target.Closest(), result);
   progress(1.0);
   return result;
@@ -409,7 +418,7 @@ PastedFeature FeatureToPaste::PasteOn(SoupTarget& target, const PastePlacement& 
   Deformed deformed = this->DeformTo(landing.Positions, landing.Normals, placement.Scale, options,
     progress.Part(0.4, 0.9, "deforming the feature"));
   PastedFeature result = JoinFeatureAndSoup(this->Feature.Triangles(), base, landing,
-    deformed.Points.topRows(this->Feature.Points().rows()));
+    deformed.Shape.Points.topRows(this->Feature.Points().rows()));
   this->Finish(landing, std::move(deformed), target.Closest(), result);
   progress(1.0);
   return result;

@@ -102,13 +102,15 @@ public:
    * target is farther from the seam than the target's spacing, points of the target's surface are
    * added between them. The feature may be given by any triangles, such as the local ones of a
    * point cloud (ConnectSamples). A feature returns to its position if it is pasted where it was
-   * cut, as on a manifold.
+   * cut, as on a manifold. normals: unit normals at the feature's points (n x 3), which move with
+   * them.
    *
    * Throws InvalidInput if the feature has several bases. Throws the exceptions of
    * PointTarget::Land; Aborted.
    */
-  PastedFeature PasteOn(PointTarget& target, const PastePlacement& placement,
-    const PasteFeatureOptions& options = {}, const Progress& progress = {}) const;
+  PastedFeature PasteOn(PointTarget& target, const Eigen::MatrixXd& normals,
+    const PastePlacement& placement, const PasteFeatureOptions& options = {},
+    const Progress& progress = {}) const;
 
   const shape::Surface& Surface() const { return this->Feature; }
   const std::vector<FeatureFootprint>& Bases() const { return this->Stands; }
@@ -121,13 +123,13 @@ private:
   /// The feature deformed to loops.
   struct Deformed
   {
-    Eigen::MatrixXd Points; ///< with midpoints
+    DeformedShape Shape; ///< its points with midpoints, rotations without
     PrescribedRotations Turns;
     Eigen::VectorXd AnglesBefore, AnglesAfter;
   };
   Deformed DeformTo(const Eigen::MatrixXd& positions, const Eigen::MatrixXd& normals, double scale,
     const PasteFeatureOptions& options, const Progress& progress) const;
-  Eigen::MatrixXd Smoothly(HandlePose& pose, const Eigen::MatrixXd& normals,
+  DeformedShape Smoothly(HandlePose& pose, const Eigen::MatrixXd& normals,
     const PasteFeatureOptions& options, const Progress& progress) const;
   Eigen::MatrixXd LoopNormals(const Eigen::MatrixXd& points) const;
   Eigen::MatrixXd WithMidpoints(const Eigen::MatrixXd& points) const;

@@ -46,6 +46,9 @@ struct PastedFeature
   /// feature.
   bool IsOfPoints = false;
   int AddedPoints = 0;
+  /// On a point cloud: unit normals at the points of Surface (n x 3): the target's, interpolated at
+  /// added points, and the feature's, carried along with it (MoveNormals).
+  Eigen::MatrixXd Normals;
   /// On a point cloud: the mean distance between neighbouring points of the target.
   double Spacing = 0.0;
   bool IsOnSoup = false; ///< whether the target was treated as a soup (SoupTarget)

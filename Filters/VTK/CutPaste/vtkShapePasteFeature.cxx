@@ -79,8 +79,9 @@ struct vtkShapePasteFeature::Kept
   /// Instead of both, if Feature or Target is a point cloud.
   std::unique_ptr<shape::PointTarget> Points;
   bool BridgesGaps = false;
-  double SampledAt = 0.0; ///< the spacing at which the target, a surface, was sampled
-  std::string SoupReason; ///< why the target is a soup
+  double SampledAt = 0.0;  ///< the spacing at which the target, a surface, was sampled
+  std::string SoupReason;  ///< why the target is a soup
+  Eigen::MatrixXd Normals; ///< of the feature, if the target is a point cloud
   bool HasOwnFill = false;
   int NonManifold = 0;                      ///< edges and points of the feature
   vtkNew<vtkPolyData> LastResult, LastLoop; ///< empty if there were none
@@ -94,6 +95,7 @@ vtkShapePasteFeature::vtkShapePasteFeature()
   this->DeclareOutput("vtkPolyData");
   this->DeclareOutput("vtkPolyData");
   this->DeclareFacts();
+  this->DeclareMeasures({ "Normals" });
 }
 
 vtkShapePasteFeature::~vtkShapePasteFeature() = default;
@@ -146,6 +148,7 @@ void vtkShapePasteFeature::PrepareFeature(const shape::Progress& progress)
     return;
   }
   kept.Paste.reset();
+  kept.Normals.resize(0, 3);
   kept.LastResult->Initialize();
   kept.LastLoop->Initialize();
   kept.NonManifold = 0;
@@ -236,9 +239,14 @@ void vtkShapePasteFeature::PrepareTarget(const shape::Progress& progress)
 void vtkShapePasteFeature::PasteInto(
   vtkPolyData* output, vtkPolyData* loop, const shape::Progress& progress)
 {
-  const Kept& kept = *this->Cache;
+  Kept& kept = *this->Cache;
+  if (kept.Points && kept.Normals.rows() == 0)
+  {
+    kept.Normals = vtkShapePastedData::NormalsOf(kept.Feature, progress.Part(0.0, 0.1));
+  }
   const shape::PastedFeature pasted = kept.Points
-    ? kept.Paste->PasteOn(*kept.Points, this->Placement, this->Paste, progress)
+    ? kept.Paste->PasteOn(
+        *kept.Points, kept.Normals, this->Placement, this->Paste, progress.Part(0.1, 1.0))
     : kept.Soup ? kept.Paste->PasteOn(*kept.Soup, this->Placement, this->Paste, progress)
                 : kept.Paste->PasteOn(*kept.Position, this->Placement, this->Paste, progress);
   vtkShapePastedData::Write(
@@ -274,6 +282,12 @@ void vtkShapePasteFeature::PasteInto(
     output->GetFieldData()->AddArray(
       vtkShapeConvert::ToArray(value, std::string("PasteFeature.") + fact));
   }
+  const auto isWithoutNormals = [this](int port)
+  {
+    vtkPolyData* data = this->GetGatheredInput(port).Data;
+    return vtkShapeCloud::IsPointCloud(data) && !vtkShapeCloud::HasNormals(data);
+  };
+  const bool areEstimated = isWithoutNormals(0) || isWithoutNormals(1);
   int flipped = 0;
   shape::TargetLayout layout = shape::TargetLayout::ExponentialMap;
   for (const shape::LoopOnTarget& landing : pasted.Landings)
@@ -290,8 +304,8 @@ void vtkShapePasteFeature::PasteInto(
     { "EulerNumber", pasted.EulerNumber }, { "Loops", static_cast<double>(pasted.Landings.size()) },
     { "NonManifold", kept.NonManifold }, { "Soup", pasted.IsOnSoup ? 1.0 : 0.0 },
     { "PointCloud", pasted.IsOfPoints ? 1.0 : 0.0 }, { "Spacing", pasted.Spacing },
-    { "AddedPoints", pasted.AddedPoints }, { "LargestGap", pasted.LargestGap },
-    { "JoinedShare", pasted.JoinedShare },
+    { "AddedPoints", pasted.AddedPoints }, { "EstimatedNormals", areEstimated ? 1.0 : 0.0 },
+    { "LargestGap", pasted.LargestGap }, { "JoinedShare", pasted.JoinedShare },
     { "WeldedPoints", kept.Feature.WeldedPoints + kept.Target.WeldedPoints }
   };
   for (const auto& [fact, value] : facts)

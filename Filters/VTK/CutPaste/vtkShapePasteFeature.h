@@ -22,8 +22,9 @@
  * arrays (see vtkShapePastedData). The cell array `Part` is 0 on the target, 1 on the seam band and
  * 2 on the feature. A soup is cut along the loop instead and has no band; triangles of it near the
  * loop are split. Of point clouds, the points are joined (shape::PointTarget): `Part` is 1 on
- * points that were added on the target where the seam would be wider than the spacing. Normals of
- * points are dropped.
+ * points that were added on the target where the seam would be wider than the spacing. Its points
+ * have normals: those of the target, given or estimated, and those of the feature, which move with
+ * it (shape::MoveNormals). Other results have no normals.
  *
  * Output 1: the loop of the feature on the target, as lines. With it as the Boundary and with the
  * same properties, vtkShapeDeform deforms anything that belongs to the feature in the same way. Its
@@ -48,6 +49,7 @@
  * - .PointCloud: 1 if the result is a point cloud. .Spacing is then the mean distance of
  *   neighbouring points of the target. .AddedPoints: number of points added at the seam.
  *   .LargestGap is the largest distance of a point at the seam from the other side.
+ *   .EstimatedNormals: 1 if an input is a point cloud without normals.
  * - .Base: "where it was cut" or "own fill".
  * - .EulerNumber, .BandTriangles, .WeldedPoints (number of welded points of both inputs),
  *   .NonManifold (number of non-manifold edges and points of the feature).

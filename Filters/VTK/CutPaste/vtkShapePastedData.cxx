@@ -17,6 +17,7 @@
 #include "Geometry/SurfaceWelding.h"
 #include "Mesh/UsedPoints.h"
 
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,6 +68,27 @@ vtkSmartPointer<vtkPolyData> Blend(const shape::PastedFeature& pasted,
   return blended;
 }
 
+/// Removes the normals that the parts had before they were pasted, and adds new ones, if there are
+/// any, under the name of the old ones.
+void ReplaceNormals(const Eigen::MatrixXd& normals, vtkPolyData* output)
+{
+  std::string name = "Normals";
+  for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(output->GetCellData()),
+         static_cast<vtkDataSetAttributes*>(output->GetPointData()) })
+  {
+    while (vtkDataArray* old = vtkShapeCarry::GetNormals(data))
+    {
+      name = old->GetName() ? old->GetName() : name;
+      old->SetName(name.c_str()); // only arrays with a name can be removed
+      data->RemoveArray(name.c_str());
+    }
+  }
+  if (normals.rows() > 0)
+  {
+    output->GetPointData()->SetNormals(vtkShapeConvert::ToArray(normals, name));
+  }
+}
+
 } // namespace
 
 vtkShapePastedData::Part vtkShapePastedData::Read(
@@ -112,6 +134,14 @@ vtkShapePastedData::Part vtkShapePastedData::SamplePart(
   return sampled;
 }
 
+Eigen::MatrixXd vtkShapePastedData::NormalsOf(const Part& part, const shape::Progress& progress)
+{
+  constexpr double asItIs = std::numeric_limits<double>::infinity();
+  return part.Samples.Normals.rows() > 0
+    ? part.Samples.Normals
+    : shape::SampleTriangles(part.Surface, asItIs, progress).Samples.Normals;
+}
+
 void vtkShapePastedData::Write(const shape::PastedFeature& pasted,
   const shape::FeatureToPaste& feature, const Part& target, const Part& featurePart,
   double blendWidth, vtkPolyData* output)
@@ -120,7 +150,7 @@ void vtkShapePastedData::Write(const shape::PastedFeature& pasted,
   const vtkSmartPointer<vtkPolyData> blended =
     Blend(pasted, feature, target, featurePart, blendWidth);
   vtkShapeCarry::Carry({ { target.Data, pasted.Target }, { blended, pasted.Feature } }, output);
-
+  ReplaceNormals(pasted.Normals, output);
   if (pasted.IsOfPoints)
   {
     vtkShapeCloud::WriteCells({}, output);

@@ -33,13 +33,17 @@ Part ReadCloud(vtkPolyData* data, const shape::Progress& progress);
 /// Samples a surface that Read converted, no coarser than `spacing` (shape::SampleTriangles).
 Part SamplePart(const Part& part, double spacing, const shape::Progress& progress);
 
+/// Returns unit normals at the points of a part: those of the point cloud, or of the surface, as
+/// SamplePart would have them. Throws shape::Aborted.
+Eigen::MatrixXd NormalsOf(const Part& part, const shape::Progress& progress);
+
 /**
  * Writes the pasted surface with the data of target and feature (vtkShapeCarry). If both have a
  * point array of the same name, its values on the feature are changed to agree with the target's
  * values at the loop (shape::BlendAtSeam). blendWidth: the width of the band in which values are
  * changed, divided by the depth of the feature. The cells of the seam band get the values of the
  * target at the loop. The cell array `Part` is 0 on the target, 1 on the seam band and 2 on the
- * feature.
+ * feature. Normals are dropped; a point cloud gets those of its points.
  */
 void Write(const shape::PastedFeature& pasted, const shape::FeatureToPaste& feature,
   const Part& target, const Part& featurePart, double blendWidth, vtkPolyData* output);

@@ -130,11 +130,15 @@ TEST(CutPoints, ReturnsWhenPastedInPlace)
   EXPECT_TRUE(base.ReturnsInPlace);
   const shape::FeatureToPaste feature(clouds.Feature.Surface, base);
   shape::PointTarget target(clouds.Rest);
-  const shape::PastedFeature back = feature.PasteOn(target, { base.Origin, 0.0, 1.0 });
+  const shape::PastedFeature back =
+    feature.PasteOn(target, clouds.Feature.Normals, { base.Origin, 0.0, 1.0 });
   EXPECT_EQ(back.Surface.Points.rows(), points.rows());
   EXPECT_LT(LargestDistance(points, back.Surface.Points), 1e-12);
   EXPECT_LT(LargestDistance(back.Surface.Points, points), 1e-12);
   EXPECT_EQ(back.AddedPoints, 0);
+  const Eigen::Index ofFeature = clouds.Feature.Normals.rows();
+  EXPECT_LT(
+    (back.Normals.bottomRows(ofFeature) - clouds.Feature.Normals).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(CutPoints, PastesOnAnotherCloud)
@@ -147,7 +151,7 @@ TEST(CutPoints, PastesOnAnotherCloud)
          RowVector3d(-1, 0.3, 0.2), RowVector3d(0.3, 0.2, -1) })
   {
     const shape::PastedFeature pasted =
-      feature.PasteOn(target, { 1.5 * seed.normalized(), 30.0, 1.0 });
+      feature.PasteOn(target, clouds.Feature.Normals, { 1.5 * seed.normalized(), 30.0, 1.0 });
     EXPECT_LE(pasted.LargestGap, pasted.Spacing);
     EXPECT_GT(pasted.AddedPoints, 0);
     EXPECT_LT(shape::ComputePercentile(pasted.AnglesAfter, 0.5), 1.0);
@@ -224,12 +228,21 @@ TEST(CutPoints, PastesOnAPlaneAsItIs)
   shape::PointTarget target(
     shape::ConnectSamples(flat, RowVector3d(base.Normal).replicate(flat.rows(), 1)));
   const RowVector3d offset(15.3, 16.7, 0.0);
-  const shape::PastedFeature pasted = feature.PasteOn(target, { base.Origin + offset, 0.0, 1.0 });
+  const shape::PastedFeature pasted =
+    feature.PasteOn(target, clouds.Feature.Normals, { base.Origin + offset, 0.0, 1.0 });
   const Eigen::MatrixXd expected = feature.Surface().Points().rowwise() + offset;
   EXPECT_LT(
     (pasted.Surface.Points.bottomRows(expected.rows()) - expected).rowwise().norm().maxCoeff(),
     1e-9);
   EXPECT_LE(pasted.LargestGap, pasted.Spacing);
+  EXPECT_LT(
+    (pasted.Normals.bottomRows(expected.rows()) - clouds.Feature.Normals).cwiseAbs().maxCoeff(),
+    1e-9);
+  EXPECT_LT((pasted.Normals.topRows(pasted.Normals.rows() - expected.rows()).rowwise() -
+              RowVector3d(base.Normal))
+              .cwiseAbs()
+              .maxCoeff(),
+    1e-12);
 }
 
 TEST(CutPoints, RefusesWhatCannotBeCut)

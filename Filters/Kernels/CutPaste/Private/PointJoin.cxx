@@ -111,7 +111,7 @@ private:
 } // namespace
 
 PastedFeature JoinFeatureAndPoints(const PointTarget& target, const FeatureFootprint& base,
-  const LoopOnPoints& landing, const Eigen::MatrixXd& deformed)
+  const LoopOnPoints& landing, const Eigen::MatrixXd& deformed, const Eigen::MatrixXd& normals)
 {
   const Eigen::MatrixXd& given = target.Sampled().Surface.Points;
   std::vector<int> kept, atHole;
@@ -149,6 +149,10 @@ PastedFeature JoinFeatureAndPoints(const PointTarget& target, const FeatureFootp
   result.Surface.Points.topRows(rest.rows()) = rest;
   result.Surface.Points.bottomRows(deformed.rows()) = deformed;
   result.Surface.Triangles.resize(0, 3);
+  const Eigen::MatrixXd& ofSamples = target.Sampled().Normals;
+  result.Normals.resize(result.Surface.Points.rows(), 3);
+  result.Normals.topRows(rest.rows()) = ofSamples(kept, Eigen::all);
+  result.Normals.bottomRows(normals.rows()) = normals;
   ProvenanceWriter ofTarget(given.rows()), ofFeature(deformed.rows());
   for (const int point : kept)
   {
@@ -156,9 +160,12 @@ PastedFeature JoinFeatureAndPoints(const PointTarget& target, const FeatureFootp
   }
   for (std::size_t i = 0; i < added.size(); ++i)
   {
-    result.Surface.Points.row(rest.rows() + static_cast<Eigen::Index>(i)) = added[i].Position;
-    ofTarget.AddOnTriangle(
-      target.Surface().Triangles().row(added[i].Triangle), added[i].Barycentric);
+    const Eigen::Index row = rest.rows() + static_cast<Eigen::Index>(i);
+    const Eigen::RowVector3i corners = target.Surface().Triangles().row(added[i].Triangle);
+    result.Surface.Points.row(row) = added[i].Position;
+    result.Normals.row(row) =
+      (added[i].Barycentric * ofSamples(corners, Eigen::all)).stableNormalized();
+    ofTarget.AddOnTriangle(corners, added[i].Barycentric);
   }
   ofTarget.AddNone(deformed.rows());
   ofFeature.AddNone(first);
