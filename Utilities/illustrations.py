@@ -611,6 +611,61 @@ def ExponentialMapPoints():
     return (0.0, 0.1, 1.0), (0, 1, 0)
 
 
+def horned_points():
+    """The points of a ball with a horn, cut: the horn, and the rest with the hole filled."""
+    even = Calculator(Input=Subdivide(Input=Triangulate(Input=Clean(Input=Box())), NumberofSubdivisions=5),
+                      CoordinateResults=1, Function='0.5*norm(coords)')
+    bumped = Calculator(
+        Input=even, CoordinateResults=1,
+        Function='coords*(1 + 0.7*max(0, 1 - ((coordsX-0.5)^2 + coordsY^2 + coordsZ^2)/0.08)^2)')
+    loop = [part for k in range(40) for part in (
+        0.41, 0.28 * math.cos(math.pi * k / 20), 0.28 * math.sin(math.pi * k / 20))]
+    return ShapeCutFeature(Input=points_of(bumped), LoopPoints=loop)
+
+
+def points_of(surface):
+    """The points alone, without normals."""
+    points = MaskPoints(Input=surface, OnRatio=1, MaximumNumberofPoints=1000000, GenerateVertices=1,
+                        SingleVertexPerCell=1)
+    return PassArrays(Input=Calculator(Input=points, ResultArrayName='Samples', Function='1'),
+                      PointDataArrays=['Samples'])
+
+
+@drawing
+def CutFeaturePoints():
+    """Points without their horn, with the points of the fill, and the horn."""
+    cut_points = horned_points()
+    core = Sphere(Radius=0.48, ThetaResolution=60, PhiResolution=60)
+    show(core, colour=[0.95, 0.95, 0.95])
+    show(OutputPort(cut_points, 0), (0.6, 0, 0), colour=ACCENT).PointSize = 4
+    show(OutputPort(cut_points, 1), array='Filled', kind='CELLS', preset='Cool to Warm').PointSize = 4
+    return (0.7, 0.4, 1.0), (0, 1, 0)
+
+
+@drawing
+def PasteFeaturePoints():
+    """The horn's points on a planet of points, with the points that were added at the seam."""
+    planet = Calculator(Input=Subdivide(Input=Triangulate(Input=Clean(Input=Box())), NumberofSubdivisions=6),
+                        CoordinateResults=1, Function='0.9*norm(coords)')
+    pasted = ShapePasteFeature(Feature=horned_points(), Target=points_of(planet), Seed=[0.4, 1.0, 0.7], Rotation=30.0)
+    show(Sphere(Radius=0.87, ThetaResolution=60, PhiResolution=60), colour=[0.95, 0.95, 0.95])
+    show(pasted, array='Part', kind='CELLS', preset='Cool to Warm').PointSize = 4
+    return (-0.7, 0.5, 0.9), (0, 1, 0)
+
+
+@drawing
+def StructuredBlocksSurface():
+    """How far the splines are off, without and with Surface, on one logarithmic scale."""
+    surface = shape('TwistedBar.vtp')
+    solid = ShapeHexRemesh(Surface=surface, Method='Polycube', CellsOnLongestSide=24)
+    for given, x in (({}, -2.4), ({'Surface': surface}, 2.4)):
+        blocks = ShapeStructuredBlocks(Input=OutputPort(solid, 2), NodesPerControl=4.0, **given)
+        error = Calculator(Input=MergeBlocks(Input=OutputPort(blocks, 0)), ResultArrayName='LogError',
+                           Function='log10(SplineError + 1e-7)')
+        show(error, (x, 0, 0), array='LogError', limits=(-5.0, -2.0), edges=True)
+    return (0.5, 0.6, 1.0), (0, 1, 0)
+
+
 @drawing
 def PasteFeatureSoup():
     """Six panels with slots between them, and a horn across the slots."""
