@@ -666,15 +666,32 @@ def StructuredBlocksSurface():
     return (0.5, 0.6, 1.0), (0, 1, 0)
 
 
-@drawing
-def PasteFeatureSoup():
-    """Six panels with slots between them, and a horn across the slots."""
+def hood():
+    """Six panels with slots between them."""
     panels = [Plane(Origin=[1.02 * i - 1.5, 1.02 * j - 1.0, 0], Point1=[1.02 * i - 0.5, 1.02 * j - 1.0, 0],
                     Point2=[1.02 * i - 1.5, 1.02 * j, 0], XResolution=10, YResolution=10)
               for i in range(3) for j in range(2)]
-    hood = Calculator(Input=AppendGeometry(Input=panels), CoordinateResults=1,
+    return Calculator(Input=AppendGeometry(Input=panels), CoordinateResults=1,
                       Function='coords + (0.5 - 0.1*coordsX^2 - 0.2*coordsY^2)*kHat')
-    pasted = ShapePasteFeature(Feature=horned(), Target=hood, Seed=[0.52, 0.0, 0.4], BridgeGaps=1)
+
+
+@drawing
+def CutFeatureGaps():
+    """A bump across the slots between the panels, and the panels with the hole filled."""
+    bumped = Calculator(Input=hood(), CoordinateResults=1,
+                        Function='coords + 0.6*max(0, 1 - ((coordsX-0.52)^2 + coordsY^2)/0.4)^2*kHat')
+    loop = [part for k in range(40) for part in (
+        0.52 + 0.7 * math.cos(math.pi * k / 20), 0.7 * math.sin(math.pi * k / 20), 0.4)]
+    feature = ShapeCutFeature(Input=bumped, LoopPoints=loop)
+    show(OutputPort(feature, 0), (0, 0, 0.7), colour=ACCENT, edges=True)
+    show(OutputPort(feature, 1), array='Filled', kind='CELLS', preset='Cool to Warm', edges=True)
+    return (0.3, -1.0, 0.9), (0, 0, 1)
+
+
+@drawing
+def PasteFeatureSoup():
+    """A horn across the slots between six panels."""
+    pasted = ShapePasteFeature(Feature=horned(), Target=hood(), Seed=[0.52, 0.0, 0.4], BridgeGaps=1)
     show(pasted, array='Part', kind='CELLS', preset='Cool to Warm', edges=True)
     return (0.3, -1.0, 0.9), (0, 0, 1)
 

@@ -19,7 +19,7 @@ FALSE = 12345.0
 # what a feature stood on, the frames of a handle, and what a user paints.
 CONTRACT = {'TargetPosition', 'TargetCell', 'TargetBarycentric', 'SourcePosition', 'OriginalPointId',
             'OriginalCellId', 'OutsideDomain', 'RegionId', 'Regions', 'SurfacePointId', 'Patch', 'Interface', 'Label',
-            'Filled', 'Part', 'ExponentialMap', 'LoopCoordinates', 'LoopNormal', 'Charge', 'Name', 'Number',
+            'Filled', 'Part', 'ExponentialMap', 'LoopCoordinates', 'LoopNormal', 'LoopOrder', 'Charge', 'Name', 'Number',
             'SourceNormal', 'TargetNormal', 'FrameRotation', 'FrameSet',
             'MapColors', 'FacePatch', 'Origin', 'Defect', 'Block', 'BlockIndex', 'BranchId', 'TargetBranchId', 'Degree',
             'SourceNormal', 'TargetNormal', 'FrameTurn', 'Painted', 'Grey', 'Coverage', 'Density', 'Modulus',

@@ -1,17 +1,22 @@
 #include "CutPaste/CutFeature.h"
 
+#include "Base/DisjointSets.h"
 #include "Base/Errors.h"
 #include "CutPaste/FootprintLayout.h"
+#include "Geodesics/SurfacePath.h"
 #include "Mesh/Extent.h"
 #include "Mesh/Topology.h"
 #include "Remesh/CurveImprinting.h"
+#include "Search/ClosestPoint.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -141,26 +146,73 @@ void RenumberLoops(const DividedPart& part, std::size_t first, std::vector<Fille
   }
 }
 
-/// Builds the parts of a divided surface, and fills the rest.
+/// Returns the points of a part with the ids of loops.
+std::vector<std::vector<int>> PointsWith(
+  const std::vector<std::vector<int>>& loops, const std::vector<int>& ids)
+{
+  std::map<int, int> pointOf;
+  for (int i = 0; i < static_cast<int>(ids.size()); ++i)
+  {
+    pointOf.insert({ ids[i], i });
+  }
+  std::vector<std::vector<int>> points;
+  for (const std::vector<int>& loop : loops)
+  {
+    points.emplace_back();
+    std::transform(loop.begin(), loop.end(), std::back_inserter(points.back()),
+      [&](int id) { return pointOf.at(id); });
+  }
+  return points;
+}
+
+/// The mean length of the triangles' edges.
+double MeanEdgeOf(const Mesh& surface)
+{
+  double sum = 0.0;
+  for (const auto& corners : surface.Triangles.rowwise())
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      sum += (surface.Points.row(corners(k)) - surface.Points.row(corners((k + 1) % 3))).norm();
+    }
+  }
+  return sum / static_cast<double>(surface.Triangles.size());
+}
+
+std::vector<std::vector<int>> Reversed(std::vector<std::vector<int>> loops)
+{
+  for (std::vector<int>& loop : loops)
+  {
+    std::reverse(loop.begin(), loop.end());
+  }
+  return loops;
+}
+
+/// Builds the parts of a divided surface, and fills the rest. across: the loops as ids, with the
+/// feature to the left, if they cross gaps, and are therefore no boundary loops.
 /// Section 4.2 of the paper, "cut": both parts are built, the hole of the rest is filled, and the
 /// feature's loop is embedded in the fill. Pinches of the rest are parted after the fill, which may
 /// use their points.
-void Divide(const SurfaceDivision& division, const CutFeatureOptions& options,
-  CutFeatureResult& result, const Progress& progress)
+void Divide(const SurfaceDivision& division, const std::vector<std::vector<int>>& across,
+  const CutFeatureOptions& options, CutFeatureResult& result, const Progress& progress)
 {
   result.CutLength = division.CutLength();
   result.Feature = division.PartOf(true);
   division.PartPinches(result.Feature);
-  const std::vector<std::vector<int>> loops =
-    division.CutLoops(result.Feature.Surface, result.Feature.Ids);
+  const std::vector<std::vector<int>> loops = across.empty()
+    ? division.CutLoops(result.Feature.Surface, result.Feature.Ids)
+    : PointsWith(across, result.Feature.Ids);
   result.Loops = static_cast<int>(loops.size());
   result.Rest = division.PartOf(false);
   progress(0.1);
   if (options.FillHole)
   {
     const Surface whole(MergeSeam(result.Rest));
-    FilledSurface filled = Filled(whole, division.CutLoops(whole, result.Rest.Ids),
-      division.MeanArea(), options.Fill, progress.Part(0.1, 0.6, "filling the holes"));
+    const std::vector<std::vector<int>> holes = across.empty()
+      ? division.CutLoops(whole, result.Rest.Ids)
+      : Reversed(PointsWith(across, result.Rest.Ids));
+    FilledSurface filled = Filled(whole, holes, division.MeanArea(), options.Fill,
+      progress.Part(0.1, 0.6, "filling the holes"));
     Append(filled, result.Rest);
     result.Holes = std::move(filled.Holes);
     FindBases(filled.Surface, loops, result, progress.Part(0.6, 1.0, "finding the base"));
@@ -182,8 +234,50 @@ FeatureCutter::FeatureCutter(const shape::Surface& surface, const Progress& prog
   RequireExtent(this->Surface.Points()(used, Eigen::all), "the surface");
 }
 
-std::vector<SurfaceLoop> FeatureCutter::LoopsThrough(const std::vector<Eigen::MatrixXd>& curves,
-  const CutFeatureOptions& options, const Progress& progress)
+FeatureCutter::~FeatureCutter() = default;
+
+struct FeatureCutter::Traced
+{
+  explicit Traced(const shape::Surface& surface)
+    : Locator(surface)
+    , Paths(this->Locator.GetSurface())
+  {
+    const std::vector<int>& twins = this->Paths.Twins();
+    DisjointSets parts(static_cast<int>(twins.size() / 3));
+    for (int side = 0; side < static_cast<int>(twins.size()); ++side)
+    {
+      if (twins[side] >= 0)
+      {
+        parts.Merge(side / 3, twins[side] / 3);
+      }
+    }
+    for (int triangle = 0; triangle < static_cast<int>(twins.size() / 3); ++triangle)
+    {
+      this->PartOf.push_back(parts.Find(triangle));
+    }
+  }
+
+  /// Returns the first position of a closed curve that no path connects with the next one, or -1.
+  int FindGap(const Eigen::MatrixXd& curve) const
+  {
+    const Eigen::VectorXi triangles = this->Locator.Find(curve).Triangles;
+    for (int i = 0; i < static_cast<int>(triangles.size()); ++i)
+    {
+      if (this->PartOf[triangles(i)] != this->PartOf[triangles((i + 1) % triangles.size())])
+      {
+        return i;
+      }
+    }
+    return -1;
+  }
+
+  SurfaceLocator Locator;
+  SurfacePaths Paths;
+  std::vector<int> PartOf; ///< the part of each triangle; paths do not leave it
+};
+
+std::vector<Eigen::MatrixXd> FeatureCutter::Chosen(
+  const std::vector<Eigen::MatrixXd>& curves, const CutFeatureOptions& options) const
 {
   const int index = options.LoopIndex;
   const auto count = static_cast<int>(curves.size());
@@ -196,26 +290,65 @@ std::vector<SurfaceLoop> FeatureCutter::LoopsThrough(const std::vector<Eigen::Ma
     throw InvalidInput("Loop Index is " + std::to_string(index) + ", but the number of loops is " +
       std::to_string(count) + "; loops are numbered from 0, and -1 takes all");
   }
-  // Cutting along a selection needs neither.
-  if (!this->Paths)
+  std::vector<Eigen::MatrixXd> chosen = curves;
+  if (index >= 0)
   {
-    this->Locator = std::make_unique<SurfaceLocator>(this->Joined.Surface);
-    this->Paths = std::make_unique<SurfacePaths>(this->Locator->GetSurface());
+    chosen = { curves[index] };
   }
-  std::vector<SurfaceLoop> loops;
-  for (int i = 0; i < count; ++i)
+  for (const Eigen::MatrixXd& curve : chosen)
   {
-    if (index == -1 || index == i)
-    {
-      RequireFinite(curves[i], "the loop");
-      loops.push_back(TraceLoopThrough(curves[i], *this->Locator, *this->Paths, options.Path,
-        progress.Part(static_cast<double>(i) / count, (i + 1.0) / count)));
-    }
+    RequireFinite(curve, "the loop");
   }
-  return loops;
+  return chosen;
 }
 
-// 1. Trace the curves on the surface, as shortest paths or along creases (LoopsThrough).
+FeatureCutter::Traced& FeatureCutter::SurfaceUnder(
+  const std::vector<Eigen::MatrixXd>& curves, const Progress& progress)
+{
+  // Cutting along a selection needs none.
+  if (!this->Plain)
+  {
+    this->Plain = std::make_unique<Traced>(this->Joined.Surface);
+  }
+  const auto isWhole = [](const Traced& traced, const Eigen::MatrixXd& curve)
+  { return traced.FindGap(curve) < 0; };
+  if (std::all_of(curves.begin(), curves.end(),
+        [&](const Eigen::MatrixXd& curve) { return isWhole(*this->Plain, curve); }))
+  {
+    return *this->Plain;
+  }
+  const double width = MeanEdgeOf(this->Joined.Surface);
+  if (!this->Bridged)
+  {
+    Mesh bridged = this->Joined.Surface;
+    const Eigen::MatrixXi bridges = FindGapBridges(bridged, width, progress);
+    const Eigen::Index given = bridged.Triangles.rows();
+    bridged.Triangles.conservativeResize(given + bridges.rows(), 3);
+    bridged.Triangles.bottomRows(bridges.rows()) = bridges;
+    this->Bridged = std::make_unique<Traced>(bridged);
+  }
+  for (const Eigen::MatrixXd& curve : curves)
+  {
+    const int gap = this->Bridged->FindGap(curve);
+    if (gap >= 0)
+    {
+      std::ostringstream words;
+      words
+        << "points " << gap << " and " << (gap + 1) % curve.rows()
+        << " of the loop are on parts of the surface that are not connected, and the gaps "
+           "between them are wider than the mean edge, "
+        << width
+        << ", or their triangles are not oriented alike; draw the loop on one part, orient the "
+           "triangles with Generate Surface Normals (Consistency), or join the parts with Shape "
+           "Solidify";
+      throw InvalidInput(words.str());
+    }
+  }
+  return *this->Bridged;
+}
+
+// 1. Trace the curves on the surface, as shortest paths or along creases (TraceLoopThrough). If
+//    they cross gaps, bridge these first (SurfaceUnder).
 // 2. Insert them as edges (ImprintCurves).
 // 3. Choose the side of the loops that is the feature (MarkTrianglesOnSide).
 // 4. Divide the surface there, and fill the hole (Divide).
@@ -223,9 +356,18 @@ CutFeatureResult FeatureCutter::Cut(const std::vector<Eigen::MatrixXd>& curves,
   const CutFeatureOptions& options, const Progress& progress)
 {
   progress(0.0);
-  const std::vector<SurfaceLoop> loops = this->LoopsThrough(
-    curves, options, progress.Part(0.0, 0.2, "connecting the loop on the surface"));
-  ImprintedCurves split = ImprintCurves(this->Locator->GetSurface(), loops, { options.SnapShare },
+  const std::vector<Eigen::MatrixXd> chosenCurves = this->Chosen(curves, options);
+  Traced& traced = this->SurfaceUnder(chosenCurves, progress.Part(0.0, 0.05));
+  const Progress tracing = progress.Part(0.05, 0.2, "connecting the loop on the surface");
+  std::vector<SurfaceLoop> loops;
+  const auto count = static_cast<double>(chosenCurves.size());
+  for (const Eigen::MatrixXd& curve : chosenCurves)
+  {
+    const auto done = static_cast<double>(loops.size());
+    loops.push_back(TraceLoopThrough(curve, traced.Locator, traced.Paths, options.Path,
+      tracing.Part(done / count, (done + 1.0) / count)));
+  }
+  ImprintedCurves split = ImprintCurves(traced.Locator.GetSurface(), loops, { options.SnapShare },
     progress.Part(0.2, 0.3, "cutting the surface"));
   // Only the longest part of a curve that touches itself is used.
   std::vector<std::vector<int>> chosen;
@@ -243,9 +385,16 @@ CutFeatureResult FeatureCutter::Cut(const std::vector<Eigen::MatrixXd>& curves,
   result.WeldedPoints = this->Joined.WeldedPoints;
   result.LoopsLeftOut = static_cast<int>(split.Loops.size() - chosen.size());
   std::vector<char> isFeature = MarkTrianglesOnSide(split.Surface, chosen, options.Side);
+  std::vector<std::vector<int>> across;
+  if (&traced == this->Bridged.get())
+  {
+    across = std::move(chosen);
+    result.Gaps = RemoveGapBridges(
+      static_cast<int>(this->Joined.Surface.Triangles.rows()), split, isFeature, across);
+  }
   const SurfaceDivision division(
     this->Surface, this->Joined, std::move(split), std::move(isFeature));
-  Divide(division, options, result, progress.Part(0.3, 1.0));
+  Divide(division, across, options, result, progress.Part(0.3, 1.0));
   return result;
 }
 
@@ -275,7 +424,7 @@ CutFeatureResult FeatureCutter::Cut(const std::vector<char>& isSelected,
   }
   CutFeatureResult result;
   result.WeldedPoints = this->Joined.WeldedPoints;
-  Divide(division, options, result, progress);
+  Divide(division, {}, options, result, progress);
   return result;
 }
 

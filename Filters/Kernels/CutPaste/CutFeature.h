@@ -2,14 +2,13 @@
 
 #include "Base/Progress.h"
 #include "CutPaste/FeatureFootprint.h"
+#include "CutPaste/GapBridges.h"
 #include "CutPaste/LoopSides.h"
 #include "CutPaste/SurfaceDivision.h"
 #include "Fill/FillHoles.h"
 #include "Geodesics/CreasePath.h"
 #include "Geodesics/SurfaceLoop.h"
-#include "Geodesics/SurfacePath.h"
 #include "Mesh/Surface.h"
-#include "Search/ClosestPoint.h"
 
 #include <Eigen/Core>
 
@@ -45,6 +44,7 @@ struct CutFeatureResult
   /// only the longest is used.
   int LoopsLeftOut = 0;
   double CutLength = 0.0; ///< total length of the edges between feature and rest
+  CrossedGaps Gaps;       ///< the gaps that the loops cross
 };
 
 /**
@@ -58,7 +58,13 @@ struct CutFeatureResult
  *
  * Curves may have any position on the surface, since triangles that they cross are split
  * (ImprintCurves). Existing holes of the surface remain. If a cut ends at the surface's boundary,
- * there is no hole to fill. A point at which two parts of the result touch without a common edge is
+ * there is no hole to fill.
+ *
+ * If points of a curve are on parts of the surface that are not connected, such as panels, the
+ * curve crosses gaps between them that are not wider than the mean edge (FindGapBridges). The loops
+ * then have sides across gaps, which are edges of the fill, but of neither part.
+ *
+ * A point at which two parts of the result touch without a common edge is
  * duplicated. A cutter stores what depends on the surface alone. It must not be used by several
  * threads at once.
  */
@@ -69,6 +75,7 @@ public:
   /// that contain a point twice are ignored. Throws InvalidInput if no triangle has three distinct
   /// positions, an index is out of range or a coordinate is not finite; Aborted.
   explicit FeatureCutter(const shape::Surface& surface, const Progress& progress = {});
+  ~FeatureCutter();
   FeatureCutter(const FeatureCutter&) = delete;
   FeatureCutter& operator=(const FeatureCutter&) = delete;
 
@@ -78,6 +85,7 @@ public:
    * the last point is joined to the first. isSelected: m flags, non-zero for each selected
    * triangle.
    *
+   * Throws InvalidInput if a gap between consecutive points of a curve is wider than the mean edge.
    * Throws InvalidInput if an option is out of range or a point is not finite. Also throws
    * InvalidInput if a curve encloses nothing or does not divide the surface, or if the selection
    * has no edge in common with the rest. Throws the exceptions of SurfaceFiller; Aborted.
@@ -89,14 +97,15 @@ public:
   ///@}
 
 private:
-  std::vector<SurfaceLoop> LoopsThrough(const std::vector<Eigen::MatrixXd>& curves,
-    const CutFeatureOptions& options, const Progress& progress);
+  /// The surface on which curves are traced: Joined, without or with bridges across gaps.
+  struct Traced;
+  Traced& SurfaceUnder(const std::vector<Eigen::MatrixXd>& curves, const Progress& progress);
+  std::vector<Eigen::MatrixXd> Chosen(
+    const std::vector<Eigen::MatrixXd>& curves, const CutFeatureOptions& options) const;
 
   shape::Surface Surface;
   WeldedSurface Joined;
-  /// Locates points on Joined. Like Paths, it is created when the first curve is cut.
-  std::unique_ptr<SurfaceLocator> Locator;
-  std::unique_ptr<SurfacePaths> Paths;
+  std::unique_ptr<Traced> Plain, Bridged; ///< created when the first curve needs them
 };
 
 /// Cuts a single feature from a surface. Throws the exceptions of FeatureCutter.

@@ -222,6 +222,29 @@ void FeatureToPaste::Check(const PastedFeature& pasted) const
   }
 }
 
+/// The number of sides of the loops that are no edges of triangles of the feature.
+int FeatureToPaste::SidesAcrossGaps() const
+{
+  std::set<std::pair<int, int>> edges;
+  for (const auto& corners : this->Feature.Triangles().rowwise())
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      edges.insert(std::minmax(corners(k), corners((k + 1) % 3)));
+    }
+  }
+  int count = 0;
+  for (const FeatureFootprint& base : this->Stands)
+  {
+    for (std::size_t i = 0; i < base.Loop.size(); ++i)
+    {
+      const int a = base.Loop[i], b = base.Loop[(i + 1) % base.Loop.size()];
+      count += edges.count(std::minmax(a, b)) == 0 ? 1 : 0;
+    }
+  }
+  return count;
+}
+
 Eigen::MatrixXd FeatureToPaste::LoopNormals(const Eigen::MatrixXd& points) const
 {
   return ComputeVertexNormals(
@@ -378,8 +401,10 @@ PastedFeature FeatureToPaste::PasteOn(PasteTarget& target, const PastePlacement&
   result.Facts = this->Prepared->Facts();
   result.Loop = { std::move(positions), std::move(normals), std::move(deformed.Turns) };
   // Disks are removed from the target, and the feature is joined along their circles.
-  result.EulerNumber =
-    target.EulerNumber() - static_cast<int>(landings.size()) + this->Feature.Topology().EulerNumber;
+  // A side across a gap of the feature is an edge of the band, if there is one, but of no triangle
+  // of the feature.
+  result.EulerNumber = target.EulerNumber() - static_cast<int>(landings.size()) +
+    this->Feature.Topology().EulerNumber - (fits ? 0 : this->SidesAcrossGaps());
   result.Landings = std::move(landings);
   if (!options.Dragging)
   {

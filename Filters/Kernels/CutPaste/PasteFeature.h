@@ -77,6 +77,8 @@ public:
    * wanted normals change from the feature's own to the target's as the difference between the
    * frames' rotations increases to 5 degrees.
    *
+   * Where a loop crosses a gap of the feature, the target and the band get a boundary.
+   *
    * Throws the exceptions of PasteTarget::Land; SolveFailure if the result has the wrong topology;
    * Aborted.
    */
@@ -139,6 +141,7 @@ private:
   void Finish(const Landing& landing, Deformed deformed, const SurfaceLocator& target,
     PastedFeature& result) const;
   void Check(const PastedFeature& pasted) const;
+  int SidesAcrossGaps() const;
 
   shape::Surface Feature;
   std::vector<FeatureFootprint> Stands;

@@ -114,7 +114,7 @@ void vtkShapeCutCloud::Write(const shape::CutPointsResult& cut,
     cut.Feature, RowsOfLoop(cut.Loop, cut.Feature, all), cut, samples, cloud, false, feature);
   std::vector<int> ids(cut.Feature.size());
   std::iota(ids.begin(), ids.end(), 0);
-  vtkShapeFeatureBase::Write(cut.Bases, ids, feature);
+  vtkShapeFeatureBase::Write(cut.Bases, ids, false, feature);
   WritePart(cut.Rest, isFilled ? std::vector<int>() : RowsOfLoop(cut.Loop, cut.Rest, all), cut,
     samples, cloud, isFilled, rest);
   Eigen::VectorXi filled = Eigen::VectorXi::Zero(rest->GetNumberOfCells());

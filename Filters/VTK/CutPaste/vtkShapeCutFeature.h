@@ -8,8 +8,9 @@
  *   joined first.
  *   Points without polygons are a point cloud (below).
  * - Loop (optional): closed curves on the surface or near it. Their points are projected to the
- *   surface and joined by locally shortest paths. Lines connected end to end, in any order, are
- *   one curve.
+ *   surface and joined by locally shortest paths. If they are on parts that are not connected, the
+ *   paths cross gaps that are not wider than the mean edge. Lines connected end to end, in any
+ * order, are one curve.
  * - Selection (optional): selected cells, selected points, or the output of Extract Selection (with
  *   vtkOriginalCellIds). Selected points stand for the cells whose points are all selected. Loop,
  *   Selection or LoopPoints is required. LoopPoints are the positions (x, y, z) of a closed curve.
@@ -30,6 +31,7 @@
  *   the filled rest around the centre of the fill. The third number is that of the loop: 0 for the
  *   longest.
  * - `LoopNormal` (double, 3): the unit normal of the filled rest.
+ * - `LoopOrder` (int), if a loop crosses gaps: the number of the point in its loop, from 1.
  * The feature also has field data, which are facts, too, with the prefix CutFeature and a tuple for
  * each of these loops:
  * - .Seed (3 numbers): the origin of the exponential map.
@@ -43,6 +45,8 @@
  *   that touch themselves. Only the longest part of such a curve is used.
  * - .CutLength: length of the cut. .FeatureArea: area of the feature. .WeldedPoints: number of
  *   welded points of Input. .Holes: number of filled holes.
+ * - .GapsCrossed: number of gaps that the loops cross. .WidestGap: length of the loop's longest
+ *   side across a gap.
  * - .Refused: 1 if Dragging is on and the loop cannot be cut, otherwise 0. .Refusal is then the
  *   reason, and the outputs are the last valid ones.
  *

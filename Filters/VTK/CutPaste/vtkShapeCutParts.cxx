@@ -43,7 +43,7 @@ void vtkShapeCutParts::Write(const shape::CutFeatureResult& cut,
   vtkPolyData* rest)
 {
   WritePart(cut.Feature, {}, numbered, surface, feature);
-  vtkShapeFeatureBase::Write(cut.Bases, cut.Feature.Ids, feature);
+  vtkShapeFeatureBase::Write(cut.Bases, cut.Feature.Ids, cut.Gaps.Count > 0, feature);
   WritePart(cut.Rest, cut.Holes, numbered, surface, rest);
   Eigen::VectorXi filled = Eigen::VectorXi::Zero(cut.Rest.Surface.Triangles.rows());
   for (const shape::FilledHole& hole : cut.Holes)
@@ -58,7 +58,8 @@ void vtkShapeCutParts::AddFacts(const shape::CutFeatureResult& cut, vtkPolyData*
   const double area = 0.5 * shape::ComputeAreaVectors(cut.Feature.Surface).rowwise().norm().sum();
   const std::pair<const char*, double> facts[] = { { "Loops", cut.Loops },
     { "LoopsLeftOut", cut.LoopsLeftOut }, { "CutLength", cut.CutLength }, { "FeatureArea", area },
-    { "Holes", static_cast<double>(cut.Holes.size()) }, { "WeldedPoints", cut.WeldedPoints } };
+    { "Holes", static_cast<double>(cut.Holes.size()) }, { "WeldedPoints", cut.WeldedPoints },
+    { "GapsCrossed", cut.Gaps.Count }, { "WidestGap", cut.Gaps.Widest } };
   for (const auto& [fact, value] : facts)
   {
     vtkShapeConvert::AddFact(output, std::string("CutFeature.") + fact, value);

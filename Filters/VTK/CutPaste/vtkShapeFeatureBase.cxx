@@ -23,7 +23,8 @@
 namespace
 {
 
-const std::string Positions = "LoopCoordinates", Normals = "LoopNormal", Facts = "CutFeature.";
+const std::string Positions = "LoopCoordinates", Normals = "LoopNormal", Order = "LoopOrder",
+                  Facts = "CutFeature.";
 
 /// Returns the numbers of a base in the field data, if they exist.
 std::optional<Eigen::RowVectorXd> Fact(
@@ -64,6 +65,35 @@ int FindBase(
   return WasCut(loop, normals) ? static_cast<int>(std::lround(positions(loop.front(), 2))) : -1;
 }
 
+/// Returns the loops of the bases in the order in which they were cut: loops that cross gaps are no
+/// boundary loops.
+std::vector<std::vector<int>> OrderedLoops(vtkPolyData* data, const Eigen::MatrixXd& positions)
+{
+  const Eigen::VectorXd order = vtkShapeConvert::ToPointArray(data, Order, 1, "the Feature");
+  std::map<std::pair<int, int>, int> points; // by base and order
+  for (int point = 0; point < static_cast<int>(order.size()); ++point)
+  {
+    if (order(point) > 0.0)
+    {
+      points.insert({ { static_cast<int>(std::lround(positions(point, 2))),
+                        static_cast<int>(std::lround(order(point))) },
+        point });
+    }
+  }
+  std::vector<std::vector<int>> loops;
+  int last = -1;
+  for (const auto& [place, point] : points)
+  {
+    if (loops.empty() || place.first != last)
+    {
+      loops.emplace_back();
+    }
+    loops.back().push_back(point);
+    last = place.first;
+  }
+  return loops;
+}
+
 /// Returns the loops to join, the one at the seed first.
 std::vector<std::vector<int>> ChooseLoops(vtkPolyData* data, const shape::Mesh& feature,
   const Eigen::MatrixXd& positions, const Eigen::MatrixXd& normals,
@@ -80,6 +110,10 @@ std::vector<std::vector<int>> ChooseLoops(vtkPolyData* data, const shape::Mesh& 
                                 "boundary along which they could be joined; cut it with Shape Cut "
                                 "Feature, or add a closed polyline through its outer points");
     }
+  }
+  else if (normals.rows() > 0 && data->GetPointData()->HasArray(Order.c_str()))
+  {
+    loops = OrderedLoops(data, positions);
   }
   else
   {
@@ -122,7 +156,7 @@ std::vector<std::vector<int>> ChooseLoops(vtkPolyData* data, const shape::Mesh& 
 } // namespace
 
 void vtkShapeFeatureBase::Write(const std::vector<shape::FeatureFootprint>& all,
-  const std::vector<int>& ids, vtkPolyData* feature)
+  const std::vector<int>& ids, bool crossesGaps, vtkPolyData* feature)
 {
   if (all.empty())
   {
@@ -130,6 +164,7 @@ void vtkShapeFeatureBase::Write(const std::vector<shape::FeatureFootprint>& all,
   }
   Eigen::MatrixXd positions = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(ids.size()), 3);
   Eigen::MatrixXd normals = positions;
+  Eigen::VectorXi order = Eigen::VectorXi::Zero(positions.rows());
   const auto bases = static_cast<Eigen::Index>(all.size());
   Eigen::MatrixXd seeds(bases, 3), planes(bases, 3), axes(bases, 3), radii(bases, 1),
     refined(bases, 1);
@@ -151,6 +186,7 @@ void vtkShapeFeatureBase::Write(const std::vector<shape::FeatureFootprint>& all,
       {
         positions.row(point) << base.LoopPositions.row(row->second), static_cast<double>(k);
         normals.row(point) = base.Normals.row(row->second);
+        order(point) = static_cast<int>(row->second) + 1;
       }
     }
     seeds.row(k) = base.Origin;
@@ -162,6 +198,10 @@ void vtkShapeFeatureBase::Write(const std::vector<shape::FeatureFootprint>& all,
   }
   feature->GetPointData()->AddArray(vtkShapeConvert::ToArray(positions, Positions));
   feature->GetPointData()->AddArray(vtkShapeConvert::ToArray(normals, Normals));
+  if (crossesGaps)
+  {
+    feature->GetPointData()->AddArray(vtkShapeConvert::ToIntegers(order, Order));
+  }
   const std::pair<const char*, const Eigen::MatrixXd&> facts[] = { { "Seed", seeds },
     { "SeedNormal", planes }, { "SeedDirection", axes }, { "ConformalRadius", radii },
     { "Refined", refined } };

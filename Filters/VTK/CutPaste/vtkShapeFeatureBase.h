@@ -9,16 +9,18 @@ class vtkPolyData;
 /**
  * Conversion of the bases of a feature to VTK data and back. A base is the filled surface on which
  * the feature stood at one of its loops when it was cut. The data are the point arrays
- * `LoopCoordinates` and `LoopNormal` and the field data CutFeature.Seed, .SeedNormal,
- * .SeedDirection, .ConformalRadius and .Refined: see vtkShapeCutFeature.
+ * `LoopCoordinates`, `LoopNormal` and, if loops cross gaps, `LoopOrder`, and the field data
+ * CutFeature.Seed, .SeedNormal, .SeedDirection, .ConformalRadius and .Refined: see
+ * vtkShapeCutFeature.
  */
 namespace vtkShapeFeatureBase
 {
 
 /// Writes the bases of a cut feature to `feature`, if it has any. ids: the id of each of its points
-/// (shape::DividedPart); all duplicate points of a seam get the same values.
+/// (shape::DividedPart); all duplicate points of a seam get the same values. crossesGaps: whether
+/// loops have sides that are no edges of the feature.
 void Write(const std::vector<shape::FeatureFootprint>& bases, const std::vector<int>& ids,
-  vtkPolyData* feature);
+  bool crossesGaps, vtkPolyData* feature);
 
 /// A feature to be pasted.
 struct Feature

@@ -338,7 +338,12 @@ TEST(CutFeature, PointsWithinTheToleranceAreOne)
     }
     if (apart > 1e-6)
     {
-      EXPECT_THROW(shape::CutFeature(seamed, { circle }, WithoutFill()), shape::InvalidInput);
+      // Two parts, and a gap that the loop crosses twice.
+      const shape::CutFeatureResult across = shape::CutFeature(seamed, { circle }, WithoutFill());
+      EXPECT_EQ(across.WeldedPoints, 0);
+      EXPECT_EQ(across.Gaps.Count, 2);
+      EXPECT_GT(across.Gaps.Widest, apart);
+      EXPECT_LT(across.Gaps.Widest, 2.0 * apart);
       continue;
     }
     const shape::CutFeatureResult cut =
