@@ -140,6 +140,53 @@ closed = shapetesting.outputs(filler)[0]
 added = points(closed)[open_rest.GetNumberOfPoints():]
 assert closed.GetNumberOfPolys() > 600 and abs(numpy.linalg.norm(added, axis=1) - 1).max() < 0.01
 
+# Shape Fill Holes finds the holes of points: caps of a sphere, but nothing where it is closed, and not the outer
+# boundary of a sheet.
+whole_sphere = spread(5000)
+caps = (numpy.array([0.0, 0.6, 0.8]), 0.5), (numpy.array([0.8, -0.6, 0.0]), 0.3)
+left = numpy.ones(len(whole_sphere), bool)
+for direction, angle in caps:
+    left &= whole_sphere @ direction < numpy.cos(angle)
+open_sphere = whole_sphere[left]
+for normals in (None, open_sphere):
+    given = cloud(open_sphere, normals, Height=open_sphere[:, 2], Number=numpy.arange(len(open_sphere)))
+    closed = copy(shapetesting.outputs(shapetesting.new(shapemap.vtkShapeFillHoles, given))[0])
+    assert fact(closed, 'FillHoles.Loops') == 2 and fact(closed, 'FillHoles.OuterLoops') == 0
+    assert fact(closed, 'FillHoles.EstimatedNormals') == (normals is None)
+    new = vtk_to_numpy(closed.GetCellData().GetArray('Filled')) > 0
+    count = len(open_sphere)
+    assert (points(closed)[:count] == open_sphere).all() and (array(closed, 'Number')[:count] == numpy.arange(count)).all()
+    assert closed.GetNumberOfVerts() == closed.GetNumberOfPoints() and closed.GetNumberOfPolys() == 0
+    assert not new[:count].any() and new[count:].all()
+    spacing = numpy.sqrt(4 * numpy.pi / len(whole_sphere))
+    added = points(closed)[count:]
+    assert abs(numpy.linalg.norm(added, axis=1) - 1).max() < spacing
+    for direction, _ in caps:
+        assert numpy.linalg.norm(added - direction, axis=1).min() < 1.5 * spacing
+    # As dense as the rest, whose points have the area 4 pi / 5000 each: as of a cut, within a quarter.
+    area = sum(2 * numpy.pi * (1 - numpy.cos(angle)) for _, angle in caps)
+    rims = vtk_to_numpy(shapetesting.facts(closed).GetArray('FillHoles.LoopPoints')).sum()
+    assert 0.75 < (len(added) + rims) / (area / spacing ** 2) < 1.25, (len(added), rims, area / spacing ** 2)
+    normals = array(closed, 'Normals')
+    assert (normals * points(closed)).sum(axis=1).min() > 0.99
+    # Fields continue harmonically: between the values at the hole.
+    for direction, angle in caps:
+        rim = open_sphere[open_sphere @ direction > numpy.cos(angle + 3 * spacing), 2]
+        inside = array(closed, 'Height')[count:][added @ direction > numpy.cos(angle)]
+        assert rim.min() < inside.min() and inside.max() < rim.max()
+    # Now it is closed.
+    again = copy(shapetesting.outputs(shapetesting.new(shapemap.vtkShapeFillHoles, closed))[0])
+    assert fact(again, 'FillHoles.Loops') == fact(again, 'FillHoles.OuterLoops') == 0
+    assert (points(again) == points(closed)).all()
+small = copy(shapetesting.outputs(shapetesting.new(shapemap.vtkShapeFillHoles, cloud(open_sphere), MaximumLength=2.5))[0])
+assert fact(small, 'FillHoles.Loop') == 1 and abs(points(small)[count:] @ caps[1][0]).min() > numpy.cos(0.4)
+across = numpy.random.default_rng(3).uniform(-0.3, 0.3, (40, 40, 2)) + numpy.stack(
+    numpy.meshgrid(numpy.arange(40), numpy.arange(40)), axis=2)
+sheet = cloud(numpy.concatenate([across, 0.01 * (across ** 2).sum(axis=2, keepdims=True)], axis=2).reshape(-1, 3))
+same = copy(shapetesting.outputs(shapetesting.new(shapemap.vtkShapeFillHoles, sheet))[0])
+assert fact(same, 'FillHoles.Loops') == 0 and fact(same, 'FillHoles.OuterLoops') == 1
+assert (points(same) == points(sheet)).all()
+
 # What cannot be done is refused, with a remedy.
 shapetesting.check_refused(shapetesting.new(shapemap.vtkShapePasteFeature, cloud(places), ball, Seed=seed),
                            'point cloud without a loop', 'Shape Cut Feature')

@@ -180,12 +180,13 @@ for line in ((0, 1), (0, 2), (0, 3), (1, 2), (2, 3), (3, 1)):
     tripod.InsertNextCell(VTK_LINE, 2, line)
 lonely = copy(tripod)
 lonely.SetLines(vtkCellArray())
+shapetesting.set_points(lonely, numpy.array([[0, 0, 0], [1, 0, 0], [2, 0, 0]], dtype=float))
 for algorithm, words in (
         (algorithm, 'there is no loop 2; the surface has 2'),
         (new(holed, EdgeGrowth=-1.0), 'EdgeGrowth is -1'),
         (new(holed, FillMethod=1, Rigidity=0.0), 'Rigidity is 0'),
         (new(tripod), 'three or more curves meet at 4 points'),
-        (new(lonely), 'neither polygons nor lines: points have no boundary')):
+        (new(lonely), 'the 3 distinct points span no surface')):
     message = ' '.join(shapetesting.run(algorithm))
     assert 'Shape Fill Holes: ' in message and words in message, message
     assert algorithm.GetOutputDataObject(0).GetNumberOfPoints() == 0

@@ -1,5 +1,6 @@
 #include "vtkShapeFillHoles.h"
 
+#include "vtkShapeCloud.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeFilledData.h"
 #include "vtkShapePreciseMap.h"
@@ -11,7 +12,9 @@
 #include "vtkPolyData.h"
 
 #include "Base/Errors.h"
+#include "Fill/CloudHoles.h"
 #include "Fill/CurveNetwork.h"
+#include "Geometry/SampledSurface.h"
 #include "Mesh/BoundaryLoops.h"
 #include "Mesh/Extent.h"
 #include "Mesh/Topology.h"
@@ -27,9 +30,11 @@ vtkStandardNewMacro(vtkShapeFillHoles);
 struct vtkShapeFillHoles::Kept
 {
   shape::NumberedSurface Surface;
-  shape::CurveNetwork Curves;  ///< if there are no polygons
-  shape::BoundaryLoops Border; ///< otherwise
-  std::vector<int> Chosen;     ///< indices of loops or rims
+  shape::BoundaryLoops Border;   ///< of polygons
+  shape::CurveNetwork Curves;    ///< of lines, if there are no polygons
+  shape::SampledSurface Samples; ///< of a point cloud, if there are neither
+  shape::CloudBoundary Cloud;
+  std::vector<int> Chosen; ///< indices of loops or rims
   shape::HoleFillerOptions Options;
   std::unique_ptr<shape::SurfaceFiller> Filler;
 };
@@ -85,16 +90,20 @@ bool AreSame(const shape::HoleFillerOptions& a, const shape::HoleFillerOptions& 
   return all(a) == all(b);
 }
 
+/// Points, and no lines that say where the holes are.
+bool IsCloud(vtkPolyData* data)
+{
+  return vtkShapeCloud::IsPointCloud(data) && data->GetNumberOfLines() == 0;
+}
+
 shape::CurveNetwork ToCurveNetwork(vtkPolyData* data)
 {
   const std::vector<std::vector<int>> lines = vtkShapeConvert::ToLines(data);
   if (lines.empty())
   {
-    throw shape::InvalidInput(
-      "the Input has neither polygons nor lines: points have no boundary that says where a hole "
-      "is; "
-      "connect a surface (Delaunay 2D, or Delaunay 3D and Extract Surface, make one of points), or "
-      "closed polylines with normals around the hole");
+    throw shape::InvalidInput("the Input has neither triangles with three different points nor "
+                              "lines; connect a surface, closed polylines around the holes, or "
+                              "points alone");
   }
   vtkDataArray* normals = data->GetPointData()->GetNormals();
   const bool hasNormals = normals || data->GetPointData()->HasArray("Normals");
@@ -115,11 +124,16 @@ void vtkShapeFillHoles::Prepare(const shape::Progress& progress)
   shape::RequireFinite(surface.Points, "the Input");
   shape::RequireExtent(surface, "the Input");
   progress(0.2);
-  if (surface.Triangles.rows() == 0)
+  if (IsCloud(data))
+  {
+    fresh.Samples = vtkShapeCloud::Connect(data, progress.Part(0.2, 0.5));
+    fresh.Cloud = shape::FindCloudBoundary(fresh.Samples, progress.Part(0.5, 0.6));
+    fresh.Chosen = shape::ChooseLoops(surface.Points, fresh.Cloud.Holes, this->Choice);
+  }
+  else if (surface.Triangles.rows() == 0)
   {
     fresh.Curves = ToCurveNetwork(data);
-    std::vector<std::vector<int>> rims = fresh.Curves.Loops;
-    fresh.Chosen = shape::ChooseLoops(surface.Points, rims, this->Choice);
+    fresh.Chosen = shape::ChooseLoops(surface.Points, fresh.Curves.Loops, this->Choice);
   }
   else
   {
@@ -134,20 +148,24 @@ void vtkShapeFillHoles::Prepare(const shape::Progress& progress)
     fresh.Chosen == kept.Chosen && AreSame(this->Fill.Filler, kept.Options) &&
     fresh.Curves.Loops == kept.Curves.Loops &&
     fresh.Curves.Normals.rows() == kept.Curves.Normals.rows() &&
-    fresh.Curves.Normals == kept.Curves.Normals;
+    fresh.Curves.Normals == kept.Curves.Normals && fresh.Cloud.Holes == kept.Cloud.Holes &&
+    fresh.Samples.Normals.rows() == kept.Samples.Normals.rows() &&
+    fresh.Samples.Normals == kept.Samples.Normals;
   if (!isSame)
   {
-    const bool areCurves = surface.Triangles.rows() == 0;
+    const std::vector<std::vector<int>>& all = IsCloud(data) ? fresh.Cloud.Holes
+      : surface.Triangles.rows() == 0                        ? fresh.Curves.Loops
+                                                             : fresh.Border.Loops;
     std::vector<std::vector<int>> loops;
     for (const int loop : fresh.Chosen)
     {
-      loops.push_back(areCurves ? fresh.Curves.Loops[loop] : fresh.Border.Loops[loop]);
+      loops.push_back(all[loop]);
     }
     fresh.Options = this->Fill.Filler;
-    fresh.Filler = areCurves
-      ? std::make_unique<shape::SurfaceFiller>(
-          surface, loops, fresh.Curves.Normals, this->Fill.Filler)
-      : std::make_unique<shape::SurfaceFiller>(surface, loops, this->Fill.Filler);
+    fresh.Filler = surface.Triangles.rows() > 0
+      ? std::make_unique<shape::SurfaceFiller>(surface, loops, this->Fill.Filler)
+      : std::make_unique<shape::SurfaceFiller>(surface, loops,
+          IsCloud(data) ? fresh.Samples.Normals : fresh.Curves.Normals, this->Fill.Filler);
     kept = std::move(fresh);
   }
   else
@@ -173,9 +191,18 @@ void vtkShapeFillHoles::Execute(const shape::Progress& progress)
   const Kept& kept = *this->Cache;
   const shape::FilledSurface filled = kept.Filler->Fill(this->Fill, progress.Part(0.1, 0.9));
   auto* output = vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
-  vtkShapeFilledData::Write(filled, kept.Surface, this->GetGatheredInput(0).Data, output);
+  vtkPolyData* input = this->GetGatheredInput(0).Data;
+  const bool isCloud = IsCloud(input);
+  if (isCloud)
+  {
+    vtkShapeFilledData::WriteCloud(filled, kept.Samples.Normals, input, output);
+  }
+  else
+  {
+    vtkShapeFilledData::Write(filled, kept.Surface, input, output);
+  }
   const int copies =
-    this->SplitSheets ? vtkShapeFilledData::Split(filled, kept.Surface, output) : 0;
+    this->SplitSheets && !isCloud ? vtkShapeFilledData::Split(filled, kept.Surface, output) : 0;
   if (copies > 0)
   {
     this->Warn(std::to_string(copies) +
@@ -189,13 +216,14 @@ void vtkShapeFillHoles::Execute(const shape::Progress& progress)
       "Solidify, or remove the triangles there");
   }
   progress(0.95);
-  const bool areCurves = kept.Surface.Surface.Triangles.rows() == 0;
-  const std::pair<const char*, double> facts[] = {
-    { "Loops",
-      static_cast<double>(areCurves ? kept.Curves.Loops.size() : kept.Border.Loops.size()) },
+  const std::size_t loops =
+    kept.Curves.Loops.size() + kept.Border.Loops.size() + kept.Cloud.Holes.size();
+  const std::pair<const char*, double> facts[] = { { "Loops", static_cast<double>(loops) },
+    { "OuterLoops", static_cast<double>(kept.Cloud.Outer.size()) },
+    { "PointCloud", isCloud ? 1.0 : 0.0 },
+    { "EstimatedNormals", isCloud && !vtkShapeCloud::HasNormals(input) ? 1.0 : 0.0 },
     { "UnclosedSides", kept.Border.UnclosedSides }, { "LooseSegments", kept.Curves.LooseSegments },
-    { "SkippedFaces", kept.Curves.SkippedFaces }, { "CopiedPoints", copies }
-  };
+    { "SkippedFaces", kept.Curves.SkippedFaces }, { "CopiedPoints", copies } };
   for (const auto& [fact, value] : facts)
   {
     vtkShapeConvert::AddFact(output, std::string("FillHoles.") + fact, value);

@@ -4,19 +4,20 @@
  *
  * Input: a surface, manifold or not, whose open loops are holes. Polygons are triangulated
  * internally, and coincident points are connected. Blocks and distributed pieces are joined first.
- * An input without polygons is treated as closed polylines or a network of lines, with or without
- * the point array `Normals`. Each face of the network is filled with a patch
- * (shape::FindCurveLoops).
+ * An input with lines and without polygons is treated as closed polylines or a network of lines,
+ * with or without the point array `Normals`. Each face of the network is filled with a patch
+ * (shape::FindCurveLoops). Points alone, or with vertices, are a point cloud, which samples a
+ * surface with its normals or estimated ones; its holes are found (shape::FindCloudBoundary).
  *
  * Output: the input, followed by the fills, with the cell array `Filled` (int, 1 in fills,
  * otherwise 0). The triangles of a fill are as large as the triangles at its loop. The points and
  * cells of the input and their data do not change. On fills, floating-point values and colours
  * continue smoothly from the loop, and normals are computed from the fill. Other point data are
  * copied from the nearest point of the loop, and cell data from a cell at this point. Loops that
- * touch themselves at a point are split at this point. If SplitSheets is on, a point where sheets
- * of the filled surface touch gets a copy for each further sheet, after all other points. In
- * parallel, the first process has the
- * output.
+ * touch themselves at a point are split at this point. Of the fills of a point cloud, only the
+ * points are used: the output has a vertex at each point, and normals. If SplitSheets is on, a
+ * point where sheets of the filled surface touch gets a copy for each further sheet, after all
+ * other points. In parallel, the first process has the output.
  *
  * The parameters of vtkShapeDeformingAlgorithm apply to the FillMethod Deformation and may be
  * changed interactively. The frames at the loop are optimised once, for the default parameters.
@@ -24,6 +25,8 @@
  * Facts, with the prefix FillHoles
  * - .Loops: number of loops found. .UnclosedSides: number of boundary edges that belong to no
  *   closed loop.
+ * - .PointCloud: 1 if Input is a point cloud. .EstimatedNormals: 1 if it has no normals.
+ *   .OuterLoops: number of its boundary loops that are around the surface and are not filled.
  * - .CopiedPoints: number of copies of points where sheets touch.
  * - .LooseSegments, .SkippedFaces: for input without polygons, see shape::CurveNetwork.
  * These facts have an entry for each filled loop:

@@ -1,6 +1,7 @@
 #include "vtkShapeFilledData.h"
 
 #include "vtkShapeCarry.h"
+#include "vtkShapeCloud.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeFillValues.h"
 
@@ -109,6 +110,33 @@ void vtkShapeFilledData::Write(const FilledSurface& filled, const shape::Numbere
   vtkShapeFillValues::Continue(filled.Surface, filled.Holes, begin, output);
   Eigen::VectorXi isFilled = Eigen::VectorXi::Zero(output->GetNumberOfCells());
   isFilled.segment(begin, filled.Surface.Triangles.rows() - first).setOnes();
+  output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(isFilled, "Filled"));
+}
+
+void vtkShapeFilledData::WriteCloud(const FilledSurface& filled, const Eigen::MatrixXd& normals,
+  vtkPolyData* input, vtkPolyData* output)
+{
+  WritePoints(filled, input, output);
+  vtkShapeCloud::WriteCells({}, output);
+  const Eigen::Index all = filled.Surface.Points.rows(), added = all - normals.rows();
+  shape::Provenance provenance = filled.Provenance;
+  provenance.Cells = Eigen::VectorXi::Constant(all, -1);
+  provenance.Cells.head(normals.rows()) = vtkShapeCloud::FindVertices(input);
+  vtkShapeCarry::Carry({ { input, provenance } }, output);
+  // Cells are points now, and points get all normals below.
+  while (vtkDataArray* old = vtkShapeCarry::GetNormals(output->GetCellData()))
+  {
+    output->GetCellData()->RemoveArray(old->GetName());
+  }
+  vtkShapeFillValues::Continue(filled.Surface, filled.Holes, 0, output);
+  Eigen::MatrixXd ofAll(all, 3);
+  ofAll << normals,
+    shape::ComputeVertexNormals(filled.Surface, shape::NormalWeight::Max).bottomRows(added);
+  vtkDataArray* given = vtkShapeCarry::GetNormals(input->GetPointData());
+  output->GetPointData()->SetNormals(
+    vtkShapeConvert::ToArray(ofAll, given && given->GetName() ? given->GetName() : "Normals"));
+  Eigen::VectorXi isFilled = Eigen::VectorXi::Zero(all);
+  isFilled.tail(added).setOnes();
   output->GetCellData()->AddArray(vtkShapeConvert::ToIntegers(isFilled, "Filled"));
 }
 

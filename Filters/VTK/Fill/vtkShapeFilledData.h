@@ -16,6 +16,11 @@ namespace vtkShapeFilledData
 void Write(const shape::FilledSurface& filled, const shape::NumberedSurface& numbered,
   vtkPolyData* input, vtkPolyData* output);
 
+/// Writes a point cloud with the points of its fills, as vertices, with normals at all points and
+/// the cell array `Filled`. normals: unit normals at the points of `input`.
+void WriteCloud(const shape::FilledSurface& filled, const Eigen::MatrixXd& normals,
+  vtkPolyData* input, vtkPolyData* output);
+
 /// Splits the points of the written output where sheets touch (shape::SplitTouchingSheets). Returns
 /// the number of copies.
 int Split(
