@@ -4,10 +4,15 @@
 #include "pqShapeDisplay.h"
 
 #include "vtkCommand.h"
+#include "vtkSMPropertyGroup.h"
 #include "vtkSMRenderViewProxy.h"
 
 #include "pqApplicationCore.h"
+#include "pqPipelineSource.h"
+#include "pqServerManagerModel.h"
 #include "pqView.h"
+
+#include <QSignalBlocker>
 
 namespace
 {
@@ -225,6 +230,9 @@ void pqShapeInteractiveWidget::Change(const std::function<void()>& change)
 
 void pqShapeInteractiveWidget::Show()
 {
+  // ParaView's panels would compute the ranges of all arrays of all outputs, which takes as long as
+  // a fast filter itself. Finish tells them.
+  const QSignalBlocker blocker(this->FindSource());
   this->Edit.Show();
   for (pqView* view : this->Overlays.GetViews())
   {
@@ -236,6 +244,12 @@ void pqShapeInteractiveWidget::Show()
   }
 }
 
+pqPipelineSource* pqShapeInteractiveWidget::FindSource() const
+{
+  return pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(
+    this->proxy());
+}
+
 void pqShapeInteractiveWidget::Finish()
 {
   if (this->Refused)
@@ -243,5 +257,10 @@ void pqShapeInteractiveWidget::Finish()
     this->Edit.TakeBack();
   }
   this->Edit.Finish(tr("Drag %1").arg(this->proxy()->GetXMLLabel()));
+  pqPipelineSource* source = this->FindSource();
+  if (source && !this->Group->GetProperty("Dragging")) // it does not run again
+  {
+    Q_EMIT source->dataUpdated(source);
+  }
   pqApplicationCore::instance()->render();
 }

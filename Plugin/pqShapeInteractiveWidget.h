@@ -16,6 +16,7 @@
 class QCheckBox;
 class QFormLayout;
 class QLabel;
+class pqPipelineSource;
 class vtkActor;
 class vtkPolyData;
 class vtkProp;
@@ -150,6 +151,7 @@ private:
   bool UpdateHovered();
   void Step();
   void Show();
+  pqPipelineSource* FindSource() const;
   void Finish();
 
   vtkSMPropertyGroup* Group;

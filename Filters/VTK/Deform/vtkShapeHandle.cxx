@@ -339,7 +339,16 @@ void vtkShapeHandle::Write(vtkDataObject* input, const Eigen::MatrixXd& whole,
         own = { from, from->GetMTime(), rows,
           { vtkShapeConvert::ToArray(points, "SourcePosition"),
             vtkShapeConvert::ToArray(
-              vtkShapeConvert::Rows(deformed.Arrivals, rows), "ArrivalTime") } };
+              vtkShapeConvert::Rows(deformed.Arrivals, rows), "ArrivalTime") },
+          nullptr };
+        auto* surface = vtkPolyData::SafeDownCast(from);
+        if (surface && surface->GetNumberOfPolys() > 0 &&
+          !surface->GetPolys()->IsStorageShareable())
+        {
+          own.Polygons = vtkSmartPointer<vtkCellArray>::New();
+          own.Polygons->DeepCopy(surface->GetPolys());
+          own.Polygons->ConvertToDefaultStorage();
+        }
         if (deformed.Protrusions.size() > 0)
         {
           own.Arrays.emplace_back(
@@ -347,6 +356,10 @@ void vtkShapeHandle::Write(vtkDataObject* input, const Eigen::MatrixXd& whole,
         }
       }
       vtkShapeComposite::Move(from, vtkShapeConvert::Rows(deformed.Points, own.Rows), to);
+      if (own.Polygons)
+      {
+        vtkPolyData::SafeDownCast(to)->SetPolys(own.Polygons);
+      }
       for (vtkDataArray* array : own.Arrays)
       {
         to->GetPointData()->AddArray(array);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "vtkCellArray.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -58,6 +59,9 @@ struct Unmoved
   vtkMTimeType Time = 0;
   std::vector<int> Rows; ///< for each point of the block, its row of the complete shape
   std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
+  /// The polygons of a surface whose ids are stored as vtkIdType, so that they are read without
+  /// being copied, as for the bounds that a window asks for.
+  vtkSmartPointer<vtkCellArray> Polygons;
 };
 
 /// Writes the handle at its target, with the point arrays `SourcePosition`, `SourceNormal` and
