@@ -1,7 +1,8 @@
 """Hexahedra of Shape Hex Remesh in CAD parts with curved creases, fillets, holes close to edges and a genus of
-0 to 20 (cadparts.py), which Gmsh's OpenCASCADE makes: fifteen to choose parameters with, fifteen to assert on.
+0 to 20 (cadparts.py), which Gmsh's OpenCASCADE makes: fifteen to choose parameters with, fifteen of the same
+kinds to assert on, and ten of other kinds.
 
-    python3 Testing/Benchmarks/CadParts.py [--half choosing|asserting|both] [--limit 300]
+    python3 Testing/Benchmarks/CadParts.py [--half choosing|asserting|unseen|both] [--limit 300]
         [--cells 0] [--keep FOLDER] [--peers] [PART ...]
 
 Of each part: it ends within the limit, no hexahedron is inverted, and the boundary has the part's Euler
@@ -75,16 +76,16 @@ def measure(options, names, folder, claims):
 
 def main():
     parser = sweep.parser(__doc__)
-    parser.add_argument('--half', choices=('choosing', 'asserting', 'both'), default='asserting')
+    parser.add_argument('--half', choices=('choosing', 'asserting', 'unseen', 'both'), default='asserting')
     parser.add_argument('--limit', type=float, default=300.0, help='seconds for each')
     parser.add_argument('--cells', type=float, default=0.0, help='about so many; 0: automatic')
     parser.add_argument('--method', default='Automatic')
     parser.add_argument('--keep', help="a folder for the parts' files")
     parser.add_argument('--peers', action='store_true')
     options = parser.parse_args()
-    halves = {'choosing': cadparts.CHOOSING, 'asserting': cadparts.ASSERTING}
-    names = options.words or [
-        name for half, parts in halves.items() if options.half in (half, 'both') for name in parts]
+    halves = {'choosing': cadparts.CHOOSING, 'asserting': cadparts.ASSERTING, 'unseen': cadparts.UNSEEN,
+              'both': {**cadparts.CHOOSING, **cadparts.ASSERTING}}
+    names = options.words or list(halves[options.half])
     claims = sweep.Claims()
     with tempfile.TemporaryDirectory(prefix='shapemap-parts-') as temporary:
         folder = options.keep or temporary

@@ -1,9 +1,10 @@
-"""Thirty CAD parts, each written for a script of Gmsh's OpenCASCADE: booleans of boxes, cylinders, cones,
+"""Forty CAD parts, each written for a script of Gmsh's OpenCASCADE: booleans of boxes, cylinders, cones,
 spheres and tori, fillets and chamfers. They have curved creases, holes close to edges, thin walls, corners of
 four patches, and a genus of 0 to 20.
 
-CHOOSING and ASSERTING divide them. Parameters of the kernels are chosen on the first half only; what is
-claimed is claimed of the second, whose parts are other designs of the same kinds.
+CHOOSING, ASSERTING and UNSEEN divide them. Parameters of the kernels are chosen on the first fifteen only;
+what is claimed is claimed of the next fifteen, other designs of the same kinds, and of the last ten, which
+are of other kinds.
 """
 import math
 import os
@@ -310,12 +311,90 @@ def ribbed_bracket(s):
                  *[s.cylinder(-1, y, 1.8, 3, 0, 0, 0.3) for y in (0.7, 2.3)])
 
 
+# Parts of other kinds than those above. No parameter is chosen with them.
+
+def piston(s):
+    """A piston: a crown with two ring grooves, hollow below, and a pin hole through its skirt."""
+    grooves = [s.cut(s.cylinder(0, 0, z, 0, 0, 0.25, 2), s.cylinder(0, 0, z, 0, 0, 0.25, 1.05))
+               for z in (1.3, 1.8)]
+    part = s.cut(s.cylinder(0, 0, 0, 0, 0, 2.4, 1.3), *grooves)
+    return s.cut(part, s.cylinder(0, 0, -1, 0, 0, 2.0, 0.9), s.cylinder(-2, 0, 0.45, 4, 0, 0, 0.3))
+
+
+def turbine_disk(s):
+    """A disk with eight round slots that cut its rim, and a bore."""
+    slots = [s.cylinder(x, y, -1, 0, 0, 3, 0.35) for x, y in ring(8, 1.85, 0.2)]
+    return s.cut(s.cylinder(0, 0, 0, 0, 0, 0.8, 2.0), s.cylinder(0, 0, -1, 0, 0, 3, 0.5), *slots)
+
+
+def bearing_cap(s):
+    """Half of a bearing: a saddle on a base, with two bolt holes."""
+    part = s.join(s.box(-2.2, 0, 0, 4.4, 1.5, 0.5), s.common(
+        s.cylinder(0, 0, 0, 0, 1.5, 0, 1.3), s.box(-2, 0, 0, 4, 1.5, 2)))
+    part = s.cut(part, s.cylinder(0, -1, 0, 0, 4, 0, 0.8))
+    return s.cut(part, *[s.cylinder(x, 0.75, -1, 0, 0, 3, 0.22) for x in (-1.75, 1.75)])
+
+
+def spool(s):
+    """Two round ends on a waist that is a part of a torus, with a bore."""
+    part = s.cut(s.cylinder(0, 0, -1, 0, 0, 2, 1.5), s.torus(0, 0, 0, 1.6, 0.7))
+    return s.cut(part, s.cylinder(0, 0, -2, 0, 0, 4, 0.4))
+
+
+def lens(s):
+    """What two spheres have in common: one sharp round edge, and nothing flat."""
+    return s.common(s.sphere(0, 0, -1.2, 2), s.sphere(0, 0, 1.2, 2))
+
+
+def honeycomb(s):
+    """A block with twelve hexagonal channels of thin walls."""
+    part = s.box(0, 0, 0, 4.4, 3.4, 1.0)
+    channels = []
+    for x, y in ((0.75 + 0.97 * i, 0.75 + 0.95 * j) for i in range(4) for j in range(3)):
+        sides = [s.turn(s.box(x - 0.36, y - 0.208, -1, 0.72, 0.416, 3), (0, 0, 1), (x, y, 0), 60 * k)
+                 for k in range(3)]
+        channels.append(s.join(sides[0], *sides[1:]))
+    return s.cut(part, *channels)
+
+
+def tripod(s):
+    """Three bars from a ball, 120 degrees apart, each with an eye close to its round end."""
+    arms = []
+    for k in range(3):
+        arm = s.join(s.box(0, -0.35, -0.3, 1.9, 0.7, 0.6), s.cylinder(1.9, 0, -0.3, 0, 0, 0.6, 0.35))
+        arms.append(s.turn(s.cut(arm, s.cylinder(1.9, 0, -1, 0, 0, 2, 0.2)), (0, 0, 1), (0, 0, 0), 120 * k))
+    return s.join(s.sphere(0, 0, 0, 0.8), *arms)
+
+
+def tube_cage(s):
+    """Six bent bars between two rings: half of a cage of round tubes."""
+    bars = [s.cylinder(x, y, 0, 0, 0, 1.8, 0.22) for x, y in ring(6, 1.4)]
+    return s.join(s.torus(0, 0, 0, 1.4, 0.32), s.torus(0, 0, 1.8, 1.4, 0.32), *bars)
+
+
+def soap_dish(s):
+    """A block, its upright edges rounded, with a bowl in its top and three drains beside its deepest point."""
+    part = s.fillet(s.box(-2, -1.3, 0, 4, 2.6, 1.0), 0.6, *[
+        ((x, y, 0), (x, y, 1)) for x in (-2, 2) for y in (-1.3, 1.3)])
+    part = s.cut(part, s.sphere(0, 0, 3.0, 2.3))
+    return s.cut(part, *[s.cylinder(x, y, -1, 0, 0, 3, 0.18) for x, y in ring(3, 0.45)])
+
+
+def wedge_clamp(s):
+    """A bevelled block with an oblique bore that leaves near the edge of the bevel, and a slit."""
+    part = s.wedge(0, 0, 0, 3.2, 1.8, 1.8, 1.6)
+    part = s.cut(part, s.cylinder(1.0, 0.9, -1, 0.35, 0, 4, 0.45))
+    return s.cut(part, s.box(-1, 0.82, -1, 1.75, 0.16, 4))
+
+
 CHOOSING = {part.__name__: part for part in (
     bracket, flange, elbow, cross_bores, plate_of_holes, edge_hole, rounded_block, nozzle, saddle,
     oblique_bore, ring_groove, pulley, yoke, dimples, frame)}
 ASSERTING = {part.__name__: part for part in (
     lever, cogwheel, manifold, sieve, hinge, heat_sink, tee, cone_on_block, mug, slotted_plate, crank,
     near_rim, ball_joint, housing, ribbed_bracket)}
+UNSEEN = {part.__name__: part for part in (
+    piston, turbine_disk, bearing_cap, spool, lens, honeycomb, tripod, tube_cage, soap_dish, wedge_clamp)}
 
 
 def read_triangles(path):
@@ -372,7 +451,7 @@ def genus(points, triangles):
 def write(name, folder):
     """Meshes a part's surface as NAME.off. Returns its path, points and triangles."""
     script = Script()
-    {**CHOOSING, **ASSERTING}[name](script)
+    {**CHOOSING, **ASSERTING, **UNSEEN}[name](script)
     paths = {kind: os.path.join(folder, name + '.' + kind) for kind in ('geo', 'msh', 'off')}
     # A part is about 4 long: edges of 0.2 give some thousand triangles.
     with open(paths['geo'], 'w') as file:
