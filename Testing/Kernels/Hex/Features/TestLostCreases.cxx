@@ -163,6 +163,46 @@ TEST(LostCreases, AreNamedWithTheirPlace)
   EXPECT_NE(result.Reason.find("12 creases are lost"), std::string::npos) << result.Reason;
 }
 
+// A face of four flat cells has a crease of its own, around a needle: the angle in its tip lets no
+// hexahedron have a scaled Jacobian above 0.17. That crease alone is given up.
+TEST(LostCreases, OnlyCreasesAtBadHexahedraAreGivenUp)
+{
+  Eigen::MatrixXd points(11, 3);
+  points << 0, 0, 0, 3, 0, 0, 3, 3, 0, 0, 3, 0, 0, 0, 0.6, 3, 0, 0.6, 3, 3, 0.6, 0, 3, 0.6, //
+    0.5, 1.32, 0.6, 2.6, 1.5, 0.6, 0.5, 1.68, 0.6;
+  Eigen::MatrixXi triangles(18, 3);
+  triangles << 0, 2, 1, 0, 3, 2,                                                // below
+    0, 1, 5, 0, 5, 4, 1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7,     // around
+    4, 5, 8, 5, 9, 8, 5, 6, 9, 6, 10, 9, 6, 7, 10, 7, 4, 8, 7, 8, 10, 8, 9, 10; // above
+  const shape::Surface surface(shape::Mesh{ points, triangles });
+  Eigen::VectorXi patches(18);
+  patches << 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 5, 5, 5, 5, 5, 6;
+  const shape::SurfaceFeatures features = shape::FindFeatures(surface, patches, 0.0);
+  ASSERT_EQ(features.Curves.size(), 13U);
+  Steps wide, high;
+  for (int i = 0; i <= 20; ++i)
+  {
+    wide.push_back(0.15 * i);
+  }
+  high.assign(wide.begin(), wide.begin() + 5);
+  const shape::HexFit fit = shape::FitHexahedra(
+    Boxes(wide, wide, high, [](int, int, int) { return true; }), surface, features);
+  EXPECT_FALSE(fit.CreasesKept);
+  EXPECT_GT(fit.MinimumScaledJacobian, 0.2);
+  const auto lost =
+    shape::FindUncovered(shape::BuildCreaseLines(surface, features), fit.Followed, 1e-9);
+  ASSERT_EQ(lost.size(), 1U);
+  const double needle = 0.36 + 2.0 * std::hypot(2.1, 0.18);
+  EXPECT_NEAR(shape::ComputeLength(lost), needle, 1e-9);
+  EXPECT_NEAR(shape::ComputeLength(fit.Followed), 26.4, 1e-9);
+  // The other twelve are kept exactly.
+  const shape::SurfaceFeatures others =
+    shape::FindFeatures(surface, patches.cwiseMin(5).eval(), 0.0);
+  EXPECT_LT(
+    shape::CompareCreases(surface, others, fit.Solid.Points, fit.Quads, fit.PatchOf).Distance,
+    1e-9);
+}
+
 // Cells along the bars have their centres slightly outside, where rows of cells end unevenly: the
 // corners of six patches are found on cells that are chosen by their centres.
 TEST(LostCreases, AFrameKeepsTheCornersOfSixPatches)
