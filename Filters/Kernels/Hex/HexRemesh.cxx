@@ -71,8 +71,8 @@ HexRemeshResult ByGrid(const Surface& surface, const HexRemeshOptions& options,
   return result;
 }
 
-/// Uses smaller cells if creases are farther than wanted, the maximum allows it, and the distance
-/// falls: it is proportional to the square of the size.
+/// Uses smaller cells if creases are farther than wanted, the maximum allows cells that are small
+/// enough, and the distance falls: it is proportional to the square of the size.
 PolycubeHexesResult WithNearCreases(const Surface& surface, PolycubeHexesOptions options,
   PolycubeHexesResult coarse, const Progress& progress)
 {
@@ -88,7 +88,11 @@ PolycubeHexesResult WithNearCreases(const Surface& surface, PolycubeHexesOptions
   const double needed = std::sqrt(safety * wanted / fit.Creases.Distance),
                minimum = std::cbrt(static_cast<double>(fit.Solid.Hexahedra.rows()) /
                  static_cast<double>(options.MaximumHexahedra));
-  options.CellSize = coarse.CellSize * std::max(needed, minimum);
+  if (needed < minimum)
+  {
+    return coarse;
+  }
+  options.CellSize = coarse.CellSize * needed;
   options.NeedsCreases = true;
   try
   {
@@ -230,12 +234,15 @@ HexRemeshResult TakeBetter(
   }
   const double diagonal = ComputeBoxDiagonal(surface);
   HexFit& fit = polycube.Result->Fit;
-  if (grid.Result && !IsBetter(fit, grid.Result->Fit))
+  if (grid.Result && !IsBetter(fit, grid.Result->Fit, diagonal))
   {
     grid.Result->Reason = "better than the polycube, whose minimum scaled Jacobian is " +
       FormatNumber(fit.MinimumScaledJacobian) + ", at a distance from the surface of " +
       FormatNumber(fit.Distance / diagonal) + " of the diagonal" +
-      (fit.CreasesKept ? "" : ", without the creases");
+      (!fit.CreasesKept ? ", without the creases"
+          : fit.Creases.Distance > AcceptedCreaseDistance * diagonal
+          ? ", and from its creases of " + FormatNumber(fit.Creases.Distance / diagonal)
+          : "");
     return std::move(*grid.Result);
   }
   if (fit.Distance > SnappedDistance * diagonal)

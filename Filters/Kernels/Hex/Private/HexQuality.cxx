@@ -7,6 +7,15 @@
 
 namespace shape
 {
+namespace
+{
+
+bool HasNearCreases(const HexFit& fit, double diagonal)
+{
+  return fit.Creases.Distance <= AcceptedCreaseDistance * diagonal;
+}
+
+} // namespace
 
 bool IsGoodGrid(const HexFit& fit, double diagonal)
 {
@@ -18,10 +27,10 @@ bool IsGoodGrid(const HexFit& fit, double diagonal)
 bool IsGoodPolycube(const HexFit& fit, double diagonal)
 {
   return fit.CreasesKept && fit.MinimumScaledJacobian >= AcceptedScaledJacobian &&
-    fit.Distance <= AcceptedDistance * diagonal;
+    fit.Distance <= AcceptedDistance * diagonal && HasNearCreases(fit, diagonal);
 }
 
-bool IsBetter(const HexFit& one, const HexFit& other)
+bool IsBetter(const HexFit& one, const HexFit& other, double diagonal)
 {
   if ((one.Inverted > 0) != (other.Inverted > 0))
   {
@@ -35,6 +44,12 @@ bool IsBetter(const HexFit& one, const HexFit& other)
       std::abs(own - others) > 1e-9 * std::max(own, others))
   {
     return own > others;
+  }
+  const bool isNear = HasNearCreases(one, diagonal);
+  if (isNear != HasNearCreases(other, diagonal) &&
+    (isNear ? one : other).MinimumScaledJacobian >= AcceptedScaledJacobian)
+  {
+    return isNear;
   }
   // Quality divided by distance: twice the scaled Jacobian makes up for twice the distance.
   return one.MinimumScaledJacobian / std::max(one.Distance, 1e-300) >

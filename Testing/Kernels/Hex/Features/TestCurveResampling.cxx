@@ -76,6 +76,81 @@ TEST(CurveResampling, EnoughPointsCutOffNoBend)
   EXPECT_LT(FindLargestDistance(circle.Points.Points, found.Positions), 1e-12);
 }
 
+// A long edge has its bends in reach, although they are more than a mean edge from its ends.
+TEST(CurveResampling, PointsReachTheBendsOfLongEdges)
+{
+  const ClosedCurve circle(20);
+  const Eigen::MatrixXd even = Polygon(72, 0.05);
+  Eigen::MatrixXd chain(60, 3);
+  for (int i = 0, row = 0; i < 72; ++i)
+  {
+    // Every third corner is left out along half of the circle and two more.
+    if (i % 3 != 0 || i >= 36)
+    {
+      chain.row(row++) = even.row(i);
+    }
+  }
+  const CurvePositions found = DistributeAlongCurve(chain, circle.Points, circle.Curve, 1e-3);
+  EXPECT_LT(FindLargestDistance(circle.Points.Points, found.Positions), 1e-12);
+}
+
+// The points of a layer lie at those that they copy: none of the edges of a chain stays without a
+// length, and the points still move to the bends.
+TEST(CurveResampling, EdgesWithoutLengthGetOne)
+{
+  const ClosedCurve circle(20);
+  const Eigen::MatrixXd even = Polygon(30, 0.05);
+  Eigen::MatrixXd chain(32, 3);
+  chain << even.row(0), even, even.row(29);
+  const CurvePositions found = DistributeAlongCurve(chain, circle.Points, circle.Curve, 1e-3);
+  EXPECT_LT(FindLargestDistance(circle.Points.Points, found.Positions), 1e-12);
+  for (Eigen::Index i = 0; i < chain.rows(); ++i)
+  {
+    const double step =
+      (found.Positions.row((i + 1) % chain.rows()) - found.Positions.row(i)).norm();
+    EXPECT_GT(step, 0.1 * 2.0 * M_PI / 32);
+  }
+}
+
+// A square whose corner is a quarter of a circle of 10 edges, which are shorter than those of the
+// chain: evenly spaced points would cut off its bends.
+TEST(CurveResampling, PointsGatherWhereTheCurveBends)
+{
+  constexpr int arc = 10;
+  constexpr double radius = 0.3;
+  ClosedCurve square(arc + 4);
+  Eigen::MatrixXd& corners = square.Points.Points;
+  for (int i = 0; i <= arc; ++i)
+  {
+    const double angle = 0.5 * M_PI * i / arc;
+    corners.row(i) << 1.0 - radius + radius * std::cos(angle),
+      1.0 - radius + radius * std::sin(angle), 0.0;
+  }
+  corners.bottomRows<3>() << -1.0, 1.0, 0.0, -1.0, -1.0, 0.0, 1.0, -1.0, 0.0;
+  constexpr int edges = 100; // of a length of 0.08: they cut off up to 0.08^2 / (8 radius)
+  constexpr double tolerance = 1e-3;
+  Eigen::MatrixXd chain(edges, 3);
+  const double length = 8.0 - 2.0 * radius + 0.5 * M_PI * radius;
+  for (int i = 0; i < edges; ++i)
+  {
+    // The chain is not rounded: a point after (1, 1 - radius) at a fraction of the curve's length.
+    const double along = std::fmod((i + 0.4) * length / edges + 2.0 - radius, 8.0);
+    const int side = static_cast<int>(along / 2.0);
+    const double on = along - 2.0 * side - 1.0;
+    chain.row(i) << (side == 0 ? 1.0
+        : side == 1            ? -on
+        : side == 2            ? -1.0
+                               : on),
+      (side == 0      ? on
+          : side == 1 ? 1.0
+          : side == 2 ? -on
+                      : -1.0),
+      0.0;
+  }
+  const CurvePositions found = DistributeAlongCurve(chain, square.Points, square.Curve, tolerance);
+  EXPECT_LT(FindLargestDistance(corners, found.Positions), tolerance);
+}
+
 // Points stay evenly spaced where no edge deviates by more than a small part of the tolerance.
 TEST(CurveResampling, NearChainsStayEven)
 {

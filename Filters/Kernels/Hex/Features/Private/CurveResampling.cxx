@@ -1,5 +1,6 @@
 #include "Hex/Features/Private/CurveResampling.h"
 
+#include "Hex/Features/Private/ArcLength.h"
 #include "Hex/Features/Private/ChoicePath.h"
 #include "Mesh/Extent.h"
 
@@ -14,169 +15,47 @@ namespace shape
 namespace
 {
 
-/// A polyline parameterised by arc length.
-class ArcLength
+/// Returns the arc length of each point of a chain and, if it is closed, of its first point again.
+/// Edges whose ends lie at the same position, because one is a copy of the other, get a length.
+std::vector<double> MeasureChain(const Eigen::MatrixXd& chain, bool isClosed)
 {
-public:
-  ArcLength(const Mesh& surface, const FeatureCurve& curve)
-    : Points(surface.Points(curve.Points, Eigen::all))
-    , Closed(curve.Closed)
+  constexpr double shortest = 0.5; // of the mean length
+  const Eigen::Index count = chain.rows(), edges = count - (isClosed ? 0 : 1);
+  Eigen::VectorXd own(edges);
+  for (Eigen::Index i = 0; i < edges; ++i)
   {
-    const Eigen::Index count = this->Points.rows();
-    this->Lengths = { 0.0 };
-    for (Eigen::Index i = 1; i < count + (this->Closed ? 1 : 0); ++i)
-    {
-      this->Lengths.push_back(
-        this->Lengths.back() + (this->Points.row(i % count) - this->Points.row(i - 1)).norm());
-    }
-    constexpr double straight = 2.0; // degrees
-    this->Bends = this->Turns(straight);
-    std::sort(this->Bends.begin(), this->Bends.end());
+    own(i) = (chain.row((i + 1) % count) - chain.row(i)).norm();
   }
-
-  double Length() const { return this->Lengths.back(); }
-
-  /// Returns the arc lengths at bends of more than an angle, the sharpest first.
-  std::vector<double> Turns(double degrees) const
+  const double mean = std::max(own.mean(), std::numeric_limits<double>::min());
+  std::vector<double> lengths = { 0.0 };
+  for (const double length : own.cwiseMax(shortest * mean).eval())
   {
-    const Eigen::Index count = this->Points.rows();
-    std::vector<std::pair<double, double>> turns; // cosine, length
-    for (Eigen::Index i = this->Closed ? 0 : 1; i < count - (this->Closed ? 0 : 1); ++i)
-    {
-      const Eigen::RowVector3d before =
-        (this->Points.row(i) - this->Points.row((i + count - 1) % count)).normalized();
-      const Eigen::RowVector3d after =
-        (this->Points.row((i + 1) % count) - this->Points.row(i)).normalized();
-      if (const double cosine = before.dot(after); cosine < std::cos(degrees * M_PI / 180.0))
-      {
-        turns.emplace_back(cosine, this->Lengths[i]);
-      }
-    }
-    std::sort(turns.begin(), turns.end());
-    std::vector<double> lengths;
-    for (const auto& [cosine, length] : turns)
-    {
-      lengths.push_back(length);
-    }
-    return lengths;
+    lengths.push_back(lengths.back() + length);
   }
-
-  /// Returns the part between two arc lengths; on a closed line these may exceed its range.
-  Eigen::MatrixXd Part(double begin, double end) const
-  {
-    std::vector<double> lengths = { begin };
-    // A closed curve is periodic: the part may begin before it or end after it.
-    for (const double turn : { -this->Length(), 0.0, this->Length() })
-    {
-      for (std::size_t i = 0; i < this->Lengths.size() && (this->Closed || turn == 0.0); ++i)
-      {
-        const double length = this->Lengths[i] + turn;
-        if (length > lengths.back() && length < end)
-        {
-          lengths.push_back(length);
-        }
-      }
-    }
-    if (end > begin)
-    {
-      lengths.push_back(end);
-    }
-    Eigen::MatrixXd part(static_cast<Eigen::Index>(lengths.size()), 3);
-    for (Eigen::Index i = 0; i < part.rows(); ++i)
-    {
-      part.row(i) = this->At(lengths[i]);
-    }
-    return part;
-  }
-
-  /// Returns the arc lengths of the bends strictly between two arc lengths, nearly straight ones
-  /// left out; on a closed line these may exceed its range.
-  std::vector<double> BendsBetween(double begin, double end) const
-  {
-    return this->Between(this->Bends, begin, end);
-  }
-
-  /// Returns the largest distance of the part between two arc lengths from its chord.
-  double Deviation(double begin, double end) const
-  {
-    const Eigen::RowVector3d low = this->At(begin), chord = this->At(end) - low;
-    const double squared = std::max(chord.squaredNorm(), std::numeric_limits<double>::min());
-    double maximum = 0.0;
-    for (const double point : this->Between(this->Lengths, begin, end))
-    {
-      const Eigen::RowVector3d off = this->At(point) - low;
-      const double share = std::clamp(off.dot(chord) / squared, 0.0, 1.0);
-      maximum = std::max(maximum, (off - share * chord).norm());
-    }
-    return maximum;
-  }
-
-  /// Returns the arc length at the point closest to a position.
-  double Nearest(const Eigen::RowVector3d& position) const
-  {
-    Eigen::Index nearest = 0;
-    (this->Points.rowwise() - position).rowwise().squaredNorm().minCoeff(&nearest);
-    return this->Lengths[nearest];
-  }
-
-  Eigen::RowVector3d At(double length) const
-  {
-    length = this->Closed ? length - this->Length() * std::floor(length / this->Length())
-                          : std::clamp(length, 0.0, this->Length());
-    const auto next = std::clamp<std::ptrdiff_t>(
-      std::upper_bound(this->Lengths.begin(), this->Lengths.end(), length) - this->Lengths.begin(),
-      1, static_cast<std::ptrdiff_t>(this->Lengths.size()) - 1);
-    const double step = this->Lengths[next] - this->Lengths[next - 1];
-    const double share = step > 0.0 ? (length - this->Lengths[next - 1]) / step : 0.0;
-    return (1.0 - share) * this->Points.row(next - 1) +
-      share * this->Points.row(next % this->Points.rows());
-  }
-
-private:
-  /// Returns those of ascending arc lengths on the line that are strictly between two others.
-  std::vector<double> Between(const std::vector<double>& lengths, double begin, double end) const
-  {
-    std::vector<double> between;
-    const double first = this->Closed ? std::floor(begin / this->Length()) : 0.0,
-                 last = this->Closed ? std::floor(end / this->Length()) : 0.0;
-    for (double turn = first; turn <= last; turn += 1.0)
-    {
-      const double shift = turn * this->Length();
-      for (auto length = std::upper_bound(lengths.begin(), lengths.end(), begin - shift);
-           length != lengths.end() && *length + shift < end; ++length)
-      {
-        between.push_back(*length + shift);
-      }
-    }
-    return between;
-  }
-
-  Eigen::MatrixXd Points;
-  bool Closed;
-  std::vector<double> Lengths; ///< arc length at each point; if closed, also back at the first
-  std::vector<double> Bends;   ///< arc lengths at bends, ascending
-};
+  return lengths;
+}
 
 /// Points of a chain by arc length on a curve; some are fixed at bends.
 class Spread
 {
 public:
-  /// own: arc length of each point on the chain. first: where the chain begins on the curve.
-  /// tolerance: the distance between curve and chain that is small enough.
-  Spread(const ArcLength& along, std::vector<double> own, double whole, double first,
-    double direction, bool isClosed, double tolerance)
-    : Along(along)
-    , Own(std::move(own))
-    , Scale(direction * along.Length() / whole)
+  /// own: arc length of each point on the chain (MeasureChain). first: where the chain begins on
+  /// the curve. tolerance: the distance between curve and chain that is small enough.
+  /// shortest: the least fraction of its length that an edge keeps where points move to bends.
+  Spread(const ArcLength& along, const std::vector<double>& own, double first, double direction,
+    bool isClosed, double tolerance, double shortest)
+    : Along(&along)
+    , Scale(direction * along.Length() / own.back())
     , Closed(isClosed)
     , Tolerance(tolerance)
+    , Shortest(shortest)
   {
-    for (const double length : this->Own)
+    for (std::size_t i = 0; i + (isClosed ? 1 : 0) < own.size(); ++i)
     {
-      this->Lengths.push_back(first + this->Scale * length);
+      this->Lengths.push_back(first + this->Scale * own[i]);
     }
     this->Unmoved = this->Lengths;
-    this->Fixed.assign(this->Own.size(), 0);
+    this->Fixed.assign(this->Lengths.size(), 0);
     if (!isClosed)
     {
       this->Fixed.front() = this->Fixed.back() = 1;
@@ -191,10 +70,21 @@ public:
     this->MoveToBends();
   }
 
+  /// Returns the position of each point of the chain (n x 3).
+  Eigen::MatrixXd Positions() const
+  {
+    Eigen::MatrixXd positions(static_cast<Eigen::Index>(this->Lengths.size()), 3);
+    for (std::size_t i = 0; i < this->Lengths.size(); ++i)
+    {
+      positions.row(static_cast<Eigen::Index>(i)) = this->Along->At(this->Lengths[i]);
+    }
+    return positions;
+  }
+
   CurvePositions Result() const
   {
     CurvePositions result;
-    result.Positions.resize(static_cast<Eigen::Index>(this->Lengths.size()), 3);
+    result.Positions = this->Positions();
     for (std::size_t i = 0; i < this->Lengths.size(); ++i)
     {
       const double here = this->Lengths[i];
@@ -205,17 +95,55 @@ public:
         low = std::max(here - maximum, this->Bound(i, this->Scale > 0.0 ? -1 : 1, -1.0));
         high = std::min(here + maximum, this->Bound(i, this->Scale > 0.0 ? 1 : -1, 1.0));
       }
-      result.Positions.row(static_cast<Eigen::Index>(i)) = this->Along.At(here);
-      result.Spans.push_back(this->Along.Part(low, high));
+      result.Spans.push_back(this->Along->Part(low, high));
     }
     return result;
   }
 
-private:
-  double Step() const
+  /// Returns the largest distance of an edge of the chain from its part of the curve.
+  double MaximumDeviation() const { return this->Deviations().maxCoeff(); }
+
+  /// Returns arc lengths on the chain (MeasureChain) with shorter edges where an edge is farther
+  /// from the curve than the tolerance: the distance falls with the square of the length.
+  std::vector<double> Refined(const std::vector<double>& own) const
   {
-    return this->Along.Length() / static_cast<double>(this->Own.size() - (this->Closed ? 0 : 1));
+    constexpr double least = 0.6, safety = 0.8; // of the length; of the tolerance
+    const Eigen::VectorXd deviations = this->Deviations();
+    Eigen::VectorXd factors(deviations.size());
+    for (Eigen::Index edge = 0; edge < factors.size(); ++edge)
+    {
+      factors(edge) = deviations(edge) > this->Tolerance
+        ? std::max(least, std::sqrt(safety * this->Tolerance / deviations(edge)))
+        : 1.0;
+    }
+    std::vector<double> refined = { 0.0 };
+    const Eigen::Index count = factors.size();
+    for (Eigen::Index edge = 0; edge < count; ++edge)
+    {
+      // Neighbours follow half way, so that lengths change gradually.
+      const bool hasBefore = this->Closed || edge > 0, hasAfter = this->Closed || edge + 1 < count;
+      const double beside = std::min(hasBefore ? factors((edge + count - 1) % count) : 1.0,
+        hasAfter ? factors((edge + 1) % count) : 1.0);
+      refined.push_back(refined.back() +
+        std::min(factors(edge), 0.5 * (1.0 + beside)) * (own[edge + 1] - own[edge]));
+    }
+    return refined;
   }
+
+private:
+  /// Returns the deviation of each edge of the chain.
+  Eigen::VectorXd Deviations() const
+  {
+    Eigen::VectorXd deviations(static_cast<Eigen::Index>(this->Edges()));
+    for (std::size_t edge = 0; edge < this->Edges(); ++edge)
+    {
+      deviations(static_cast<Eigen::Index>(edge)) =
+        this->Deviation(this->Lengths[edge], this->After(edge));
+    }
+    return deviations;
+  }
+
+  double Step() const { return this->Along->Length() / static_cast<double>(this->Edges()); }
 
   /// Returns the arc length of the next point along the chain, beyond the curve's range if the
   /// chain is closed and begins again.
@@ -223,7 +151,14 @@ private:
   {
     return i + 1 < this->Lengths.size()
       ? this->Lengths[i + 1]
-      : this->Lengths.front() + std::copysign(this->Along.Length(), this->Scale);
+      : this->Lengths.front() + std::copysign(this->Along->Length(), this->Scale);
+  }
+
+  /// Returns the arc length of the point before along the chain, as After.
+  double Before(std::size_t i) const
+  {
+    return i > 0 ? this->Lengths[i - 1]
+                 : this->Lengths.back() - std::copysign(this->Along->Length(), this->Scale);
   }
 
   /// The number of edges of the chain.
@@ -231,7 +166,7 @@ private:
 
   double Deviation(double one, double other) const
   {
-    return this->Along.Deviation(std::min(one, other), std::max(one, other));
+    return this->Along->Deviation(std::min(one, other), std::max(one, other));
   }
 
   /// Returns how far a point may move to each side, in mean steps. Its edges must stay within the
@@ -252,8 +187,8 @@ private:
                        high = std::max(this->Lengths[edge], this->After(edge)),
                        by = reach * this->Step();
           isNear = isNear &&
-            this->Along.Deviation(low - by, high + by) <=
-              std::max(this->Tolerance, slack * this->Along.Deviation(low, high));
+            this->Along->Deviation(low - by, high + by) <=
+              std::max(this->Tolerance, slack * this->Along->Deviation(low, high));
         }
       }
       if (isNear)
@@ -268,7 +203,7 @@ private:
   /// of the nearest bends.
   std::vector<std::vector<double>> FindChoices() const
   {
-    constexpr double near = 0.6; // mean steps
+    constexpr double near = 0.6; // steps
     constexpr std::size_t most = 4;
     std::vector<std::vector<double>> choices;
     for (std::size_t i = 0; i < this->Lengths.size(); ++i)
@@ -277,8 +212,14 @@ private:
       choices.push_back({ here });
       if (!this->Fixed[i])
       {
-        std::vector<double> bends =
-          this->Along.BendsBetween(here - near * this->Step(), here + near * this->Step());
+        // Edges may be much longer than the mean: every bend has to be near a point.
+        double low = here - near * this->Step(), high = here + near * this->Step();
+        for (const double other : { this->Before(i), this->After(i) })
+        {
+          low = std::min(low, here + near * (other - here));
+          high = std::max(high, here + near * (other - here));
+        }
+        std::vector<double> bends = this->Along->BendsBetween(low, high);
         std::sort(bends.begin(), bends.end(),
           [&](double a, double b) { return std::abs(a - here) < std::abs(b - here); });
         bends.resize(std::min(bends.size(), most));
@@ -308,7 +249,7 @@ private:
       {
         std::vector<std::vector<double>> around = choices;
         around[0] = { first };
-        around.push_back({ first + std::copysign(this->Along.Length(), this->Scale) });
+        around.push_back({ first + std::copysign(this->Along->Length(), this->Scale) });
         if (ChoicePath path = FindShortestPath(around, cost); path.Cost < best.Cost)
         {
           best = std::move(path);
@@ -326,10 +267,9 @@ private:
   /// deviation from the curve, and with the change of its length.
   double EdgeCost(std::size_t edge, double begin, double end) const
   {
-    constexpr double shortest = 0.3; // of its length before
     const double length = this->After(edge) - this->Lengths[edge];
     const double ratio = (end - begin) / length, deviation = this->Deviation(begin, end);
-    if (!(ratio >= shortest))
+    if (!(ratio >= this->Shortest))
     {
       return std::numeric_limits<double>::infinity();
     }
@@ -341,7 +281,7 @@ private:
   double NextTo(double length, double other) const
   {
     return this->Closed
-      ? length + this->Along.Length() * std::round((other - length) / this->Along.Length())
+      ? length + this->Along->Length() * std::round((other - length) / this->Along->Length())
       : length;
   }
 
@@ -414,7 +354,7 @@ private:
       if (this->Fixed[wrapped])
       {
         const double turns = at < 0 ? -1.0 : (at >= count ? 1.0 : 0.0);
-        return { wrapped, turns * this->Along.Length() * (this->Scale > 0.0 ? 1.0 : -1.0) };
+        return { wrapped, turns * this->Along->Length() * (this->Scale > 0.0 ? 1.0 : -1.0) };
       }
     }
     return { -1, 0.0 };
@@ -427,11 +367,11 @@ private:
                      : this->Lengths[fixed] + shift;
   }
 
-  const ArcLength& Along;
-  const std::vector<double> Own;
-  const double Scale;
-  const bool Closed;
-  const double Tolerance;
+  const ArcLength* Along;
+  double Scale;
+  bool Closed;
+  double Tolerance;
+  double Shortest;
   std::vector<double> Lengths; ///< arc lengths on the curve
   std::vector<double> Unmoved; ///< arc lengths before any point was fixed
   std::vector<char> Fixed;
@@ -450,30 +390,36 @@ CurvePositions DistributeAlongCurve(
 {
   const ArcLength along(surface, curve);
   const Eigen::Index count = chain.rows();
-  std::vector<double> lengths = { 0.0 };
-  for (Eigen::Index i = 1; i < count; ++i)
-  {
-    lengths.push_back(lengths.back() + (chain.row(i) - chain.row(i - 1)).norm());
-  }
-  const double whole =
-    lengths.back() + (curve.Closed ? (chain.row(0) - chain.row(count - 1)).norm() : 0.0);
+  const std::vector<double> lengths = MeasureChain(chain, curve.Closed);
   const double nearest = curve.Closed ? along.Nearest(chain.row(0)) : 0.0;
-  CurvePositions best;
-  double minimum = std::numeric_limits<double>::infinity();
   // The chain and the curve may run in opposite directions: the one that moves the points less is
   // taken.
-  for (const double direction : { 1.0, -1.0 })
+  constexpr double uneven = 0.3, even = 0.6;
+  const auto spread = [&](double direction, const std::vector<double>& own, double shortest)
   {
     const double first = curve.Closed || direction > 0.0 ? nearest : along.Length();
-    CurvePositions positions =
-      Spread(along, lengths, whole, first, direction, curve.Closed, tolerance).Result();
-    if (const double sum = (positions.Positions - chain).rowwise().norm().sum(); sum < minimum)
-    {
-      minimum = sum;
-      best = std::move(positions);
-    }
+    return Spread(along, own, first, direction, curve.Closed, tolerance, shortest);
+  };
+  const auto movement = [&](const Spread& points)
+  { return (points.Positions() - chain).rowwise().norm().sum(); };
+  Spread points = spread(1.0, lengths, uneven);
+  double direction = 1.0;
+  if (Spread other = spread(-1.0, lengths, uneven); movement(other) < movement(points))
+  {
+    points = std::move(other);
+    direction = -1.0;
   }
-  return best;
+  // Points gather where the curve bends, if that brings all edges near it. Otherwise there are too
+  // few points, and uneven edges would only make worse hexahedra.
+  constexpr int rounds = 4;
+  std::vector<double> refined = lengths;
+  for (int round = 0; round < rounds && points.MaximumDeviation() > tolerance; ++round)
+  {
+    refined = points.Refined(refined);
+    points = spread(direction, refined, uneven);
+  }
+  return points.MaximumDeviation() <= tolerance ? points.Result()
+                                                : spread(direction, lengths, even).Result();
 }
 
 } // namespace shape

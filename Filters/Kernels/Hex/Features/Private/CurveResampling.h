@@ -26,7 +26,8 @@ struct CurvePositions
  * the chain's length is put at the same fraction of the curve's length. If there are enough points,
  * one is fixed at each sharp bend of the curve, and the points between fixed ones are adjusted.
  * Then points move to other bends near them where the edges of the chain come closer to the curve.
- * On a closed curve the chain may begin anywhere.
+ * If some edges stay farther than the tolerance, points gather there, unless the chain has too few.
+ * Edges whose ends coincide get a length. On a closed curve the chain may begin anywhere.
  *
  * tolerance: the distance between curve and chain that is small enough, > 0.
  */
