@@ -22,7 +22,9 @@ void RequireInRange(const SmoothBlockMapOptions& options);
 
 struct SmoothBlockMap
 {
-  Eigen::MatrixXd Targets;    ///< n x 3: the new position of each point
+  Eigen::MatrixXd Targets; ///< n x 3: the new position of each point
+  /// n x 3: the positions of the points on the splines. Splines fitted to these go through them.
+  Eigen::MatrixXd Splines;
   double LargestMotion = 0.0; ///< of a point; 0 if no better map was found
   int Inverted = 0;           ///< cells with a scaled Jacobian <= 0
 };
@@ -37,9 +39,12 @@ struct SmoothBlockMap
  *    times that of second differences. The factor falls from 1 to 1e-4 (tangent distance
  *    minimisation: Wang, Pottmann and Liu, "Fitting B-spline curves to point clouds by
  *    curvature-based squared distance minimization", 2006, here for surfaces).
- * 2. The motion of the boundary is extended by discrete harmonic functions. Points inside are then
- *    put on the splines, and points of the boundary on the surface.
- * 3. Of these maps and the given one, that with the smallest error of its splines is taken. None
+ * 2. The squares are weighted, so that the largest distance falls (Lawson's iteration: Rice and
+ *    Usow, "The Lawson algorithm and extensions", 1968). After each step, the weight of a point is
+ *    multiplied by the root of its distance; weights stay within a factor of 10 of their mean.
+ * 3. After each step, the motion of the boundary is extended by discrete harmonic functions. Points
+ *    inside are then put on the splines, and points of the boundary on the surface.
+ * 4. Of these maps and the given one, that with the smallest error of its splines is taken. None
  *    may invert more cells than the given one.
  *
  * Points on creases stay on creases, and points where other than two edges along creases meet stay

@@ -129,14 +129,16 @@ struct MappedGrid
   vtkUnstructuredGrid* Grid;
   std::string MapArray;
   Eigen::MatrixXd Positions, Targets;
+  Eigen::MatrixXd Fitted; ///< what splines are fitted to
 };
 
 MappedGrid ReadGrid(vtkUnstructuredGrid* grid, const std::string& mapArray)
 {
   MappedGrid mapped{ grid, mapArray, vtkShapeConvert::ToPoints(grid),
-    vtkShapeConvert::ToPointArray(grid, mapArray, 3, "the Input") };
+    vtkShapeConvert::ToPointArray(grid, mapArray, 3, "the Input"), {} };
   shape::RequireFinite(mapped.Positions, "the Input");
   shape::RequireFinite(mapped.Targets, "the Input's " + mapArray);
+  mapped.Fitted = mapped.Targets;
   return mapped;
 }
 
@@ -155,7 +157,8 @@ FittedBlock FitBlock(const MappedGrid& mapped, const shape::GridBlock& block,
   progress(0.0);
   const std::vector<int> rows(block.Nodes.begin(), block.Nodes.end());
   const Eigen::MatrixXd values = mapped.Targets(rows, Eigen::all);
-  const shape::BlockSpline spline = shape::FitBlockSpline(block.Counts, values, options);
+  const shape::BlockSpline spline =
+    shape::FitBlockSpline(block.Counts, mapped.Fitted(rows, Eigen::all), options);
   progress(0.3);
   const Eigen::MatrixXd fitted =
     shape::Evaluate(spline, shape::NodeParameters(block.Counts), progress.Part(0.3, 0.7));
@@ -208,6 +211,7 @@ void vtkShapeStructuredBlocks::Execute(const shape::Progress& progress)
       surface, this->Options, progress.Part(0.0, fitted, "moving the nodes along the surface"));
     motion = smooth.LargestMotion;
     mapped.Targets = std::move(smooth.Targets);
+    mapped.Fitted = std::move(smooth.Splines);
   }
   const std::vector<std::vector<int>> cells = SortCells(blocks, blockOf, indices);
   auto* nodes = vtkMultiBlockDataSet::SafeDownCast(this->GetOutputDataObject(0));

@@ -1,8 +1,10 @@
 #include "Hex/SmoothBlockMap.h"
 #include "Hex/StructuredBlocks.h"
+#include "Mesh/Extent.h"
 #include "Mesh/HexMesh.h"
 #include "Support/Refusals.h"
 #include "Support/SimpleSurfaces.h"
+#include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
 
@@ -151,7 +153,8 @@ TEST(StructuredBlocks, PlacesOfNodesOnASurfaceNeedNotBeFollowed)
   const shape::Mesh cube = shapetest::Box({ 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 });
   const shape::SmoothBlockMap smooth = shape::SmoothMapOfBlocks({ block }, cells, targets, cube);
   EXPECT_GT(SplineError({ block }, targets), 1e-2);
-  EXPECT_LT(SplineError({ block }, smooth.Targets), 1e-6);
+  EXPECT_LT((smooth.Splines - smooth.Targets).rowwise().norm().maxCoeff(), 1e-6);
+  EXPECT_LT(SplineError({ block }, smooth.Splines), 1e-8);
   EXPECT_EQ(smooth.Inverted, 0);
   EXPECT_NEAR(smooth.LargestMotion, (smooth.Targets - targets).rowwise().norm().maxCoeff(), 1e-15);
   // Nodes stay on their side, edge or corner.
@@ -166,4 +169,33 @@ TEST(StructuredBlocks, PlacesOfNodesOnASurfaceNeedNotBeFollowed)
   options.FeatureAngle = 0.0;
   EXPECT_REFUSED(
     shape::SmoothMapOfBlocks({ block }, cells, targets, cube, options), "FeatureAngle is 0");
+}
+
+TEST(StructuredBlocks, WeightsLowerTheLargestDistanceFromABentSolid)
+{
+  // A bent ellipsoid, whose block has an eighth as many control points as nodes.
+  const auto bend = [](Eigen::MatrixXd points)
+  {
+    points.col(2) = 0.8 * points.col(2) + 0.2 * points.col(0).cwiseAbs2();
+    points.col(0) *= 1.3;
+    return points;
+  };
+  const Eigen::RowVector3i counts(24, 24, 24);
+  Eigen::MatrixXd ball = 2.0 * shape::NodeParameters(counts).array() - 1.0;
+  for (Eigen::Index node = 0; node < ball.rows(); ++node)
+  {
+    ball.row(node) *= ball.row(node).cwiseAbs().maxCoeff() / ball.row(node).norm();
+  }
+  shape::Mesh surface = shapetest::Icosphere(5);
+  surface.Points = bend(surface.Points);
+  const Eigen::MatrixXd targets = bend(ball);
+  const shape::GridBlock block{ counts,
+    Eigen::VectorXi::LinSpaced(counts.prod(), 0, counts.prod() - 1) };
+  const shape::SmoothBlockMap smooth =
+    shape::SmoothMapOfBlocks({ block }, CellsOf(counts), targets, surface);
+  const double diagonal = shape::ComputeBoxDiagonal(surface);
+  const double largest = (smooth.Splines - smooth.Targets).rowwise().norm().maxCoeff() / diagonal;
+  EXPECT_GT(SplineError({ block }, targets) / diagonal, 2e-3);
+  EXPECT_LE(largest, 1e-3);
+  EXPECT_LT(SplineError({ block }, smooth.Splines), 1e-8 * diagonal) << "splines go through them";
 }
