@@ -143,7 +143,9 @@ VolumeMapResult ComputeVolumeMap(const VolumeMapConditions& conditions,
       conditions.Features, options.Harmonic, one, progress.Part(0.3, options.Exact ? 0.6 : 1.0));
     result.DistortionBefore = slid.DistortionBefore;
     result.DistortionAfter = slid.DistortionAfter;
-    result.Slid = slid.Kept;
+    result.FoldedBefore = slid.FoldedBefore;
+    result.FoldedAfter = slid.FoldedAfter;
+    result.SlidShare = slid.Share;
     result.Targets = std::move(slid.Targets);
     one = std::move(slid.Map);
   }

@@ -45,8 +45,8 @@ struct VolumeMapResult
   /// Distance between the given Targets and the Target (ComputeTargetDistance); 0 without a Target.
   double TargetDistance = 0.0;
   // With FreeBoundary: see FreeBoundaryResult.
-  double DistortionBefore = 0.0, DistortionAfter = 0.0;
-  bool Slid = false; ///< whether sliding lowered the distortion
+  double DistortionBefore = 0.0, DistortionAfter = 0.0, FoldedBefore = 0.0, FoldedAfter = 0.0;
+  double SlidShare = 0.0;
 };
 
 /**

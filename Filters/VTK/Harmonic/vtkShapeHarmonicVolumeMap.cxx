@@ -136,7 +136,11 @@ shape::VolumeMapResult vtkShapeHarmonicVolumeMap::Solve(
   {
     vtkShapeConvert::AddFact(facts, Facts + "DistortionBefore", result.DistortionBefore);
     vtkShapeConvert::AddFact(facts, Facts + "DistortionAfter", result.DistortionAfter);
-    vtkShapeConvert::AddFact(facts, Facts + "FreeBoundary", result.Slid ? "Slid" : "NotLower");
+    vtkShapeConvert::AddFact(facts, Facts + "FoldedBefore", result.FoldedBefore);
+    vtkShapeConvert::AddFact(facts, Facts + "FoldedAfter", result.FoldedAfter);
+    vtkShapeConvert::AddFact(
+      facts, Facts + "FreeBoundary", result.SlidShare > 0.0 ? "Slid" : "NotLower");
+    vtkShapeConvert::AddFact(facts, Facts + "SlidShare", result.SlidShare);
   }
   return result;
 }

@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace
 {
@@ -36,7 +37,7 @@ TEST(FreeBoundary, TakesBackASlideOfABallsBoundary)
   const Eigen::MatrixXd targets = Slid(ball);
   const shape::HarmonicVolumeMapResult map = shape::ComputeHarmonicVolumeMap(ball, targets);
   const shape::FreeBoundaryResult result = shape::SlideBoundary(ball, targets, ball, {}, {}, map);
-  EXPECT_TRUE(result.Kept);
+  EXPECT_EQ(result.Share, 1.0);
   // Of an isometry the energy is 6: nearly all that is above it goes.
   EXPECT_GT(result.DistortionBefore, 6.5);
   EXPECT_LT(result.DistortionAfter - 6.0, 0.02 * (result.DistortionBefore - 6.0))
@@ -79,6 +80,60 @@ TEST(FreeBoundary, LowersTheEnergyOfTheFormulaAtOtherPoints)
   EXPECT_LT(MeanEnergy(result.Map.Map) - 6.0, 0.02 * (MeanEnergy(map.Map) - 6.0));
 }
 
+/// Mean of |J|^2 + |J^-1|^2 at points of a lattice in a torus around z (radii 1 and 0.4), where the
+/// determinant is positive, and the number of points where it is not.
+std::pair<double, int> JudgeInTorus(const shape::ChargeSet& map)
+{
+  const shape::PointCharges charges(map);
+  double sum = 0.0;
+  int count = 0, folded = 0;
+  for (int i = 0; i < 57 * 57 * 17; ++i)
+  {
+    const Eigen::Vector3d at = 0.05 * Eigen::Vector3d(i % 57 - 28, i / 57 % 57 - 28, i / 3249 - 8) +
+      0.01 * Eigen::Vector3d::Ones();
+    if (std::hypot(std::hypot(at.x(), at.y()) - 1.0, at.z()) < 0.385)
+    {
+      Eigen::Matrix3d jacobian;
+      charges.Evaluate(at, jacobian);
+      if (jacobian.determinant() > 0.0)
+      {
+        sum += jacobian.squaredNorm() + jacobian.inverse().squaredNorm();
+        ++count;
+      }
+      else
+      {
+        ++folded;
+      }
+    }
+  }
+  return { sum / count, folded };
+}
+
+TEST(FreeBoundary, DistortionsAreThoseOfTheFormulaAndNothingFolds)
+{
+  const shape::Mesh torus = shapetest::Torus(1.0, 0.4, 40, 20);
+  Eigen::MatrixXd targets = torus.Points;
+  for (Eigen::Index i = 0; i < targets.rows(); ++i)
+  {
+    const double x = targets(i, 0), y = targets(i, 1), z = targets(i, 2);
+    const double angle = 0.2 * std::sin(2.0 * std::atan2(y, x)) + 0.8 * z;
+    targets.row(i) << std::cos(angle) * x - std::sin(angle) * y,
+      std::sin(angle) * x + std::cos(angle) * y, z;
+  }
+  targets = shape::SurfaceLocator(torus).Find(targets).Positions;
+  const shape::HarmonicVolumeMapResult map = shape::ComputeHarmonicVolumeMap(torus, targets);
+  const shape::FreeBoundaryResult result = shape::SlideBoundary(torus, targets, torus, {}, {}, map);
+  const auto [before, foldedBefore] = JudgeInTorus(map.Map);
+  const auto [after, foldedAfter] = JudgeInTorus(result.Map.Map);
+  EXPECT_GT(result.Share, 0.0);
+  EXPECT_LT(after, before);
+  EXPECT_EQ(foldedBefore, 0);
+  EXPECT_EQ(foldedAfter, 0);
+  EXPECT_EQ(result.FoldedAfter, 0.0);
+  EXPECT_NEAR(result.DistortionBefore, before, 0.02 * before);
+  EXPECT_NEAR(result.DistortionAfter, after, 0.02 * after);
+}
+
 TEST(FreeBoundary, IsAStepOfTheVolumeMap)
 {
   const shape::Surface ball = shapetest::Icosphere(1);
@@ -89,7 +144,7 @@ TEST(FreeBoundary, IsAStepOfTheVolumeMap)
     shape::ComputeVolumeMap({ ball, targets, ball, {}, {} }, options);
   const shape::FreeBoundaryResult slid = shape::SlideBoundary(
     ball, targets, ball, {}, {}, shape::ComputeHarmonicVolumeMap(ball, targets));
-  EXPECT_EQ(result.Slid, slid.Kept);
+  EXPECT_EQ(result.SlidShare, slid.Share);
   EXPECT_EQ(result.Targets, slid.Targets);
   EXPECT_EQ(result.Map.Charges.Maps[0].Charges, slid.Map.Map.Charges);
   EXPECT_EQ(result.DistortionAfter, slid.DistortionAfter);

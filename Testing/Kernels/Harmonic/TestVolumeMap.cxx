@@ -39,7 +39,7 @@ TEST(VolumeMap, IsOneHarmonicMapUnlessMoreIsAskedFor)
   EXPECT_EQ(result.Map.Charges.Maps[0].Charges, one.Map.Charges);
   EXPECT_EQ(result.Map.Borders[0].RMSEInside, one.Levels.back().RMSEInside);
   EXPECT_EQ(result.Targets, conditions.Targets);
-  EXPECT_FALSE(result.Slid);
+  EXPECT_EQ(result.SlidShare, 0.0);
   EXPECT_EQ(result.TargetDistance, 0.0) << "there is no Target";
 }
 
