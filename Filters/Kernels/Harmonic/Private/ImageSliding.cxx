@@ -24,7 +24,7 @@ namespace
 constexpr int MaximumSteps = 60;
 /// Sliding ends with a step that lowers the energy by less than this fraction of it.
 constexpr double LeastGain = 1e-5;
-/// Relative to the determinant of an isometry.
+/// Of the regularised determinant, relative to the determinant of an isometry.
 constexpr double Epsilon = 0.05;
 
 double Dot(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
@@ -32,29 +32,40 @@ double Dot(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
   return a.cwiseProduct(b).sum();
 }
 
-/// |J|^2 + |cof J|^2 / chi(det J)^2, where chi is the regularised determinant, and its derivative.
-struct RegularisedDirichlet
+/// The energy of a Jacobian, and its derivative.
+struct JacobianEnergy
 {
-  explicit RegularisedDirichlet(const Eigen::Matrix3d& j)
-  {
-    Eigen::Matrix3d cofactors;
-    for (int k = 0; k < 3; ++k)
-    {
-      cofactors.col(k) = j.col((k + 1) % 3).cross(j.col((k + 2) % 3));
-    }
-    const double determinant = j.col(0).dot(cofactors.col(0));
-    const double chi = EllipticEnergy::Chi(determinant, Epsilon), inverse = 1.0 / (chi * chi);
-    const double square = cofactors.squaredNorm();
-    const double slope = 0.5 * (1.0 + determinant / std::hypot(determinant, Epsilon)); // of chi
-    this->Value = j.squaredNorm() + square * inverse;
-    // The derivative of |cof J|^2 is 2 (|J|^2 J - J J^T J).
-    this->Gradient = 2.0 * j + 2.0 * inverse * (j.squaredNorm() * j - j * j.transpose() * j) -
-      2.0 * square * inverse / chi * slope * cofactors;
-  }
-
   double Value;
   Eigen::Matrix3d Gradient;
 };
+
+/// |J|^2 + |cof J|^2 / chi(det J)^2, where chi is the regularised determinant.
+JacobianEnergy RegularisedDirichlet(const Eigen::Matrix3d& j)
+{
+  Eigen::Matrix3d cofactors;
+  for (int k = 0; k < 3; ++k)
+  {
+    cofactors.col(k) = j.col((k + 1) % 3).cross(j.col((k + 2) % 3));
+  }
+  const double determinant = j.col(0).dot(cofactors.col(0));
+  const double chi = EllipticEnergy::Chi(determinant, Epsilon), inverse = 1.0 / (chi * chi);
+  const double square = cofactors.squaredNorm();
+  const double slope = 0.5 * (1.0 + determinant / std::hypot(determinant, Epsilon)); // of chi
+  // The derivative of |cof J|^2 is 2 (|J|^2 J - J J^T J).
+  return { j.squaredNorm() + square * inverse,
+    2.0 * j + 2.0 * inverse * (j.squaredNorm() * j - j * j.transpose() * j) -
+      2.0 * square * inverse / chi * slope * cofactors };
+}
+
+/// The regularised elliptic energy. Inverted tetrahedra do not hide all others in it: it grows as
+/// 1 / epsilon^2 in them, the energy above as 1 / epsilon^4.
+JacobianEnergy Elliptic(const Eigen::Matrix3d& j)
+{
+  const EllipticEnergy energy(j, Epsilon);
+  return { energy.Value(), energy.Gradient() };
+}
+
+using EnergyFunction = JacobianEnergy (*)(const Eigen::Matrix3d&);
 
 /// The energy of harmonic maps of a solid as a function of the images of its boundary points.
 class HarmonicDistortion
@@ -81,13 +92,26 @@ public:
     this->Volumes /= this->Volumes.sum();
   }
 
-  /// Returns the mean energy of the map, and sets its gradient by the images (each k x 3).
-  double Evaluate(const Eigen::MatrixXd& images, Eigen::MatrixXd& gradient) const
+  /// Returns whether the map inverts a tetrahedron.
+  bool Inverts(const Eigen::MatrixXd& images) const
   {
-    const Eigen::Index points = this->Solid.Points.rows();
-    const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(points, 3);
-    Eigen::MatrixXd map = this->Spread(images);
-    this->Inner.Solve(map, none);
+    const Eigen::MatrixXd map = this->Map(images);
+    for (Eigen::Index t = 0; t < this->Volumes.size(); ++t)
+    {
+      if (!(this->Jacobian(t, map).determinant() > 0.0))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Returns the mean energy of the map, and sets its gradient by the images (each k x 3).
+  double Evaluate(
+    const Eigen::MatrixXd& images, EnergyFunction function, Eigen::MatrixXd& gradient) const
+  {
+    const Eigen::MatrixXd map = this->Map(images);
+    const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(map.rows(), 3);
     Eigen::VectorXd energies(this->Volumes.size());
     std::vector<Eigen::Matrix<double, 4, 3>> slopes(this->Volumes.size());
     ParallelFor(static_cast<int>(energies.size()), 2000,
@@ -95,12 +119,7 @@ public:
       {
         for (int t = begin; t < end; ++t)
         {
-          Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();
-          for (int k = 0; k < 4; ++k)
-          {
-            jacobian += map.row(this->Solid.Tetrahedra(t, k)).transpose() * this->Hats[t].row(k);
-          }
-          const RegularisedDirichlet energy(jacobian);
+          const JacobianEnergy energy = function(this->Jacobian(t, map));
           energies(t) = this->Volumes(t) * energy.Value;
           slopes[t] = this->Volumes(t) * this->Hats[t] * energy.Gradient.transpose();
         }
@@ -128,6 +147,24 @@ public:
   }
 
 private:
+  /// The images of all points (n x 3).
+  Eigen::MatrixXd Map(const Eigen::MatrixXd& images) const
+  {
+    Eigen::MatrixXd map = this->Spread(images);
+    this->Inner.Solve(map, Eigen::MatrixXd::Zero(map.rows(), 3));
+    return map;
+  }
+
+  Eigen::Matrix3d Jacobian(Eigen::Index t, const Eigen::MatrixXd& map) const
+  {
+    Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();
+    for (int k = 0; k < 4; ++k)
+    {
+      jacobian += map.row(this->Solid.Tetrahedra(t, k)).transpose() * this->Hats[t].row(k);
+    }
+    return jacobian;
+  }
+
   /// Also sets Hats and Volumes.
   Eigen::SparseMatrix<double> Assemble()
   {
@@ -260,16 +297,13 @@ private:
   std::deque<Entry> Entries;
 };
 
-} // namespace
-
-Eigen::MatrixXd SlideImages(const SlidingSolid& solid, const Eigen::MatrixXd& images,
-  const Surface& target, const Progress& progress)
+/// Moves images, which lie on the rail, to lower the energy.
+void Descend(const HarmonicDistortion& energy, EnergyFunction function, const Rail& rail,
+  Eigen::MatrixXd& at, const Progress& progress)
 {
-  const HarmonicDistortion energy(solid, progress.Part(0.0, 0.2));
-  const Rail rail(target);
-  Eigen::MatrixXd at = images, normals, gradient;
+  Eigen::MatrixXd normals, gradient;
   rail.Project(at, normals);
-  double value = energy.Evaluate(at, gradient);
+  double value = energy.Evaluate(at, function, gradient);
   gradient = Tangential(gradient, normals);
   StepHistory history;
   for (int step = 0; step < MaximumSteps; ++step)
@@ -294,10 +328,10 @@ Eigen::MatrixXd SlideImages(const SlidingSolid& solid, const Eigen::MatrixXd& im
     double nextValue = value;
     for (; factor > shortest; factor *= 0.5)
     {
-      progress(0.2 + 0.8 * step / MaximumSteps);
+      progress(static_cast<double>(step) / MaximumSteps);
       next = at + factor * direction;
       rail.Project(next, nextNormals);
-      nextValue = energy.Evaluate(next, nextGradient);
+      nextValue = energy.Evaluate(next, function, nextGradient);
       if (nextValue <= value + enough * factor * slope)
       {
         break;
@@ -321,6 +355,24 @@ Eigen::MatrixXd SlideImages(const SlidingSolid& solid, const Eigen::MatrixXd& im
     }
   }
   progress(1.0);
+}
+
+} // namespace
+
+Eigen::MatrixXd SlideImages(const SlidingSolid& solid, const Eigen::MatrixXd& images,
+  const Surface& target, const Progress& progress)
+{
+  const HarmonicDistortion energy(solid, progress.Part(0.0, 0.2));
+  const Rail rail(target);
+  Eigen::MatrixXd at = images, normals;
+  rail.Project(at, normals);
+  const bool isInverted = energy.Inverts(at);
+  const double half = isInverted ? 0.6 : 0.2;
+  if (isInverted)
+  {
+    Descend(energy, Elliptic, rail, at, progress.Part(0.2, half));
+  }
+  Descend(energy, RegularisedDirichlet, rail, at, progress.Part(half, 1.0));
   return at;
 }
 
