@@ -220,8 +220,8 @@ Attempt TryPolycube(
 }
 
 /// Takes the better result, or the only one. Throws SolveFailure if there is none.
-HexRemeshResult TakeBetter(
-  Attempt polycube, Attempt grid, const Surface& surface, const Progress& progress)
+HexRemeshResult TakeBetter(Attempt polycube, Attempt grid, const Surface& surface,
+  double nearCreases, const Progress& progress)
 {
   if (!polycube.Result && !grid.Result)
   {
@@ -234,13 +234,13 @@ HexRemeshResult TakeBetter(
   }
   const double diagonal = ComputeBoxDiagonal(surface);
   HexFit& fit = polycube.Result->Fit;
-  if (grid.Result && !IsBetter(fit, grid.Result->Fit, diagonal))
+  if (grid.Result && !IsBetter(fit, grid.Result->Fit, nearCreases))
   {
     grid.Result->Reason = "better than the polycube, whose minimum scaled Jacobian is " +
       FormatNumber(fit.MinimumScaledJacobian) + ", at a distance from the surface of " +
       FormatNumber(fit.Distance / diagonal) + " of the diagonal" +
       (!fit.CreasesKept ? ", without the creases"
-          : fit.Creases.Distance > AcceptedCreaseDistance * diagonal
+          : fit.Creases.Distance > nearCreases
           ? ", and from its creases of " + FormatNumber(fit.Creases.Distance / diagonal)
           : "");
     return std::move(*grid.Result);
@@ -261,6 +261,10 @@ HexRemeshResult ByTheBetter(
   const Surface& surface, const HexRemeshOptions& options, const Progress& progress)
 {
   const double diagonal = ComputeBoxDiagonal(surface);
+  // Edges of a given size are as near to curved creases as that size allows: that is no reason for
+  // another method.
+  const double nearCreases = options.CellSize > 0.0 ? std::numeric_limits<double>::infinity()
+                                                    : AcceptedCreaseDistance * diagonal;
   Attempt polycube, grid;
   const bool isGridFirst = !SuitsPolycube(surface, options);
   if (isGridFirst)
@@ -278,7 +282,7 @@ HexRemeshResult ByTheBetter(
   // off.
   polycube =
     TryPolycube(surface, options, isGridFirst ? progress.Part(0.8, 0.97) : progress.Part(0.0, 0.8));
-  if (polycube.Result && IsGoodPolycube(polycube.Result->Fit, diagonal))
+  if (polycube.Result && IsGoodPolycube(polycube.Result->Fit, diagonal, nearCreases))
   {
     polycube.Result->Reason = "a polycube was found, with " + polycube.Result->Reason;
     return std::move(*polycube.Result);
@@ -287,7 +291,8 @@ HexRemeshResult ByTheBetter(
   {
     grid = TryGrid(surface, options, progress.Part(0.8, 0.97));
   }
-  return TakeBetter(std::move(polycube), std::move(grid), surface, progress.Part(0.97, 1.0));
+  return TakeBetter(
+    std::move(polycube), std::move(grid), surface, nearCreases, progress.Part(0.97, 1.0));
 }
 
 bool NeedsGrid(const HexRemeshGuides& guides)

@@ -94,11 +94,11 @@ void RequireOneSize(const HexRemeshOptions& options);
  *
  * Automatic first tries a polycube. The result is accepted if it keeps the creases and its minimum
  * scaled Jacobian is at least 0.3. Its distance to the surface must also be at most 1 % of the
- * bounding box's diagonal, and that to the creases 0.1 %. Otherwise the better of polycube and grid
- * is taken. If the surface has no creases, and less than a quarter of its area faces in at most six
- * directions, a polycube has nothing to follow. A grid is then tried first, and accepted if its
- * minimum scaled Jacobian is at least 0.55, at the same distance. With Draft, a grid is taken
- * (HexMeshOptions).
+ * bounding box's diagonal, and that to the creases 0.1 %, unless a cell size is given.
+ * Otherwise the better of polycube and grid is taken. If the surface has no creases, and less than
+ * a quarter of its area faces in at most six directions, a polycube has nothing to follow. A grid
+ * is then tried first, and accepted if its minimum scaled Jacobian is at least 0.55, at the same
+ * distance. With Draft, a grid is taken (HexMeshOptions).
  *
  * `Sizes` prescribes the size of the grid's cells along the surface (BuildSizedHexahedra). If
  * `Sizes` is given, the options must not give a size. Inner surfaces divide the solid into regions

@@ -7,16 +7,6 @@
 
 namespace shape
 {
-namespace
-{
-
-bool HasNearCreases(const HexFit& fit, double diagonal)
-{
-  return fit.Creases.Distance <= AcceptedCreaseDistance * diagonal;
-}
-
-} // namespace
-
 bool IsGoodGrid(const HexFit& fit, double diagonal)
 {
   constexpr double minimum = 0.55;
@@ -24,13 +14,13 @@ bool IsGoodGrid(const HexFit& fit, double diagonal)
     fit.Distance <= AcceptedDistance * diagonal;
 }
 
-bool IsGoodPolycube(const HexFit& fit, double diagonal)
+bool IsGoodPolycube(const HexFit& fit, double diagonal, double nearCreases)
 {
   return fit.CreasesKept && fit.MinimumScaledJacobian >= AcceptedScaledJacobian &&
-    fit.Distance <= AcceptedDistance * diagonal && HasNearCreases(fit, diagonal);
+    fit.Distance <= AcceptedDistance * diagonal && fit.Creases.Distance <= nearCreases;
 }
 
-bool IsBetter(const HexFit& one, const HexFit& other, double diagonal)
+bool IsBetter(const HexFit& one, const HexFit& other, double nearCreases)
 {
   if ((one.Inverted > 0) != (other.Inverted > 0))
   {
@@ -45,8 +35,8 @@ bool IsBetter(const HexFit& one, const HexFit& other, double diagonal)
   {
     return own > others;
   }
-  const bool isNear = HasNearCreases(one, diagonal);
-  if (isNear != HasNearCreases(other, diagonal) &&
+  const bool isNear = one.Creases.Distance <= nearCreases;
+  if (isNear != (other.Creases.Distance <= nearCreases) &&
     (isNear ? one : other).MinimumScaledJacobian >= AcceptedScaledJacobian)
   {
     return isNear;

@@ -15,12 +15,12 @@ inline constexpr double AcceptedScaledJacobian = 0.3, AcceptedDistance = 0.01,
 /// the surface's box.
 bool IsGoodGrid(const HexFit& fit, double diagonal);
 
-/// Whether hexahedra of a polycube are accepted without a grid.
-bool IsGoodPolycube(const HexFit& fit, double diagonal);
+/// Whether hexahedra of a polycube are accepted without a grid. nearCreases: creases up to this
+/// distance are near; infinite if the distance does not count.
+bool IsGoodPolycube(const HexFit& fit, double diagonal, double nearCreases);
 
 /// Valid hexahedra are better than others, then those with more creases, then those whose creases
-/// alone are near, if their scaled Jacobians are accepted, then those that are closer. diagonal: of
-/// the surface's box.
-bool IsBetter(const HexFit& one, const HexFit& other, double diagonal);
+/// alone are near, if their scaled Jacobians are accepted, then those that are closer.
+bool IsBetter(const HexFit& one, const HexFit& other, double nearCreases);
 
 } // namespace shape
