@@ -64,9 +64,8 @@ struct CutFeatureResult
  * curve crosses gaps between them that are not wider than the mean edge (FindGapBridges). The loops
  * then have sides across gaps, which are edges of the fill, but of neither part.
  *
- * A point at which two parts of the result touch without a common edge is
- * duplicated. A cutter stores what depends on the surface alone. It must not be used by several
- * threads at once.
+ * A point at which two parts of the result touch without a common edge is duplicated. A cutter
+ * stores what depends on the surface alone. It must not be used by several threads at once.
  */
 class FeatureCutter
 {
