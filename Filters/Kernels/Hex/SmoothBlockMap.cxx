@@ -337,17 +337,22 @@ SmoothBlockMap SmoothMapOfBlocks(const std::vector<GridBlock>& blocks, const Eig
     const Eigen::VectorXd distances =
       (fitted - positions)(splines.Points, Eigen::all).rowwise().norm();
     const int inverted = CountInvertedCells(cells, positions);
-    // Splines fitted again to the points on the surface can be nearer, because all points of the
-    // boundary then have the same weight.
-    for (const MatrixXd& onSplines : { fitted, EvaluateAtNodes(blocks, positions, options) })
+    const auto takeIfNearer = [&](const MatrixXd& onSplines)
     {
       const double largest = (onSplines - positions).rowwise().norm().maxCoeff();
-      if (inverted <= invertedBefore && largest < smallest)
+      if (largest < smallest)
       {
         smallest = largest;
         best = { positions, onSplines, (positions - targets).rowwise().norm().maxCoeff(),
           inverted };
       }
+    };
+    if (inverted <= invertedBefore)
+    {
+      takeIfNearer(fitted);
+      // Splines fitted again to the points on the surface can be nearer, because all points of the
+      // boundary then have the same weight.
+      takeIfNearer(EvaluateAtNodes(blocks, positions, options));
     }
     if (round + 1 >= unweighted && distances.maxCoeff() > 0.0)
     {

@@ -10,7 +10,7 @@
  * - Loop (optional): closed curves on the surface or near it. Their points are projected to the
  *   surface and joined by locally shortest paths. If they are on parts that are not connected, the
  *   paths cross gaps that are not wider than the mean edge. Lines connected end to end, in any
- * order, are one curve.
+ *   order, are one curve.
  * - Selection (optional): selected cells, selected points, or the output of Extract Selection (with
  *   vtkOriginalCellIds). Selected points stand for the cells whose points are all selected. Loop,
  *   Selection or LoopPoints is required. LoopPoints are the positions (x, y, z) of a closed curve.

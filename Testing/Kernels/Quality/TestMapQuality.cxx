@@ -116,10 +116,10 @@ void ExpectMeasures(
 {
   for (Eigen::Index cell = 0; cell < result.Measures.rows(); ++cell)
   {
-    EXPECT_LT(((result.Measures.row(cell) - expected).array() / expected.array().abs().max(1.0))
-                .abs()
-                .maxCoeff(),
-      1e-12 * scale)
+    const Eigen::ArrayXd apart = (result.Measures.row(cell) - expected).cwiseAbs().transpose();
+    EXPECT_LT(apart.head(5).maxCoeff(), 1e-12 * scale) << result.Measures.row(cell);
+    // AMIPS grows exponentially.
+    EXPECT_LT((apart / expected.transpose().array().abs().max(1.0)).maxCoeff(), 1e-12 * scale)
       << result.Measures.row(cell) << "\nexpected\n"
       << expected;
   }

@@ -1,5 +1,7 @@
 #include "Harmonic/Private/SolidSamples.h"
 
+#include "Geometry/HaltonSequence.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -8,22 +10,6 @@
 
 namespace shape
 {
-namespace
-{
-
-/// The i-th element of the sequence of van der Corput: the digits of i, mirrored behind the point.
-double MirrorDigits(int i, int base)
-{
-  double fraction = 1.0, value = 0.0;
-  for (; i > 0; i /= base)
-  {
-    fraction /= base;
-    value += fraction * (i % base);
-  }
-  return value;
-}
-
-} // namespace
 
 Eigen::MatrixXd SampleTetrahedra(
   const Eigen::MatrixXd& points, const Eigen::MatrixXi& tetrahedra, int count)
@@ -50,8 +36,8 @@ Eigen::MatrixXd SampleTetrahedra(
       until += volumes(++t);
     }
     // The gaps between sorted numbers in [0, 1] are barycentric coordinates, evenly distributed.
-    std::array<double, 5> cuts = { 0.0, MirrorDigits(i + 1, 2), MirrorDigits(i + 1, 3),
-      MirrorDigits(i + 1, 5), 1.0 };
+    std::array<double, 5> cuts = { 0.0, GetHaltonNumber(i + 1, 2), GetHaltonNumber(i + 1, 3),
+      GetHaltonNumber(i + 1, 5), 1.0 };
     std::sort(cuts.begin(), cuts.end());
     positions.row(i).setZero();
     for (int k = 0; k < 4; ++k)

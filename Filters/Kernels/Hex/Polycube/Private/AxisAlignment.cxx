@@ -2,6 +2,7 @@
 
 #include "Base/Parallel.h"
 #include "Geometry/FitRotation.h"
+#include "Geometry/HaltonSequence.h"
 #include "Geometry/RotationVector.h"
 #include "Linear/SparseSolve.h"
 #include "Untangle/EllipticEnergy.h"
@@ -194,20 +195,10 @@ Eigen::Matrix3d FindAxisRotation(const Mesh& surface)
   double minimum = before;
   // Rotations are sampled uniformly (a Halton sequence through Shoemake's uniform quaternions),
   // then in ever smaller neighbourhoods of the best.
-  const auto halton = [](int i, int base)
-  {
-    double fraction = 1.0, value = 0.0;
-    for (; i > 0; i /= base)
-    {
-      fraction /= base;
-      value += fraction * (i % base);
-    }
-    return value;
-  };
   for (int trial = 1; trial <= RotationTrials; ++trial)
   {
-    const double u = halton(trial, 2), v = 2.0 * M_PI * halton(trial, 3),
-                 w = 2.0 * M_PI * halton(trial, 5);
+    const double u = GetHaltonNumber(trial, 2), v = 2.0 * M_PI * GetHaltonNumber(trial, 3),
+                 w = 2.0 * M_PI * GetHaltonNumber(trial, 5);
     const Eigen::Quaterniond q(std::sqrt(1.0 - u) * std::sin(v), std::sqrt(1.0 - u) * std::cos(v),
       std::sqrt(u) * std::sin(w), std::sqrt(u) * std::cos(w));
     const Eigen::Matrix3d rotation = q.toRotationMatrix();
