@@ -1,6 +1,7 @@
 #include "CutPaste/GapBridges.h"
 
 #include "Base/Errors.h"
+#include "Geometry/SegmentProjection.h"
 #include "Mesh/HalfEdges.h"
 #include "Mesh/Topology.h"
 
@@ -31,10 +32,8 @@ struct Border
   RowVector3d Direction() const { return this->To - this->From; }
   double DistanceOf(const RowVector3d& position) const
   {
-    const RowVector3d along = this->Direction();
-    const double share =
-      std::clamp((position - this->From).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    return (position - this->From - share * along).norm();
+    const double share = ProjectOntoSegment(position, this->From, this->To);
+    return (position - this->From - share * this->Direction()).norm();
   }
   bool IsOutside(const RowVector3d& position) const
   {

@@ -1,6 +1,7 @@
 #include "CutPaste/SampledLoop.h"
 
 #include "Base/Errors.h"
+#include "Geometry/SegmentProjection.h"
 #include "Search/PointTree.h"
 
 #include <Eigen/Geometry>
@@ -36,7 +37,7 @@ Graph LinkSamples(const Mesh& surface)
 
 double DistanceFromLine(const RowVector2d& point, const RowVector2d& end)
 {
-  const double share = std::clamp(point.dot(end) / end.squaredNorm(), 0.0, 1.0);
+  const double share = ProjectOntoSegment(point, RowVector2d::Zero(), end);
   return (point - share * end).norm();
 }
 

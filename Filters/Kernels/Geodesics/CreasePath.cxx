@@ -1,6 +1,7 @@
 #include "Geodesics/CreasePath.h"
 
 #include "Base/Errors.h"
+#include "Geometry/SegmentProjection.h"
 #include "Mesh/HalfEdges.h"
 
 #include <Eigen/Geometry>
@@ -371,9 +372,7 @@ SurfacePoint CreasePaths::MoveToCrease(const SurfacePoint& point, double reach) 
     {
       const int side = 3 * triangle + k, twin = this->Paths.Twins()[side];
       const RowVector3d begin = corners.row(k), edge = corners.row((k + 1) % 3) - begin;
-      const double squared = edge.squaredNorm();
-      const double share =
-        squared > 0.0 ? std::clamp((position - begin).dot(edge) / squared, 0.0, 1.0) : 0.0;
+      const double share = ProjectOntoSegment(position, begin, begin + edge);
       const RowVector3d on = begin + share * edge;
       const double distance = (on - position).norm();
       if (twin < 0 || !(distance < reach))

@@ -1,9 +1,8 @@
 #include "Hex/Features/FeatureConstraint.h"
 
-#include <Eigen/Geometry>
+#include "Geometry/SegmentProjection.h"
 
-#include <algorithm>
-#include <limits>
+#include <Eigen/Geometry>
 
 namespace shape
 {
@@ -23,10 +22,8 @@ PolylinePosition NearestOn(const Eigen::MatrixXd& line, const Eigen::RowVector3d
   double minimum = (line.row(0) - position).squaredNorm();
   for (Eigen::Index i = 0; i + 1 < line.rows(); ++i)
   {
-    const Eigen::RowVector3d along = line.row(i + 1) - line.row(i);
-    const double length = std::max(along.squaredNorm(), std::numeric_limits<double>::min());
-    const double share = std::clamp((position - line.row(i)).dot(along) / length, 0.0, 1.0);
-    const Eigen::RowVector3d candidate = line.row(i) + share * along;
+    const double share = ProjectOntoSegment(position, line.row(i), line.row(i + 1));
+    const Eigen::RowVector3d candidate = line.row(i) + share * (line.row(i + 1) - line.row(i));
     if (const double distance = (candidate - position).squaredNorm(); distance < minimum)
     {
       minimum = distance;

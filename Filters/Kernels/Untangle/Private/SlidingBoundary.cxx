@@ -1,6 +1,7 @@
 #include "Untangle/Private/SlidingBoundary.h"
 
 #include "Geometry/FeatureAngle.h"
+#include "Geometry/SegmentProjection.h"
 
 #include <Eigen/Geometry>
 
@@ -129,10 +130,8 @@ std::pair<Eigen::RowVector3d, Eigen::RowVector3d> SlidingBoundary::OnCrease(
   for (const auto& [a, b] : this->Creases[this->CreaseOf[point]])
   {
     const Eigen::RowVector3d edge = points.row(b) - points.row(a);
-    const double squared = edge.squaredNorm();
-    const double t =
-      squared > 0.0 ? std::clamp((position - points.row(a)).dot(edge) / squared, 0.0, 1.0) : 0.0;
-    const Eigen::RowVector3d nearest = points.row(a) + t * edge;
+    const Eigen::RowVector3d nearest =
+      points.row(a) + ProjectOntoSegment(position, points.row(a), points.row(b)) * edge;
     if ((nearest - position).squaredNorm() < minimum)
     {
       minimum = (nearest - position).squaredNorm();

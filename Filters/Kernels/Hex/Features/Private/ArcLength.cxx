@@ -1,9 +1,10 @@
 #include "Hex/Features/Private/ArcLength.h"
 
+#include "Geometry/SegmentProjection.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 namespace shape
@@ -83,14 +84,13 @@ std::vector<double> ArcLength::BendsBetween(double begin, double end) const
 
 double ArcLength::Deviation(double begin, double end) const
 {
-  const Eigen::RowVector3d low = this->At(begin), chord = this->At(end) - low;
-  const double squared = std::max(chord.squaredNorm(), std::numeric_limits<double>::min());
+  const Eigen::RowVector3d low = this->At(begin), high = this->At(end);
   double maximum = 0.0;
   for (const double point : this->Between(this->Lengths, begin, end))
   {
-    const Eigen::RowVector3d off = this->At(point) - low;
-    const double share = std::clamp(off.dot(chord) / squared, 0.0, 1.0);
-    maximum = std::max(maximum, (off - share * chord).norm());
+    const Eigen::RowVector3d on = this->At(point);
+    const double share = ProjectOntoSegment(on, low, high);
+    maximum = std::max(maximum, (on - low - share * (high - low)).norm());
   }
   return maximum;
 }
