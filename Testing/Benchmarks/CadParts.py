@@ -9,7 +9,7 @@ Of each part: it ends within the limit, no hexahedron is inverted, and the bound
 number and number of components. Of all of them: see FIGURES. Each part whose creases are not kept, or far,
 is named, with its lost creases and where the longest is. The program gmsh is Debian's. --cells: coarse cells
 for short runs, of a size that gives about so many before layers; 0: the filter's own size. --peers: also the
-rows of HexPeers.py, for which pvpython has to run this script (Utilities/pvpython.sh).
+rows of HexPeers.py of each part that ends, for which pvpython has to run this script (Utilities/pvpython.sh).
 
 Columns: triangles and genus of the part; hexahedra, least and mean scaled Jacobian, and the largest that
 the least could be at the convex corners (bound); the larger one-sided Hausdorff distance between surface and
@@ -69,7 +69,7 @@ def measure(options, names, folder, claims):
         wrong = found.error or fault(row)
         table.print(row or {'part': name}, wrong and 'FAULT ' + wrong or row['reason'])
         claims.check(name, 'hexahedra', wrong or 'valid', not wrong, 'valid, with the topology')
-        if options.peers:
+        if options.peers and row:
             compare_peers(path, name, folder, claims)
     return rows
 
