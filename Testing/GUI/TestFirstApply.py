@@ -14,6 +14,7 @@ w.python('''
 # Hexahedra have edges and a fixed range of colours, in which bad is red.
 w.open('DentedSphere600.vtp')
 w.filter('Shape Hex Remesh')
+w.choose(window.PROPERTIES + 'Method/ComboBox', 'Grid')
 w.event(window.PROPERTIES + 'CellSize/DoubleLineEdit0', 'set_string', '0.3')
 w.apply()
 w.python('''
@@ -110,7 +111,7 @@ w.python('''
 
 # A script in the window's shell decides by itself.
 w.python('''
-    hexahedra = ShapeHexRemesh(Surface=FindSource('DentedSphere600.vtp'), CellSize=0.35)
+    hexahedra = ShapeHexRemesh(Surface=FindSource('DentedSphere600.vtp'), Method='Grid', CellSize=0.35)
     display = Show(hexahedra)
     display.ColorArrayName = ['POINTS', '']
     hexahedra.CellSize = 0.4
