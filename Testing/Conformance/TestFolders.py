@@ -10,7 +10,7 @@ import sys
 
 ORDER = [
     'Base', 'Linear', 'Mesh', 'Search', 'Geometry', 'Labels', 'Solids', 'Distance', 'Planar', 'Quality',
-    'Laplacian', 'Geodesics', 'Spectrum', 'Remesh', 'Skeleton', 'Parameterize', 'ExponentialMap', 'Transfer', 'Materials',
+    'Laplacian', 'Distortion', 'Geodesics', 'Spectrum', 'Remesh', 'Skeleton', 'Parameterize', 'ExponentialMap', 'Transfer', 'Materials',
     'Correspondence/Pair', 'Correspondence/Landmarks', 'Correspondence/Functional',
     'Correspondence/Transport', 'Correspondence/Conformal', 'Correspondence/Reversible',
     'Correspondence/Evaluate', 'Correspondence',

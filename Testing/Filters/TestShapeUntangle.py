@@ -74,6 +74,24 @@ at_rest = moved(mended, array(mended, 'SourcePosition'))
 assert numpy.allclose(numpy.bincount(cells(mended, 'OriginalCellId'), volumes(at_rest)),
                       volumes(rest), rtol=1e-9), 'the parts do not fill their cells'
 
+# Refined, all cells are nearer to their rest shapes. The measure is that of Shape Map Quality of the map from there.
+refined_filter = simple.ShapeUntangle(Input=tangled, RestShape=tetrahedra, Refine='SymmetricDirichlet')
+refined_filter.UpdatePipeline()
+refined = shapetesting.output(refined_filter)
+assert fact(refined, 'Untangle.InvertedAfter') == 0 and volumes(refined).min() > 0.0
+assert (points(refined)[:count][on_boundary] == targets[on_boundary]).all(), 'the boundary moved'
+before, after = (fact(refined, 'Untangle.Measure' + when) for when in ('Before', 'After'))
+assert 6.0 < after < 0.9 * before, (before, after)
+at_rest = moved(refined, array(refined, 'SourcePosition'))
+shapetesting.add_array(at_rest, points(refined), 'Image')
+quality = shapemap.vtkShapeMapQuality()
+quality.SetInputDataObject(at_rest)
+quality.SetMapArray('Image')
+assert not shapetesting.run(quality)
+sizes, energies = volumes(at_rest), cells(quality.GetOutputDataObject(0), 'SymmetricDirichlet')
+assert abs(numpy.average(energies, weights=sizes) / after - 1.0) < 1e-9, after
+assert fact(mended, 'Untangle.MeasureAfter') == 0.0
+
 # Hexahedra: inner points of a ball thrown about. With the rest shape and without.
 ball = read('BallSmall.vtu')
 shapetesting.add_array(ball, numpy.arange(ball.GetNumberOfPoints()), 'Number')
@@ -135,5 +153,6 @@ assert (abs(points(result)[flat, 2]) < 1e-12).all(), 'it left its face'
 surface_grid = read('DentedSphere600.vtp')
 assert 'the Input has a vtkTriangle (cell 0), but only' in untangled(surface_grid)[1]
 assert 'the RestShape does not have the cells of the Input' in untangled(ball, image)[1]
+assert 'RefineExponent is 0' in untangled(ball, RefineExponent=0.0)[1]
 assert 'MaximumIterations is 0' in untangled(ball, MaximumIterations=0)[1]
 print('solids are untangled, split where there is no room, and what must fold is told')

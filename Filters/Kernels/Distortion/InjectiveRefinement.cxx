@@ -1,10 +1,9 @@
-#include "Parameterize/InjectiveRefinement.h"
+#include "Distortion/InjectiveRefinement.h"
 
 #include "Base/Errors.h"
 #include "Base/Parallel.h"
 #include "Geometry/Orientation.h"
-#include "Linear/SparseSolve.h"
-#include "Parameterize/Private/PlanarElements.h"
+#include "Linear/NewtonSystem.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,24 +14,34 @@ namespace shape
 namespace
 {
 
-constexpr int Grain = 1024; // triangles
+constexpr int TermsGrain = 1024; // simplices
 
-/// The contribution of each triangle to the gradient and to the quadratic form of its measure.
+/// The directions in which a point may move, one per column.
+template <int D>
+using Directions = Eigen::Matrix<double, D, Eigen::Dynamic, 0, D, D>;
+
+template <int D>
+using DirectionsBlock = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, D, D>;
+
+/// The contribution of each simplex to the gradient and to the quadratic form of its measure.
+template <int D>
 struct LocalTerms
 {
-  std::vector<Eigen::Matrix<double, 3, 2>> Gradients; ///< one row for each corner
-  std::vector<Eigen::Matrix2d> Forms;                 ///< area U diag(weights) U'
+  std::vector<Eigen::Matrix<double, D + 1, D>> Gradients; ///< one row for each corner
+  std::vector<Eigen::Matrix<double, D, D>> Forms;         ///< size U diag(weights) U'
 };
 
-LocalTerms TermsAt(const Eigen::MatrixXd& points, const PlanarElements& elements,
-  Distortion distortion, double exponent, const Progress& progress)
+template <int D>
+LocalTerms<D> TermsAt(const Eigen::MatrixXd& points, const SimplexElements<D>& elements,
+  const InjectiveRefinementOptions& options, const Progress& progress)
 {
-  const auto count = static_cast<int>(elements.Areas().size());
-  LocalTerms terms;
+  using Square = Eigen::Matrix<double, D, D>;
+  const auto count = static_cast<int>(elements.Count());
+  LocalTerms<D> terms;
   terms.Gradients.resize(count);
   terms.Forms.resize(count);
   ParallelFor(
-    count, Grain,
+    count, TermsGrain,
     [&](int begin, int end)
     {
       for (int t = begin; t < end; ++t)
@@ -40,212 +49,165 @@ LocalTerms TermsAt(const Eigen::MatrixXd& points, const PlanarElements& elements
         // J = U diag(s) V'. The measure depends on s alone, so its derivative by J is U
         // diag(gradient) V'. The weights belong to the quadratic form of Rabinovich et al. 2017,
         // section 3.2, which has the same gradient.
-        const PlanarDecomposition parts = DecomposePlanar(elements.Jacobian(t, points));
-        const DistortionTerms measure = EvaluateDistortion(distortion, exponent, parts.Singular);
-        const double area = elements.Areas()(t);
-        const Eigen::Matrix2d byJacobian =
-          parts.U * (area * measure.Gradient).asDiagonal() * parts.V.transpose();
-        terms.Gradients[t] = elements.Gradients(t) * byJacobian.transpose();
-        terms.Forms[t] = parts.U * (area * measure.Weights).asDiagonal() * parts.U.transpose();
+        const PositiveDecomposition<D> parts = DecomposePositive(elements.Jacobian(t, points));
+        const DistortionTerms<D> measure =
+          EvaluateDistortion(options.Measure, options.Exponent, parts.Singular);
+        const double size = elements.Sizes()(t);
+        const Square byJacobian =
+          parts.U * (size * measure.Gradient).asDiagonal() * parts.V.transpose();
+        terms.Gradients[t] = elements.HatGradients(t) * byJacobian.transpose();
+        terms.Forms[t] = parts.U * (size * measure.Weights).asDiagonal() * parts.U.transpose();
       }
     },
     progress);
   return terms;
 }
 
-/// The sum of the triangles' quadratic forms: matrices of one pattern, factorised repeatedly.
-class ProxySystem
+/// Descends without inverting a simplex.
+template <int D>
+class Descent
 {
 public:
-  ProxySystem(const PlanarElements& elements, Eigen::Index points, const std::vector<int>& fixed,
-    const Progress& progress)
+  Descent(const SimplexElements<D>& elements, const PointMotion<D>& motion)
     : Elements(elements)
-    , Rows(points, 0)
+    , Motion(motion)
+    , System(FindWidths(elements, motion), FindBlocks(elements, motion), D + 1)
   {
-    for (const int point : fixed)
-    {
-      this->Rows[point] = -1;
-    }
-    if (fixed.empty())
-    {
-      this->Rows[0] = -1; // The forms are invariant under translation, so one point is fixed.
-    }
-    for (int& row : this->Rows)
-    {
-      row = row < 0 ? row : this->Count++;
-    }
-    this->MakePattern(progress);
   }
 
-  int Unknowns() const { return this->Count; }
-
-  /// Returns the gradient of the sum of measures (unknowns x and y alternate).
-  Eigen::VectorXd Gradient(const LocalTerms& terms) const
-  {
-    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(2 * this->Count);
-    for (Eigen::Index t = 0; t < this->Elements.Triangles().rows(); ++t)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        const int row = this->Rows[this->Elements.Triangles()(t, k)];
-        if (row >= 0)
-        {
-          gradient.segment<2>(2 * row) += terms.Gradients[t].row(k).transpose();
-        }
-      }
-    }
-    return gradient;
-  }
-
-  /// Returns the step to the minimum of the sum of the forms.
-  Eigen::VectorXd Direction(
-    const LocalTerms& terms, const Eigen::VectorXd& gradient, const Progress& progress)
-  {
-    this->Assemble(terms);
-    this->Solver.Factorize(this->Matrix, progress);
-    // The second derivative of the forms is twice their matrix.
-    return this->Solver.Solve(-0.5 * gradient);
-  }
-
-  /// Converts the unknowns to steps of all points (n x 2).
-  Eigen::MatrixXd Spread(const Eigen::VectorXd& unknowns) const
-  {
-    Eigen::MatrixXd steps = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(this->Rows.size()), 2);
-    for (std::size_t i = 0; i < this->Rows.size(); ++i)
-    {
-      if (this->Rows[i] >= 0)
-      {
-        steps.row(static_cast<Eigen::Index>(i)) =
-          unknowns.segment<2>(2 * this->Rows[i]).transpose();
-      }
-    }
-    return steps;
-  }
+  /// Descends from `start`; StartEnergy is left to the caller.
+  InjectiveRefinementResult From(const Eigen::MatrixXd& start,
+    const InjectiveRefinementOptions& options, const Progress& progress);
 
 private:
-  /// Calls visit(triangle, k, l, row, column) for every pair of free corners of each triangle.
-  template <typename Visit>
-  void ForEachBlock(const Visit& visit) const
+  using Row = Eigen::Matrix<double, 1, D>;
+
+  static std::vector<int> FindWidths(
+    const SimplexElements<D>& elements, const PointMotion<D>& motion)
   {
-    const Eigen::MatrixXi& triangles = this->Elements.Triangles();
-    for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+    std::vector<int> widths(motion.Freedom.size(), 0);
+    for (const int point : elements.Simplices().reshaped())
     {
-      for (int k = 0; k < 3; ++k)
+      widths[point] = motion.Freedom[point];
+    }
+    return widths;
+  }
+
+  static std::vector<int> FindBlocks(
+    const SimplexElements<D>& elements, const PointMotion<D>& motion)
+  {
+    std::vector<int> blocks;
+    blocks.reserve(elements.Simplices().size());
+    for (Eigen::Index t = 0; t < elements.Count(); ++t)
+    {
+      for (const int point : elements.Simplices().row(t))
       {
-        for (int l = 0; l < 3; ++l)
+        blocks.push_back(motion.Freedom[point] > 0 ? point : -1);
+      }
+    }
+    return blocks;
+  }
+
+  Directions<D> DirectionsOf(int point, const Eigen::MatrixXd& points) const
+  {
+    if (this->Motion.Freedom[point] == D)
+    {
+      return Eigen::Matrix<double, D, D>::Identity();
+    }
+    return this->Motion.Directions(point, points.row(point));
+  }
+
+  /// Returns the steps of all points (n x D) to the minimum of the quadratic forms. slope: the rate
+  /// at which the energy falls along them.
+  Eigen::MatrixXd FindSteps(const LocalTerms<D>& terms, const Eigen::MatrixXd& points,
+    double& slope, const Progress& progress);
+
+  /// Halves the step until the energy decreases by a share of the gradient's prediction. Returns
+  /// false and leaves the points unchanged if it never does.
+  bool Search(Eigen::MatrixXd& points, double& energy, const Eigen::MatrixXd& steps, double slope,
+    const InjectiveRefinementOptions& options) const;
+
+  const SimplexElements<D>& Elements;
+  const PointMotion<D>& Motion;
+  NewtonSystem System;
+};
+
+template <int D>
+Eigen::MatrixXd Descent<D>::FindSteps(const LocalTerms<D>& terms, const Eigen::MatrixXd& points,
+  double& slope, const Progress& progress)
+{
+  const auto count = static_cast<int>(points.rows());
+  std::vector<Directions<D>> directions(count);
+  for (int point = 0; point < count; ++point)
+  {
+    if (this->System.Width(point) > 0)
+    {
+      directions[point] = this->DirectionsOf(point, points);
+    }
+  }
+  this->System.Clear();
+  for (int t = 0; t < this->Elements.Count(); ++t)
+  {
+    const auto corners = this->Elements.Simplices().row(t);
+    const typename SimplexElements<D>::Gradient gradients = this->Elements.HatGradients(t);
+    for (int l = 0; l <= D; ++l)
+    {
+      if (this->System.Width(corners(l)) == 0)
+      {
+        continue;
+      }
+      this->System.AddGradient(
+        t, l, directions[corners(l)].transpose() * terms.Gradients[t].row(l).transpose());
+      for (int k = 0; k <= D; ++k)
+      {
+        if (this->System.Width(corners(k)) > 0)
         {
-          const int row = this->Rows[triangles(t, k)], column = this->Rows[triangles(t, l)];
-          if (row >= 0 && column >= 0)
-          {
-            visit(t, k, l, row, column);
-          }
+          // The second derivative of a form is twice its matrix.
+          const double product = 2.0 * gradients.row(k).dot(gradients.row(l));
+          const DirectionsBlock<D> block =
+            product * directions[corners(k)].transpose() * terms.Forms[t] * directions[corners(l)];
+          this->System.AddCurvature(t, k, l, block);
         }
       }
     }
   }
-
-  /// Finds the index of the first entry of each block in the matrix's values.
-  void MakePattern(const Progress& progress)
+  // Weights of different simplices may differ so much that the smallest are lost in rounding.
+  const NewtonSystem::Step step = this->System.Solve({ 1e-12, 1e3 }, progress);
+  slope = step.Slope;
+  Eigen::MatrixXd steps = Eigen::MatrixXd::Zero(count, D);
+  for (int point = 0; point < count; ++point)
   {
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(36 * this->Elements.Triangles().rows());
-    this->ForEachBlock(
-      [&](Eigen::Index, int, int, int row, int column)
-      {
-        for (int b = 0; b < 2; ++b)
-        {
-          entries.emplace_back(2 * row, 2 * column + b, 1.0);
-          entries.emplace_back(2 * row + 1, 2 * column + b, 1.0);
-        }
-      });
-    progress(0.0);
-    this->Matrix.resize(2 * this->Count, 2 * this->Count);
-    this->Matrix.setFromTriplets(entries.begin(), entries.end());
-    progress(0.0);
-    const int* inner = this->Matrix.innerIndexPtr();
-    const int* outer = this->Matrix.outerIndexPtr();
-    this->ForEachBlock(
-      [&](Eigen::Index, int, int, int row, int column)
-      {
-        const int* end = inner + outer[2 * column + 1];
-        const int* position = std::lower_bound(inner + outer[2 * column], end, 2 * row);
-        this->Positions.push_back(static_cast<int>(position - inner));
-      });
-  }
-
-  void Assemble(const LocalTerms& terms)
-  {
-    double* values = this->Matrix.valuePtr();
-    const int* outer = this->Matrix.outerIndexPtr();
-    std::fill_n(values, this->Matrix.nonZeros(), 0.0);
-    std::size_t next = 0;
-    this->ForEachBlock(
-      [&](Eigen::Index t, int k, int l, int, int column)
-      {
-        const Eigen::Matrix<double, 3, 2> gradients = this->Elements.Gradients(t);
-        const double product = gradients.row(k).dot(gradients.row(l));
-        const int first = this->Positions[next++];
-        // Both columns of a block have the same rows.
-        const int second = first + outer[2 * column + 1] - outer[2 * column];
-        const Eigen::Matrix2d block = product * terms.Forms[t];
-        values[first] += block(0, 0);
-        values[first + 1] += block(1, 0);
-        values[second] += block(0, 1);
-        values[second + 1] += block(1, 1);
-      });
-    // Weights of different triangles may differ so much that the smallest are lost in rounding.
-    constexpr double raise = 1e-12;
-    for (int i = 0; i < 2 * this->Count; ++i)
+    if (this->System.Width(point) > 0)
     {
-      this->Matrix.coeffRef(i, i) *= 1.0 + raise;
+      steps.row(point) = (directions[point] * step.Of(this->System, point)).transpose();
     }
   }
-
-  const PlanarElements& Elements;
-  std::vector<int> Rows; ///< first of the two unknowns of each point, or -1
-  int Count = 0;
-  Eigen::SparseMatrix<double> Matrix;
-  std::vector<int> Positions; ///< index of each block's first value, in the order of ForEachBlock
-  SparseCholesky Solver;
-};
-
-void RequireStart(
-  const Mesh& surface, const Eigen::MatrixXd& start, const InjectiveRefinementOptions& options)
-{
-  RequireOption(options.Exponent > 0.0, "Exponent", options.Exponent, "positive");
-  RequireOption(options.Scale > 0.0, "Scale", options.Scale, "positive");
-  RequireOption(
-    options.MaximumIterations >= 0, "MaximumIterations", options.MaximumIterations, "at least 0");
-  RequireOption(options.Tolerance >= 0.0 && options.Tolerance < 1.0, "Tolerance", options.Tolerance,
-    "in [0, 1)");
-  for (Eigen::Index t = 0; t < surface.Triangles.rows(); ++t)
-  {
-    const Eigen::RowVector3i corners = surface.Triangles.row(t);
-    if (EvaluateOrientation(start.row(corners(0)), start.row(corners(1)), start.row(corners(2))) <=
-      0)
-    {
-      throw InvalidInput("triangle " + std::to_string(t) +
-        " of the start is not counter-clockwise; start from a convex combination map");
-    }
-  }
+  return steps;
 }
 
-/// Halves the step until the energy decreases by a share of the gradient's prediction. Returns
-/// false and leaves the points unchanged if it never does.
-bool Search(Eigen::MatrixXd& points, double& energy, const Eigen::MatrixXd& steps, double slope,
-  const PlanarElements& elements, const InjectiveRefinementOptions& options)
+template <int D>
+bool Descent<D>::Search(Eigen::MatrixXd& points, double& energy, const Eigen::MatrixXd& steps,
+  double slope, const InjectiveRefinementOptions& options) const
 {
   // Armijo's rule with the usual small share.
   constexpr double share = 1e-4;
   // At most 0.8 of the way to the first flip, where the measure is infinite.
-  double step = std::min(1.0, 0.8 * elements.LargestStep(points, steps));
+  double step = std::min(1.0, 0.8 * this->Elements.LargestStep(points, steps));
   for (int halving = 0; halving < 50; ++halving, step *= 0.5)
   {
-    const Eigen::MatrixXd trial = points + step * steps;
-    const double value = elements.Energy(trial, options.Measure, options.Exponent);
-    if (value <= energy + share * step * slope)
+    Eigen::MatrixXd trial = points + step * steps;
+    for (int point = 0; point < trial.rows(); ++point)
     {
-      points = trial;
+      const int width = this->System.Width(point);
+      if (width > 0 && width < D)
+      {
+        trial.row(point) = this->Motion.Nearest(point, trial.row(point));
+      }
+    }
+    const double value = this->Elements.Energy(trial, options.Measure, options.Exponent);
+    if (value <= energy - share * step * slope)
+    {
+      points = std::move(trial);
       energy = value;
       return true;
     }
@@ -253,23 +215,24 @@ bool Search(Eigen::MatrixXd& points, double& energy, const Eigen::MatrixXd& step
   return false;
 }
 
-/// Descends from `points`, which it overwrites; StartEnergy is left to the caller.
-InjectiveRefinementResult Descend(const PlanarElements& elements, ProxySystem& system,
+template <int D>
+InjectiveRefinementResult Descent<D>::From(
   const Eigen::MatrixXd& start, const InjectiveRefinementOptions& options, const Progress& progress)
 {
   // Each iteration (Rabinovich et al. 2017): the local step computes gradients and weights of all
-  // triangles, the global step solves one linear system for the direction, and a line search bounds
-  // the step so that no triangle flips.
+  // simplices, the global step solves one linear system for the direction, and a line search bounds
+  // the step so that no simplex is inverted.
   InjectiveRefinementResult result;
   result.Points = start;
-  result.StartEnergy = result.Energy = elements.Energy(start, options.Measure, options.Exponent);
+  result.StartEnergy = result.Energy =
+    this->Elements.Energy(start, options.Measure, options.Exponent);
   if (!std::isfinite(result.Energy))
   {
     throw SolveFailure("the measure exceeds double precision at the start; choose a smaller "
                        "exponent, or a measure that is no exponential");
   }
-  const double area = elements.Areas().sum();
-  // One small gain may be due to a step limited by a single triangle.
+  const double size = this->Elements.Sizes().sum();
+  // One small gain may be due to a step limited by a single simplex.
   constexpr int patience = 5;
   int smallGains = 0;
   while (result.Iterations < options.MaximumIterations && smallGains < patience)
@@ -278,17 +241,16 @@ InjectiveRefinementResult Descend(const PlanarElements& elements, ProxySystem& s
     const double done = 1.0 - 20.0 / (20.0 + result.Iterations);
     progress(done);
     // Local step.
-    const LocalTerms terms = TermsAt(
-      result.Points, elements, options.Measure, options.Exponent, progress.Part(done, done));
-    const Eigen::VectorXd gradient = system.Gradient(terms);
+    const LocalTerms<D> terms =
+      TermsAt(result.Points, this->Elements, options, progress.Part(done, done));
     // Global step.
-    const Eigen::VectorXd direction = system.Direction(
-      terms, gradient, progress.Part(done, 1.0 - 20.0 / (21.0 + result.Iterations)));
+    double slope = 0.0;
+    const Eigen::MatrixXd steps = this->FindSteps(
+      terms, result.Points, slope, progress.Part(done, 1.0 - 20.0 / (21.0 + result.Iterations)));
     const double before = result.Energy;
     ++result.Iterations;
-    // Line search. Energy and slope are divided by the area.
-    if (!Search(result.Points, result.Energy, system.Spread(direction),
-          gradient.dot(direction) / area, elements, options))
+    // Line search. The energy is divided by the size, so the slope is, too.
+    if (!this->Search(result.Points, result.Energy, steps, slope / size, options))
     {
       break;
     }
@@ -299,37 +261,82 @@ InjectiveRefinementResult Descend(const PlanarElements& elements, ProxySystem& s
   return result;
 }
 
+void RequireOptions(const InjectiveRefinementOptions& options)
+{
+  RequireOption(options.Exponent > 0.0, "Exponent", options.Exponent, "positive");
+  RequireOption(options.Scale > 0.0, "Scale", options.Scale, "positive");
+  RequireOption(
+    options.MaximumIterations >= 0, "MaximumIterations", options.MaximumIterations, "at least 0");
+  RequireOption(options.Tolerance >= 0.0 && options.Tolerance < 1.0, "Tolerance", options.Tolerance,
+    "in [0, 1)");
+}
+
 } // namespace
+
+Distortion GetMeasure(RefineType refine)
+{
+  // The enumerations have the same order, but for None.
+  return static_cast<Distortion>(static_cast<int>(refine) - 1);
+}
+
+template <int Dimension>
+InjectiveRefinementResult RefineInjectively(const SimplexElements<Dimension>& elements,
+  const Eigen::MatrixXd& start, const PointMotion<Dimension>& motion,
+  const InjectiveRefinementOptions& options, const Progress& progress)
+{
+  RequireOptions(options);
+  progress(0.0);
+  if (std::all_of(motion.Freedom.begin(), motion.Freedom.end(), [](int f) { return f == 0; }))
+  {
+    const double energy = elements.Energy(start, options.Measure, options.Exponent);
+    return { start, energy, energy, 0 };
+  }
+  Descent<Dimension> descent(elements, motion);
+  progress(0.0);
+  if (!IsExponential(options.Measure))
+  {
+    return descent.From(start, options, progress);
+  }
+  // The exponential measure of a bad start may overflow, so SymmetricDirichlet improves it first.
+  InjectiveRefinementOptions gentle = options;
+  gentle.Measure = Distortion::SymmetricDirichlet;
+  const InjectiveRefinementResult first = descent.From(start, gentle, progress.Part(0.0, 0.5));
+  InjectiveRefinementResult result = descent.From(first.Points, options, progress.Part(0.5, 1.0));
+  result.Iterations += first.Iterations;
+  return result;
+}
+
+template InjectiveRefinementResult RefineInjectively<2>(const SimplexElements<2>&,
+  const Eigen::MatrixXd&, const PointMotion<2>&, const InjectiveRefinementOptions&,
+  const Progress&);
+template InjectiveRefinementResult RefineInjectively<3>(const SimplexElements<3>&,
+  const Eigen::MatrixXd&, const PointMotion<3>&, const InjectiveRefinementOptions&,
+  const Progress&);
 
 InjectiveRefinementResult RefineInjectively(const Mesh& surface, const Eigen::MatrixXd& start,
   const std::vector<int>& fixed, const InjectiveRefinementOptions& options,
   const Progress& progress)
 {
-  progress(0.0);
-  RequireStart(surface, start, options);
-  progress(0.0);
-  const PlanarElements elements(surface, options.Scale);
-  progress(0.0);
-  ProxySystem system(elements, surface.Points.rows(), fixed, progress.Part(0.0, 0.0));
-  progress(0.0);
-  if (system.Unknowns() == 0)
+  RequireOptions(options);
+  const std::vector<int> flipped = FindInvertedTriangles(surface.Triangles, start);
+  if (!flipped.empty())
   {
-    const double energy = elements.Energy(start, options.Measure, options.Exponent);
-    return { start, energy, energy, 0 };
+    throw InvalidInput("triangle " + std::to_string(flipped.front()) +
+      " of the start is not counter-clockwise; start from a convex combination map");
   }
-  if (!IsExponential(options.Measure))
+  PointMotion<2> motion;
+  motion.Freedom.assign(surface.Points.rows(), 2);
+  for (const int point : fixed)
   {
-    return Descend(elements, system, start, options, progress);
+    motion.Freedom[point] = 0;
   }
-  // The exponential measure of a bad start may overflow, so SymmetricDirichlet improves it first.
-  InjectiveRefinementOptions gentle = options;
-  gentle.Measure = Distortion::SymmetricDirichlet;
-  const InjectiveRefinementResult first =
-    Descend(elements, system, start, gentle, progress.Part(0.0, 0.5));
-  InjectiveRefinementResult result =
-    Descend(elements, system, first.Points, options, progress.Part(0.5, 1.0));
-  result.Iterations += first.Iterations;
-  return result;
+  if (fixed.empty())
+  {
+    motion.Freedom[0] = 0; // The forms are invariant under translation.
+  }
+  progress(0.0);
+  const SimplexElements<2> elements = BuildTriangleElements(surface, options.Scale);
+  return RefineInjectively<2>(elements, start, motion, options, progress);
 }
 
 } // namespace shape

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "Base/Progress.h"
+#include "Distortion/InjectiveRefinement.h"
 #include "Mesh/Surface.h"
-#include "Parameterize/InjectiveRefinement.h"
 
 #include <string>
 

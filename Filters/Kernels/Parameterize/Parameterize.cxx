@@ -5,7 +5,6 @@
 #include "Mesh/Topology.h"
 #include "Parameterize/FreeBoundaryMap.h"
 #include "Parameterize/OrbifoldTutte.h"
-#include "Parameterize/Private/PlanarElements.h"
 #include "Parameterize/SphereMap.h"
 #include "Quality/ConformalDistortion.h"
 #include "Quality/MapQuality.h"
@@ -90,37 +89,20 @@ double ScaleTo(const Eigen::MatrixXd& image, const Surface& surface)
 
 bool IsRefined(const ParameterizeOptions& options)
 {
-  return options.Refine != ParameterizeOptions::RefineType::None;
+  return options.Refine != RefineType::None;
 }
 
-/// A measure that Refine may name.
-struct RefineMeasure
+std::string Word(RefineType refine)
 {
-  ParameterizeOptions::RefineType Refine;
-  Distortion Measure;
-  const char* Word;
-};
-
-const RefineMeasure& MeasureOf(const ParameterizeOptions& options)
-{
-  using Type = ParameterizeOptions::RefineType;
-  static constexpr RefineMeasure measures[] = {
-    { Type::SymmetricDirichlet, Distortion::SymmetricDirichlet, "SymmetricDirichlet" },
-    { Type::ExponentialSymmetricDirichlet, Distortion::ExponentialSymmetricDirichlet,
-      "ExponentialSymmetricDirichlet" },
-    { Type::AMIPS, Distortion::AMIPS, "AMIPS" },
-    { Type::ConformalAMIPS, Distortion::ConformalAMIPS, "ConformalAMIPS" },
-    { Type::Hencky, Distortion::LogARAP, "Hencky" },
-    { Type::ARAP, Distortion::ARAP, "ARAP" },
-  };
-  return *std::find_if(std::begin(measures), std::end(measures),
-    [&](const RefineMeasure& one) { return one.Refine == options.Refine; });
+  static constexpr const char* words[] = { "None", "SymmetricDirichlet",
+    "ExponentialSymmetricDirichlet", "AMIPS", "ConformalAMIPS", "Hencky", "ARAP" };
+  return words[static_cast<int>(refine)];
 }
 
 InjectiveRefinementOptions ForRefinement(const ParameterizeOptions& options)
 {
   InjectiveRefinementOptions refinement;
-  refinement.Measure = MeasureOf(options).Measure;
+  refinement.Measure = GetMeasure(options.Refine);
   refinement.Exponent = options.RefineExponent;
   return refinement;
 }
@@ -142,7 +124,7 @@ ParameterizeResult OntoDisk(
     const InjectiveRefinementResult refined = RefineInjectively(surface, map.Points.leftCols(2),
       map.Loop, refinement, progress.Part(0.3, 1.0, "lowering the distortion"));
     result.Positions.leftCols(2) = refined.Points;
-    result.Method = MeasureOf(options).Word;
+    result.Method = Word(options.Refine);
     result.Iterations = refined.Iterations;
     result.MeasureBefore = refined.StartEnergy;
     result.MeasureAfter = refined.Energy;
@@ -162,7 +144,7 @@ ParameterizeResult WithFreeBoundary(
   const FreeBoundaryMapResult map = MapWithFreeBoundary(surface, own, progress);
   ParameterizeResult result;
   result.Positions = map.Points;
-  result.Method = own.Refine ? MeasureOf(options).Word : "BoundaryFirst";
+  result.Method = own.Refine ? Word(options.Refine) : "BoundaryFirst";
   result.Iterations = map.Iterations;
   result.MeasureBefore = map.MeasureBefore;
   result.MeasureAfter = map.MeasureAfter;
@@ -300,7 +282,8 @@ ParameterizeResult Parameterize(const Surface& surface, const Eigen::MatrixXd& l
     // A free boundary has the size of minimum distortion. The other domains have a fixed size, so
     // the surface is scaled to the image's area.
     const bool hasOwnSize = options.Domain == ParameterizeOptions::DomainType::FreeBoundary;
-    const PlanarElements elements(mapped, hasOwnSize ? 1.0 : ScaleTo(image, mapped));
+    const SimplexElements<2> elements =
+      BuildTriangleElements(mapped, hasOwnSize ? 1.0 : ScaleTo(image, mapped));
     progress(0.97);
     result.Energy = std::min(
       LargestMeasure, elements.Energy(image.leftCols(2), Distortion::SymmetricDirichlet, 1.0));

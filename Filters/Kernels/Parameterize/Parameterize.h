@@ -1,10 +1,10 @@
 #pragma once
 
 #include "Base/Progress.h"
+#include "Distortion/InjectiveRefinement.h"
 #include "Mesh/Surface.h"
 #include "Mesh/SurfaceCut.h"
 #include "Parameterize/DiskMap.h"
-#include "Parameterize/InjectiveRefinement.h"
 #include "Parameterize/OrbifoldTile.h"
 
 #include <string>
@@ -29,16 +29,6 @@ struct ParameterizeOptions
   DiskOutline Outline = DiskMapOptions().Outline;
   /// Disk and FreeBoundary: whether shape::RefineInjectively lowers the distortion of the image,
   /// and by which measure (shape::Distortion). The Disk's outline is fixed.
-  enum class RefineType
-  {
-    None = 0,
-    SymmetricDirichlet = 1,
-    ExponentialSymmetricDirichlet = 2,
-    AMIPS = 3,
-    ConformalAMIPS = 4,
-    Hencky = 5,
-    ARAP = 6
-  };
   RefineType Refine = RefineType::None;
   /// Exponent of ExponentialSymmetricDirichlet and AMIPS; > 0. The larger it is, the more the worst
   /// triangles count.

@@ -9,6 +9,7 @@
 #include "Untangle/Private/CellSplits.h"
 #include "Untangle/Private/SlidingBoundary.h"
 #include "Untangle/Private/SolidCells.h"
+#include "Untangle/Private/SolidRefinement.h"
 #include "Untangle/Private/TutteEmbedding.h"
 
 #include <algorithm>
@@ -345,6 +346,8 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
     throw InvalidInput("MaximumIterations is " + std::to_string(options.MaximumIterations) +
       "; it must be at least 1");
   }
+  RequireOption(options.RefineExponent > 0.0 && std::isfinite(options.RefineExponent),
+    "RefineExponent", options.RefineExponent, "positive");
   RequireFinite(cells.Points, "the Input");
   if (rest.rows() > 0)
   {
@@ -363,22 +366,37 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
   const int moreSteps = patience * std::min(steps, std::numeric_limits<int>::max() / patience);
   Untangling best = BeginUntangling(cells, rest, options);
   const auto invertedBefore = static_cast<int>(FindInvertedCells(best.Solid).size());
-  int left = ReduceInverted(best, steps, progress.Part(0.0, 0.5, "untangling the inverted cells"));
-  left = left > 0
-    ? ReduceInverted(best, moreSteps, progress.Part(0.5, 0.7, "untangling the last inverted cells"))
-    : 0;
+  const bool isRefined = options.Refine != RefineType::None;
+  const Progress untangling = progress.Part(0.0, isRefined ? 0.6 : 1.0);
+  int left =
+    ReduceInverted(best, steps, untangling.Part(0.0, 0.5, "untangling the inverted cells"));
+  left = left > 0 ? ReduceInverted(best, moreSteps,
+                      untangling.Part(0.5, 0.7, "untangling the last inverted cells"))
+                  : 0;
   if (left > 0)
   {
     Untangling other = BeginUntangling(cells, rest, options);
     // Restarts with each inner point at the mean of its neighbours.
-    other.Solid.Points = SolveTutteEmbedding(other.Solid, progress.Part(0.7, 0.7));
+    other.Solid.Points = SolveTutteEmbedding(other.Solid, untangling.Part(0.7, 0.7));
     if (ReduceInverted(
-          other, moreSteps, progress.Part(0.7, 0.95, "untangling from another start")) < left)
+          other, moreSteps, untangling.Part(0.7, 0.95, "untangling from another start")) < left)
     {
       best = std::move(other);
     }
   }
+  InjectiveRefinementResult refined;
+  if (isRefined)
+  {
+    InjectiveRefinementOptions refinement;
+    refinement.Measure = GetMeasure(options.Refine);
+    refinement.Exponent = options.RefineExponent;
+    refined = RefineSolid(best.Solid, best.Sliding.get(), refinement,
+      progress.Part(0.6, 1.0, "lowering the distortion"));
+  }
   UntangleResult result = BuildResult(best);
+  result.MeasureBefore = refined.StartEnergy;
+  result.MeasureAfter = refined.Energy;
+  result.RefineIterations = refined.Iterations;
   result.InvertedBefore = invertedBefore;
   progress(1.0);
   for (Eigen::Index i = 0; i < cells.Points.rows(); ++i)

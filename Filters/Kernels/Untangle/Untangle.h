@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
+#include "Distortion/InjectiveRefinement.h"
 #include "Mesh/Cells.h"
 #include "Mesh/Mesh.h"
 #include "Mesh/Provenance.h"
@@ -16,6 +17,11 @@ struct UntangleOptions
   /// Maximum number of Newton steps for each connected patch of points in each round; >= 1. Three
   /// times as many are allowed if inverted cells remain.
   int MaximumIterations = 100;
+  /// Whether RefineInjectively then lowers the mean distortion of the cells, and by which measure.
+  RefineType Refine = RefineType::None;
+  /// Exponent of ExponentialSymmetricDirichlet and AMIPS; > 0. The larger it is, the more the worst
+  /// cells count.
+  double RefineExponent = InjectiveRefinementOptions().Exponent;
 };
 
 struct UntangleResult
@@ -30,6 +36,10 @@ struct UntangleResult
   int SplitCells = 0;       ///< number of input cells that were split
   int MovedPoints = 0;      ///< number of input points that were moved
   int Iterations = 0;       ///< total number of Newton steps
+  /// Mean of the measure of Refine, weighted by volume at rest, before and after the refinement; 0
+  /// without it. An exponential measure is lowered from the result with SymmetricDirichlet.
+  double MeasureBefore = 0.0, MeasureAfter = 0.0;
+  int RefineIterations = 0; ///< number of linear systems that the refinement solved
 };
 
 /**
@@ -58,10 +68,16 @@ struct UntangleResult
  * neighbours, and the better result is returned. Cells that stay inverted, for example because the
  * boundary itself is inverted, are counted and marked.
  *
+ * If options.Refine is set, RefineInjectively then moves all points that the boundary permits, and
+ * inverts no cell. The measure compares each cell with its rest shape or, if `rest` is empty, with
+ * the regular cell of the target size. Cells that stay inverted do not count, and their points do
+ * not move.
+ *
  * Throws InvalidInput if a cell is of another kind, repeats a point or uses a point that does not
  * exist. Throws it also if there is no cell, a coordinate is not finite, an option is out of range,
  * or `rest` has another number of points. Throws it if the boundary encloses no volume or a
- * negative one, since then no cells can be positive, or if RequireExtent does. Throws Aborted.
+ * negative one, since then no cells can be positive, or if RequireExtent does. Throws SolveFailure
+ * if an exponential measure exceeds the range of double, and Aborted.
  */
 UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest = {},
   const UntangleOptions& options = {}, const Progress& progress = {});

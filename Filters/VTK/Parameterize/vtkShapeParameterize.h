@@ -61,8 +61,7 @@ public:
     shape::CombinationWeights::MeanValue);
   vtkShapeEnumOption(
     Outline, shape::DiskOutline, shape::DiskOutline::Circle, shape::DiskOutline::Square);
-  vtkShapeEnumOption(Refine, shape::ParameterizeOptions::RefineType,
-    shape::ParameterizeOptions::RefineType::None, shape::ParameterizeOptions::RefineType::ARAP);
+  vtkShapeEnumOption(Refine, shape::RefineType, shape::RefineType::None, shape::RefineType::ARAP);
   vtkShapeOption(RefineExponent, double);
   vtkShapeEnumOption(
     Tile, shape::OrbifoldType, shape::OrbifoldType::Square, shape::OrbifoldType::Triangle);

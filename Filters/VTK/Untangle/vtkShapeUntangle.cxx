@@ -175,9 +175,12 @@ void vtkShapeUntangle::Execute(const shape::Progress& progress)
   vtkShapeSolid::Write(result, input, sources, output);
   const std::pair<const char*, int> facts[] = { { "InvertedBefore", result.InvertedBefore },
     { "InvertedAfter", result.InvertedAfter }, { "SplitCells", result.SplitCells },
-    { "MovedPoints", result.MovedPoints }, { "Iterations", result.Iterations } };
+    { "MovedPoints", result.MovedPoints }, { "Iterations", result.Iterations },
+    { "RefineIterations", result.RefineIterations } };
   for (const auto& [fact, value] : facts)
   {
     vtkShapeConvert::AddFact(output, std::string("Untangle.") + fact, value);
   }
+  vtkShapeConvert::AddFact(output, "Untangle.MeasureBefore", result.MeasureBefore);
+  vtkShapeConvert::AddFact(output, "Untangle.MeasureAfter", result.MeasureAfter);
 }

@@ -34,6 +34,11 @@
  * - .SplitCells: number of cells of Input that were split. .MovedPoints: number of points of Input
  *   that were moved.
  * - .Iterations: number of Newton steps in all patches.
+ * - .MeasureBefore, .MeasureAfter: mean of the measure of Refine before and after the refinement,
+ *   weighted by the volume at rest; 0 without it. If RestShape is connected, MeasureAfter is the
+ *   mean of Shape Map Quality of the map from RestShape to the output. An exponential measure is
+ *   lowered from the result with SymmetricDirichlet. .RefineIterations: number of linear systems
+ *   that the refinement solved.
  *
  * The mathematics: shape::Untangle.
  */
@@ -55,6 +60,8 @@ public:
   /// shape::UntangleOptions.
   vtkShapeOption(FixBoundary, bool);
   vtkShapeOption(MaximumIterations, int);
+  vtkShapeEnumOption(Refine, shape::RefineType, shape::RefineType::None, shape::RefineType::ARAP);
+  vtkShapeOption(RefineExponent, double);
   ///@}
 
 protected:

@@ -35,7 +35,7 @@ A closed surface is mapped to the sphere and to orbifolds whose cones are far fr
 cut open along a tree of paths between points far from each other for the others.)";
 
 using Domain = shape::ParameterizeOptions::DomainType;
-using Refine = shape::ParameterizeOptions::RefineType;
+using Refine = shape::RefineType;
 
 int FlipsOnSphere(const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& image)
 {

@@ -1,9 +1,9 @@
 #include "Base/Errors.h"
+#include "Distortion/InjectiveRefinement.h"
+#include "Distortion/SimplexElements.h"
 #include "Geometry/Orientation.h"
 #include "Mesh/BoundaryLoops.h"
 #include "Parameterize/ConvexCombination.h"
-#include "Parameterize/InjectiveRefinement.h"
-#include "Parameterize/Private/PlanarElements.h"
 #include "Support/FlatMaps.h"
 #include "Support/ProgressChecks.h"
 #include "Support/Refusals.h"
@@ -21,7 +21,7 @@ namespace
 
 constexpr Distortion AllMeasures[] = { Distortion::SymmetricDirichlet,
   Distortion::ExponentialSymmetricDirichlet, Distortion::AMIPS, Distortion::ConformalAMIPS,
-  Distortion::LogARAP, Distortion::ARAP };
+  Distortion::Hencky, Distortion::ARAP };
 
 /// Tutte's map onto the unit circle.
 Eigen::MatrixXd Tutte(const shape::Mesh& mesh)
@@ -57,7 +57,7 @@ TEST(InjectiveRefinement, EveryMeasureFallsToAStationaryPointWithoutAFlip)
 {
   const shape::Mesh mesh = shapetest::BumpyDisk(8, 0.5);
   const Eigen::MatrixXd start = Tutte(mesh);
-  const shape::PlanarElements elements(mesh, 1.0);
+  const shape::SimplexElements<2> elements = shape::BuildTriangleElements(mesh, 1.0);
   for (const Distortion measure : AllMeasures)
   {
     shape::InjectiveRefinementOptions options;
@@ -71,7 +71,7 @@ TEST(InjectiveRefinement, EveryMeasureFallsToAStationaryPointWithoutAFlip)
     // The exponential ones start where SymmetricDirichlet has ended.
     EXPECT_LT(map.Energy, (shape::IsExponential(measure) ? 1.0 : 0.9) * map.StartEnergy) << name;
     EXPECT_DOUBLE_EQ(map.Energy, elements.Energy(map.Points, measure, options.Exponent)) << name;
-    if (measure == Distortion::ARAP || measure == Distortion::LogARAP)
+    if (measure == Distortion::ARAP || measure == Distortion::Hencky)
     {
       continue; // Their least may lie where triangles have no area.
     }
@@ -146,7 +146,7 @@ TEST(InjectiveRefinement, TheStepToTheFirstFlipIsExact)
 {
   const shape::Mesh triangle{ (Eigen::MatrixXd(3, 3) << 0, 0, 0, 1, 0, 0, 0, 1, 0).finished(),
     (Eigen::MatrixXi(1, 3) << 0, 1, 2).finished() };
-  const shape::PlanarElements elements(triangle, 1.0);
+  const shape::SimplexElements<2> elements = shape::BuildTriangleElements(triangle, 1.0);
   Eigen::MatrixXd steps = Eigen::MatrixXd::Zero(3, 2);
   const Eigen::MatrixXd points = triangle.Points.leftCols(2);
   EXPECT_TRUE(std::isinf(elements.LargestStep(points, steps)));
@@ -157,6 +157,32 @@ TEST(InjectiveRefinement, TheStepToTheFirstFlipIsExact)
   // All shrinks towards the first corner: a double root at 1.
   steps = -points;
   EXPECT_DOUBLE_EQ(elements.LargestStep(points, steps), 1.0);
+}
+
+TEST(InjectiveRefinement, FindsTheFirstOfUpToThreeRoots)
+{
+  // (1 - t) (1 - t / 2) (1 - t / 4) and (1 - t / 3) (1 + t^2).
+  EXPECT_NEAR(shape::FindFirstRoot(1.0, -1.75, 0.875, -0.125), 1.0, 1e-15);
+  EXPECT_NEAR(shape::FindFirstRoot(1.0, -1.0 / 3.0, 1.0, -1.0 / 3.0), 3.0, 1e-14);
+  // (1 + t) (1 - t)^2, whose double root rounding may miss, and 1 + t^3.
+  EXPECT_NEAR(shape::FindFirstRoot(1.0, -1.0, -1.0, 1.0), 1.0, 1e-7);
+  EXPECT_TRUE(std::isinf(shape::FindFirstRoot(1.0, 0.0, 0.0, 1.0)));
+  // A cube shrinks to a point at 1e9.
+  EXPECT_NEAR(1e-9 * shape::FindFirstRoot(1.0, -3e-9, 3e-18, -1e-27), 1.0, 1e-4);
+}
+
+TEST(InjectiveRefinement, TheStepToTheFirstInversionInSpaceIsExact)
+{
+  const Eigen::MatrixXi corners = (Eigen::MatrixXi(1, 4) << 0, 1, 2, 3).finished();
+  const shape::SimplexElements<3> elements(
+    corners, { Eigen::Matrix3d::Identity() }, Eigen::VectorXd::Ones(1));
+  Eigen::MatrixXd points = Eigen::MatrixXd::Zero(4, 3), steps = points;
+  points.bottomRows(3).setIdentity();
+  EXPECT_TRUE(std::isinf(elements.LargestStep(points, steps)));
+  steps(3, 2) = -4.0; // reaches the plane of the others after a quarter
+  EXPECT_DOUBLE_EQ(elements.LargestStep(points, steps), 0.25);
+  steps(3, 2) = 4.0;
+  EXPECT_TRUE(std::isinf(elements.LargestStep(points, steps)));
 }
 
 TEST(InjectiveRefinement, RefusesAFlippedStartAndBadOptions)

@@ -1,8 +1,8 @@
 #include "Base/Errors.h"
+#include "Distortion/SimplexElements.h"
 #include "Geometry/Orientation.h"
 #include "Parameterize/ConformalFlattening.h"
 #include "Parameterize/FreeBoundaryMap.h"
-#include "Parameterize/Private/PlanarElements.h"
 #include "Quality/ConformalDistortion.h"
 #include "Support/FlatMaps.h"
 #include "Support/Refusals.h"
@@ -153,7 +153,7 @@ TEST(FreeBoundaryMap, RefineLowersTheDistortionAndFlipsNothingWhereTheConformalM
   EXPECT_EQ(shapetest::CountFlips(cap.Triangles, map.Points), 0);
   EXPECT_GT(map.Iterations, 0);
   // At its own size: larger or smaller is worse.
-  const shape::PlanarElements elements(cap, 1.0);
+  const shape::SimplexElements<2> elements = shape::BuildTriangleElements(cap, 1.0);
   const Eigen::MatrixXd image = map.Points.leftCols(2);
   const double energy = elements.Energy(image, shape::Distortion::SymmetricDirichlet, 1.0);
   for (const double scale : { 0.98, 1.02 })

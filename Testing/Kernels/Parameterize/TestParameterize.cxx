@@ -1,6 +1,6 @@
 #include "Base/Errors.h"
+#include "Distortion/SimplexElements.h"
 #include "Parameterize/Parameterize.h"
-#include "Parameterize/Private/PlanarElements.h"
 #include "Quality/MapQuality.h"
 #include "Support/Refusals.h"
 #include "Support/TestShapes.h"
@@ -130,7 +130,7 @@ TEST(Parameterize, FreeBoundaryAndRefineHandTheirOptionsOn)
   const shape::ParameterizeResult conformal = shape::Parameterize(bumps, options);
   EXPECT_EQ(conformal.Method, "BoundaryFirst");
   EXPECT_LT(conformal.ConformalDistortion, 1.05);
-  options.Refine = shape::ParameterizeOptions::RefineType::SymmetricDirichlet;
+  options.Refine = shape::RefineType::SymmetricDirichlet;
   const shape::ParameterizeResult refined = shape::Parameterize(bumps, options);
   EXPECT_EQ(refined.Method, "SymmetricDirichlet");
   EXPECT_GT(refined.Iterations, 0);
@@ -144,7 +144,7 @@ TEST(Parameterize, FreeBoundaryAndRefineHandTheirOptionsOn)
 
 TEST(Parameterize, RefineLowersEachMeasureAndMapQualityMeasuresTheSame)
 {
-  using Refine = shape::ParameterizeOptions::RefineType;
+  using Refine = shape::RefineType;
   using shape::MapMeasure;
   shape::Mesh bumps = shapetest::FlatDisk(8);
   bumps.Points.col(2) = 0.4 * (3.0 * bumps.Points.col(0)).array().sin();
@@ -190,18 +190,18 @@ TEST(Parameterize, ALargerRefineExponentLowersTheWorstTriangle)
   bumps.Points.col(2) = 0.4 * (3.0 * bumps.Points.col(0)).array().sin();
   shape::ParameterizeOptions options;
   options.Domain = shape::ParameterizeOptions::DomainType::FreeBoundary;
-  options.Refine = shape::ParameterizeOptions::RefineType::ExponentialSymmetricDirichlet;
+  options.Refine = shape::RefineType::ExponentialSymmetricDirichlet;
   double worst = 1e30;
   for (const double exponent : { 0.1, 1.0, 10.0 })
   {
     options.RefineExponent = exponent;
     const shape::ParameterizeResult map = shape::Parameterize(bumps, options);
-    const shape::PlanarElements elements(bumps, 1.0);
+    const shape::SimplexElements<2> elements = shape::BuildTriangleElements(bumps, 1.0);
     double least = 0.0;
     for (Eigen::Index t = 0; t < bumps.Triangles.rows(); ++t)
     {
       const Eigen::Vector2d s =
-        shape::DecomposePlanar(elements.Jacobian(static_cast<int>(t), map.Positions.leftCols(2)))
+        shape::DecomposePositive(elements.Jacobian(static_cast<int>(t), map.Positions.leftCols(2)))
           .Singular;
       least = std::max(least, s.squaredNorm() + s.cwiseInverse().squaredNorm());
     }

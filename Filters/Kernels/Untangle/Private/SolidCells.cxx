@@ -46,6 +46,14 @@ long long KeyOf(int a, int b)
   return (static_cast<long long>(std::min(a, b)) << 32) | std::max(a, b);
 }
 
+CellShape ShapeOf(int kind)
+{
+  return kind == Tetrahedron ? CellShape::Tetrahedron
+    : kind == Pyramid        ? CellShape::Pyramid
+    : kind == Wedge          ? CellShape::Wedge
+                             : CellShape::Hexahedron;
+}
+
 Eigen::Matrix3d EdgesOf(const Eigen::MatrixXd& points, const std::array<int, 4>& corners)
 {
   Eigen::Matrix3d edges;
@@ -157,10 +165,7 @@ const std::vector<std::array<int, 4>>& SolidCells::SimplicesOf(int cell)
     return this->Scratch;
   }
   CellSimplices simplices;
-  simplices.Add(kind == Pyramid ? CellShape::Pyramid
-      : kind == Wedge           ? CellShape::Wedge
-                                : CellShape::Hexahedron,
-    corners.data());
+  simplices.Add(ShapeOf(kind), corners.data());
   this->Scratch = simplices.Corners;
   if (kind == Wedge && this->WedgesInverted)
   {
@@ -170,6 +175,13 @@ const std::vector<std::array<int, 4>>& SolidCells::SimplicesOf(int cell)
     }
   }
   return this->Scratch;
+}
+
+double SolidCells::ShareOf(int cell) const
+{
+  CellSimplices simplices;
+  simplices.Add(ShapeOf(this->Kinds[cell]), this->Corners[cell].data());
+  return simplices.Shares.front();
 }
 
 bool SolidCells::Inverted(int cell)

@@ -39,6 +39,10 @@ public:
   /// Returns the corner tetrahedra of a cell.
   const std::vector<std::array<int, 4>>& SimplicesOf(int cell);
 
+  /// Returns the factor from the determinant of the edges of a corner tetrahedron to its share of
+  /// the cell's volume (CellSimplices).
+  double ShareOf(int cell) const;
+
   /// Whether a corner tetrahedron of a cell is not positive, by exact predicates.
   bool Inverted(int cell);
 
