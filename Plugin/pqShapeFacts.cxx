@@ -18,15 +18,19 @@ std::string GetPrefix(vtkSMProxy* filter)
   return std::string(filter->GetXMLName()).substr(std::strlen("Shape")) + ".";
 }
 
-/// The facts are the columns of the last output, a table with one row.
+/// The facts are the columns of the output Facts, a table with one row.
 vtkPVDataSetAttributesInformation* GetArrays(vtkSMProxy* filter)
 {
   auto* source = vtkSMSourceProxy::SafeDownCast(filter);
-  const unsigned int last = source->GetNumberOfOutputPorts() - 1;
-  const char* name = source->GetOutputPortName(last);
-  return name && std::strcmp(name, "Facts") == 0
-    ? source->GetDataInformation(last)->GetRowDataInformation()
-    : source->GetDataInformation(0)->GetFieldDataInformation();
+  for (unsigned int port = 0; port < source->GetNumberOfOutputPorts(); ++port)
+  {
+    const char* name = source->GetOutputPortName(port);
+    if (name && std::strcmp(name, "Facts") == 0)
+    {
+      return source->GetDataInformation(port)->GetRowDataInformation();
+    }
+  }
+  return source->GetDataInformation(0)->GetFieldDataInformation();
 }
 
 vtkPVArrayInformation* Find(vtkSMProxy* filter, const std::string& name)

@@ -5,7 +5,7 @@
 
 class vtkSMProxy;
 
-/// Reads facts from the last output of a filter, the table Facts. `name` is the name of the fact
+/// Reads facts from the output Facts of a filter, a table. `name` is the name of the fact
 /// without the prefix: "Seed" is PasteFeature.Seed of Shape Paste Feature. If there is no such
 /// fact, the result is empty.
 namespace pqShapeFacts

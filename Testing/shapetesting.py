@@ -53,12 +53,17 @@ def output(proxy, port=0):
 def outputs_of(algorithm):
     """Its outputs. Each remembers the facts of the first process, for facts()."""
     held = [algorithm.GetOutputDataObject(port) for port in range(algorithm.GetNumberOfOutputPorts())]
-    if algorithm.IsA('vtkShapeAlgorithm') and held[-1].IsA('vtkTable'):
-        table = held[-1].NewInstance()
-        table.ShallowCopy(held[-1])
+    tables = [data for data in held if data.IsA('vtkTable')]
+    if algorithm.IsA('vtkShapeAlgorithm') and tables:
+        prefix = algorithm.GetClassName()[len('vtkShape'):] + '.'
+        table = tables[0].NewInstance()
+        # Other processes have no facts, and other tables have none of these columns.
+        for each in tables:
+            if any(each.GetColumnName(k).startswith(prefix) for k in range(each.GetNumberOfColumns())):
+                table.ShallowCopy(each)
         if parallel()[0] > 1:
             vtkMultiProcessController.GetGlobalController().Broadcast(table, 0)
-        for data in held[:-1]:
+        for data in held:
             data.facts = table.GetRowData()
     algorithm.held = held  # they remember as long as Python knows them
     return held

@@ -135,11 +135,14 @@ def facts(source: Any) -> Facts:
     # The VTK filter itself, if the server is the built-in one.
     algorithm = source.SMProxy.GetClientSideObject() if hasattr(source, 'SMProxy') else source
     if hasattr(algorithm, 'GetOutputDataObject'):
-        last = algorithm.GetNumberOfOutputPorts() - 1
-        return _facts_in(algorithm.GetOutputDataObject(last), algorithm.GetClassName()[len('vtkShape'):])
+        name = algorithm.GetClassName()[len('vtkShape'):]
+        # Other tables have no column that begins with the name of the filter.
+        tables = [algorithm.GetOutputDataObject(port) for port in range(algorithm.GetNumberOfOutputPorts())]
+        return next(filter(None, (_facts_in(table, name) for table in tables)), {})
     from paraview.servermanager import Fetch
-    last = source.SMProxy.GetNumberOfOutputPorts() - 1
-    return _facts_in(Fetch(source, 0, idx=last), source.SMProxy.GetXMLName()[len('Shape'):])
+    ports = range(source.SMProxy.GetNumberOfOutputPorts())
+    port = next((k for k in ports if source.SMProxy.GetOutputPortName(k) == 'Facts'), None)
+    return {} if port is None else _facts_in(Fetch(source, 0, idx=port), source.SMProxy.GetXMLName()[len('Shape'):])
 
 
 def _facts_in(table: vtkDataObject, name: str) -> Facts:

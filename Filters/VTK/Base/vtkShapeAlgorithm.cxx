@@ -284,8 +284,9 @@ void vtkShapeAlgorithm::PrepareInputs()
     const InputPort& declared = this->InputPorts[port];
     for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
     {
-      // A selection may be empty, and is gathered with the surface that it marks.
-      if (declared.Data == PortData::Selection)
+      // A selection may be empty, and is gathered with the surface that it marks. A table has no
+      // points.
+      if (declared.Data == PortData::Selection || declared.Data == PortData::Table)
       {
         continue;
       }

@@ -19,8 +19,8 @@
  *   request fails. If one process fails, all processes fail.
  * - An output that is declared like an input (DeclareOutputLikeInput, DeclareMovedOutput) has the
  *   type of that input.
- * - The facts of a run, such as counts and errors, are the columns of a table of one row: the last
- *   output, Facts. In parallel, the first process has the row.
+ * - The facts of a run, such as counts and errors, are the columns of a table of one row: the
+ * output Facts. In parallel, the first process has the row.
  * - If the points of an output differ from the points of the inputs, the measures of the inputs'
  *   geometry are removed from it: see vtkShapeMeasures.
  */
@@ -47,20 +47,23 @@ class vtkPolyData;
 class vtkShapeRepair;
 class vtkUnstructuredGrid;
 
-/// Set/Get a field of this->`options` that is a number, a Boolean or a small vector.
-#define vtkShapeOptionOf(options, name, type)                                                      \
+/// Set/Get this->`field`, which is a number, a Boolean or a small vector.
+#define vtkShapeOptionAs(field, name, type)                                                        \
   virtual void Set##name(type value)                                                               \
   {                                                                                                \
-    if (this->options.name != value)                                                               \
+    if (this->field != value)                                                                      \
     {                                                                                              \
-      this->options.name = value;                                                                  \
+      this->field = value;                                                                         \
       this->Modified();                                                                            \
     }                                                                                              \
   }                                                                                                \
   virtual type Get##name()                                                                         \
   {                                                                                                \
-    return this->options.name;                                                                     \
+    return this->field;                                                                            \
   }
+
+/// vtkShapeOptionAs for a field of this->`options` with the name of the property.
+#define vtkShapeOptionOf(options, name, type) vtkShapeOptionAs(options.name, name, type)
 
 /// vtkShapeOptionOf for a field of this->Options.
 #define vtkShapeOption(name, type) vtkShapeOptionOf(Options, name, type)
@@ -153,7 +156,8 @@ protected:
     WholePolygons, ///< like Whole, with coincident points of several pieces merged
     WholeSurface,  ///< like WholePolygons, and repaired (RepairInput)
     WholeGrid,     ///< one vtkUnstructuredGrid, which may contain solid cells
-    Selection      ///< a vtkSelection, or the cells that it extracted; may be empty
+    Selection,     ///< a vtkSelection, or the cells that it extracted; may be empty
+    Table          ///< a vtkTable, which only some processes may have; may be empty
   };
   enum class PortUse
   {
@@ -176,7 +180,7 @@ protected:
   void DeclareMovedOutput();
   ///@}
 
-  /// Appends the last output port, Facts. If Execute has called vtkShapeConvert::AddFact with names
+  /// Appends the output port Facts. If Execute has called vtkShapeConvert::AddFact with names
   /// that begin with the filter's, such as `HexRemesh.`, these facts are moved there. kept: for an
   /// output port, the names without this prefix of facts that also stay in its field data, because
   /// other filters read them.

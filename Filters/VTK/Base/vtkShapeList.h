@@ -12,14 +12,14 @@
 namespace vtkShapeList
 {
 
-/// Changes the number of entries, each of `width` values. New values are 0.
+/// Changes the number of entries, each of `width` values. New values are 0, or empty.
 template <typename Value>
 void Resize(vtkShapeAlgorithm* owner, std::vector<Value>& list, int count, int width = 1)
 {
   const std::size_t size = static_cast<std::size_t>(width) * std::max(count, 0);
   if (size != list.size())
   {
-    list.resize(size, Value(0));
+    list.resize(size, Value());
     owner->Modified();
   }
 }
@@ -38,7 +38,7 @@ void Set(vtkShapeAlgorithm* owner, const std::string& label, std::vector<Value>&
   }
   const std::size_t first = entry.size() * static_cast<std::size_t>(index);
   const bool isNew = first + entry.size() > list.size();
-  list.resize(std::max(list.size(), first + entry.size()), Value(0));
+  list.resize(std::max(list.size(), first + entry.size()), Value());
   const auto at = list.begin() + static_cast<std::ptrdiff_t>(first);
   if (isNew || !std::equal(entry.begin(), entry.end(), at))
   {
