@@ -11,6 +11,7 @@
 #include "Correspondence/Pair/CoarsePair.h"
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Correspondence/Private/MethodInput.h"
+#include "Correspondence/Private/MethodOptions.h"
 #include "Correspondence/Reversible/ReversibleHarmonic.h"
 #include "Correspondence/Transport/GromovWasserstein.h"
 #include "Mesh/Surface.h"
@@ -106,14 +107,13 @@ SurfaceMaps ThroughOrbifold(
   return { std::move(map.AToB), std::move(map.BToA) };
 }
 
-/// Finds landmarks if none are given, and decides which surface is a part of the other one.
+/// Finds landmarks if result.Found is true, and decides which surface is a part of the other one.
 void Begin(const Surface& a, const Surface& b, Landmarks& landmarks, Options::PartType part,
   CorrespondenceResult& result, const Progress& progress)
 {
   using Part = Options::PartType;
   using Which = SurfacePart::WhichType;
   const bool isA = part == Part::SurfaceA, isB = part == Part::SurfaceB;
-  result.Found = landmarks.empty();
   if (!result.Found)
   {
     result.Part = isA || isB
@@ -157,9 +157,22 @@ SurfaceMaps Functional(const Surface& a, const Surface& b, const Landmarks& land
     case SurfacePart::WhichType::None:
       break;
   }
-  FunctionalMapOptions whole;
+  FunctionalMapOptions whole = options.Functional;
   whole.Refinement.Last = options.NumberOfEigenpairs;
   return ComputeFunctionalMap(a, b, landmarks, whole, progress);
+}
+
+/// A part is located by landmarks alone.
+void RequireNoGuide(const SurfacePart& part, const Options& options)
+{
+  if (part.Which != SurfacePart::WhichType::None && options.IsGuided())
+  {
+    throw InvalidInput(std::string(part.Which == SurfacePart::WhichType::SurfaceA
+                           ? "SurfaceA is treated as a part of SurfaceB"
+                           : "SurfaceB is treated as a part of SurfaceA") +
+      ", which is located by landmarks alone; set Part to None, or leave out FunctionalMap, "
+      "DescriptorArrays and RegionArray");
+  }
 }
 
 /// Returns how many points of a surface the method needs; 0: all.
@@ -218,9 +231,10 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
       return pair.OnFine(coupled.Maps, lift);
     }
     case Options::MethodType::HeatKernel:
-      return pair.OnFine(ComputeHeatKernelMap(a, b, landmarks, {}, progress), lift);
+      return pair.OnFine(ComputeHeatKernelMap(a, b, landmarks, options.Heat, progress), lift);
     case Options::MethodType::BlendedIntrinsic:
-      return pair.OnFine(ComputeBlendedIntrinsicMap(a, b, landmarks, {}, progress), lift);
+      return pair.OnFine(
+        ComputeBlendedIntrinsicMap(a, b, landmarks, options.Blended, progress), lift);
     case Options::MethodType::CommonSphere:
     {
       SphereCommonDomainResult common =
@@ -241,7 +255,7 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
   {
     return pair.OnFine(start, lift); // iterations would spread the part over the other surface
   }
-  ReversibleHarmonicOptions own;
+  ReversibleHarmonicOptions own = options.Harmonic;
   own.MaximumIterations = options.MaximumIterations;
   // Landmarks that were found may be inexact, so they are not pinned.
   own.PinLandmarks = options.PinLandmarks && !result.Found;
@@ -262,11 +276,7 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
 CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
   const Landmarks& landmarks, const CorrespondenceOptions& options, const Progress& progress)
 {
-  RequireOption(options.NumberOfEigenpairs >= 10, "NumberOfEigenpairs", options.NumberOfEigenpairs,
-    "at least 10");
-  RequireOption(options.CoarsePoints == 0 || options.CoarsePoints >= 100, "CoarsePoints",
-    options.CoarsePoints, "0 or at least 100");
-  RequireOption(options.Samples >= 10, "Samples", options.Samples, "at least 10");
+  RequireMethodOptions(options);
   RequireMethodInput(a, b, landmarks, options);
   const Compact one = Compacted(a, "SurfaceA"), two = Compacted(b, "SurfaceB");
   CorrespondenceResult result;
@@ -282,8 +292,17 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
     }
     own.push_back({ one.PositionOf(pointA), two.PositionOf(pointB) });
   }
-  const bool find = own.empty();
+  const bool find = own.empty() && !options.IsGuided();
+  result.Found = find;
   const double found = find ? 0.15 : 0.0; // share of the time
+  // A guide that is not used is not prepared either.
+  Options used = options;
+  FunctionalGuide& guide = used.Functional.Guide;
+  guide = options.UsesGuide() ? AtPoints(guide, one.Points, two.Points) : FunctionalGuide();
+  if (guide.Matrix.size() > 0)
+  {
+    guide = WithEigenbases(guide, one.Surface, two.Surface, progress.Part(0.0, found));
+  }
   if (find)
   {
     const CoarsePair pair(one.Surface, two.Surface, {}, options.CoarsePoints,
@@ -296,6 +315,10 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
   }
   Landmarks kept = own;
   kept.insert(kept.end(), result.Start.Rival.begin(), result.Start.Rival.end());
+  for (const Landmarks& curve : guide.Curves)
+  {
+    kept.insert(kept.end(), curve.begin(), curve.end());
+  }
   // A second coarsening: the landmarks are known now and must survive, and the number of points is
   // that of the method.
   const CoarsePair pair(one.Surface, two.Surface, kept,
@@ -310,8 +333,11 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
     Begin(pair.A(), pair.B(), own, options.Part, result,
       progress.Part(found + 0.05, found + 0.1, "comparing the landmarks"));
   }
+  RequireNoGuide(result.Part, options);
+  guide = OnCoarse(guide, pair);
+  const double mapped = options.FunctionalMatrix ? 0.8 : 0.95;
   const SurfaceMaps maps =
-    Find(pair, own, options, result, progress.Part(found + 0.1, 0.95, "mapping the surfaces"));
+    Find(pair, own, used, result, progress.Part(found + 0.1, mapped, "mapping the surfaces"));
   result.Start.Rival = pair.OnFine(result.Start.Rival);
   const auto asGiven = [&](Landmarks found)
   {
@@ -327,6 +353,12 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
   result.Start.Rival = asGiven(result.Start.Rival);
   result.Facts = EvaluateMaps(one.Surface, two.Surface, maps);
   result.Maps = { Expanded(maps.AToB, one, a), Expanded(maps.BToA, two, b) };
+  if (options.FunctionalMatrix)
+  {
+    const std::size_t points = std::min(one.Points.size(), two.Points.size());
+    result.Matrix = ComputeFunctionalMatrix(a, b, result.Maps.BToA,
+      std::min(options.NumberOfEigenpairs, static_cast<int>(points)), progress.Part(mapped, 1.0));
+  }
   progress(1.0);
   return result;
 }

@@ -3,6 +3,7 @@
 #include "Base/Progress.h"
 #include "Correspondence/CorrespondenceOptions.h"
 #include "Correspondence/Evaluate/SurfaceMapFacts.h"
+#include "Correspondence/Functional/FunctionalMatrix.h"
 #include "Correspondence/Landmarks/AutomaticLandmarks.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
 #include "Correspondence/Pair/SurfacePart.h"
@@ -27,6 +28,9 @@ struct CorrespondenceResult
   double CouplingDistortion = -1.0; ///< GromovWasserstein: see GromovWassersteinResult::Distortion
   double CouplingError = -1.0;      ///< GromovWasserstein: see GromovWassersteinResult::Error
   SurfaceMapFacts Facts;
+  /// The matrix of Maps.BToA in the bases of a and b, with as many eigenfunctions as
+  /// NumberOfEigenpairs and the points allow; empty unless CorrespondenceOptions::FunctionalMatrix.
+  FunctionalMatrix Matrix;
   ///@{
   /// The genus of the surfaces (ComputeGenus). If they differ, no continuous one-to-one map exists.
   int GenusOfA = 0, GenusOfB = 0;
@@ -37,11 +41,17 @@ struct CorrespondenceResult
  * Computes corresponding points of two surfaces, in both directions, by one of seven methods. The
  * header of each method says for which surfaces it is suitable. If no landmarks are given,
  * FindLandmarks finds them; each surface must then have one component. Landmarks found in this way
- * are not pinned, and CommonOrbifold uses only the first four of them.
+ * are not pinned, and CommonOrbifold uses only the first four of them. No landmarks are found if
+ * options.Functional.Guide has descriptors or a matrix, which take their place
+ * (CorrespondenceOptions::IsGuided).
+ *
+ * The guide has a row for each point of a and b. Its matrix refers to SolveLaplaceEigenproblem's
+ * bases of a and b, as FunctionalMatrix does; its bases are not used.
  *
  * a, b: consistently oriented 2-manifolds, facing outwards if they are closed. Points that no
  * triangle uses are ignored. Throws InvalidInput if the method does not suit the surfaces or the
- * landmarks, or if an option is out of range; SolveFailure; Aborted.
+ * landmarks, if a guide is given for a part, or if an option is out of range; SolveFailure;
+ * Aborted.
  */
 CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
   const Landmarks& landmarks, const CorrespondenceOptions& options = {},

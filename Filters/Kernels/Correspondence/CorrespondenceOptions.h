@@ -1,5 +1,10 @@
 #pragma once
 
+#include "Correspondence/Conformal/BlendedIntrinsic.h"
+#include "Correspondence/Functional/FunctionalMap.h"
+#include "Correspondence/Functional/HeatKernelMap.h"
+#include "Correspondence/Reversible/ReversibleHarmonic.h"
+
 namespace shape
 {
 
@@ -46,6 +51,35 @@ struct CorrespondenceOptions
   /// then refines the maps on the given surfaces. CommonSphere and CommonOrbifold never coarsen. If
   /// CoarsePoints is 0, no surface is coarsened; otherwise it is >= 100.
   int CoarsePoints = 8000;
+  /// Whether the matrix of the map is computed (CorrespondenceResult::Matrix), by any method. It
+  /// takes the eigenfunctions of the given surfaces.
+  bool FunctionalMatrix = false;
+
+  ///@{
+  /// Further options of the methods. Those above replace the options of the same name here, and
+  /// Functional.Refinement.Last.
+  FunctionalMapOptions Functional;
+  ReversibleHarmonicOptions Harmonic;
+  HeatKernelMapOptions Heat;
+  BlendedIntrinsicOptions Blended;
+  ///@}
+
+  /// Whether the method computes a functional map that Functional.Guide guides: FunctionalMap, and
+  /// ReversibleHarmonic if it starts from one.
+  bool UsesGuide() const
+  {
+    return this->Method == MethodType::FunctionalMap ||
+      (this->Method == MethodType::ReversibleHarmonic && this->Start == StartType::FunctionalMap);
+  }
+  /// Whether the guide takes the place of landmarks: then none are found automatically.
+  bool IsGuided() const
+  {
+    const FunctionalGuide& guide = this->Functional.Guide;
+    return this->UsesGuide() &&
+      (guide.Matrix.size() > 0 ||
+        (this->Functional.Use != FunctionalMapOptions::DescriptorType::BuiltIn &&
+          guide.DescriptorsOfA.cols() > 0));
+  }
 };
 
 } // namespace shape

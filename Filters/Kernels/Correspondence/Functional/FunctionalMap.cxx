@@ -93,6 +93,18 @@ private:
   Eigen::VectorXd Areas;
 };
 
+/// The descriptors that give operators: every stride-th computed one, and every given one.
+std::vector<Eigen::Index> OperatorColumns(Eigen::Index computed, Eigen::Index all, int stride)
+{
+  std::vector<Eigen::Index> chosen;
+  for (Eigen::Index i = 0; i < all;
+       i += i < computed ? std::min<Eigen::Index>(stride, computed - i) : 1)
+  {
+    chosen.push_back(i);
+  }
+  return chosen;
+}
+
 /// Coefficients are inner products with the mass-orthonormal eigenfunctions: phi' M f. An operator
 /// T becomes phi' M T phi.
 Operators OperatorsOf(
@@ -107,19 +119,26 @@ Operators OperatorsOf(
     const double norm = std::sqrt(spectrum.Masses.dot(descriptors.col(i).cwiseAbs2()));
     descriptors.col(i) /= norm > 0.0 ? norm : 1.0;
   }
+  const Eigen::Index computed = descriptors.cols() - given.Given;
+  const std::vector<Eigen::Index> chosen =
+    OperatorColumns(computed, descriptors.cols(), options.OperatorStride);
   const Gradients gradients(given.Surface);
   const Gradients::Components ofFunctions = gradients.Of(functions);
   const Eigen::MatrixXd integrals = gradients.Integrals(functions);
-  const int stride = options.OperatorStride;
-  const int count = (static_cast<int>(descriptors.cols()) + stride - 1) / stride;
+  const int count = static_cast<int>(chosen.size());
   Operators result{ weighted.transpose() * descriptors, Matrices(count), Matrices(count) };
+  if (given.Given > 0 && computed > 0)
+  {
+    result.Coefficients.rightCols(given.Given) *=
+      std::sqrt(static_cast<double>(computed) / static_cast<double>(given.Given));
+  }
   ParallelFor(
     count, 1,
     [&](int begin, int end)
     {
       for (int i = begin; i < end; ++i)
       {
-        const Eigen::VectorXd descriptor = descriptors.col(static_cast<Eigen::Index>(i) * stride);
+        const Eigen::VectorXd descriptor = descriptors.col(chosen[i]);
         if (options.DescriptorWeight > 0.0)
         {
           // P of the header: multiplication by the descriptor (Nogneng and Ovsjanikov).
@@ -251,6 +270,7 @@ struct Side
   shape::Surface Surface;
   LaplaceEigenpairs Spectrum;
   Eigen::MatrixXd Descriptors;
+  Eigen::Index Given = 0; ///< the number of descriptors that are given, the last ones
   std::vector<int> Samples;
 
   SampledSpectrum Sampled() const
@@ -259,35 +279,104 @@ struct Side
   }
   SurfaceDescriptors Described() const
   {
-    return { this->Surface, this->Spectrum, this->Descriptors };
+    return { this->Surface, this->Spectrum, this->Descriptors, this->Given };
   }
 };
 
-/// The descriptors are `count` wave kernels, `count` heat kernels, and `count` wave kernels from
-/// each landmark.
+/// `count` wave kernels, `count` heat kernels, and `count` wave kernels from each landmark.
+Eigen::MatrixXd BuiltInDescriptors(
+  const LaplaceEigenpairs& spectrum, const Landmarks& landmarks, int which, int count)
+{
+  // Landmarks along curves are many: a few of them, in order, contain as much information.
+  constexpr std::size_t maximum = 12;
+  const std::size_t each = std::min(landmarks.size(), maximum);
+  Eigen::MatrixXd descriptors(spectrum.Masses.size(), count * (2 + each));
+  descriptors.leftCols(count) = ComputeWaveKernelSignature(spectrum, count);
+  descriptors.middleCols(count, count) = ComputeHeatKernelSignature(spectrum, count);
+  for (std::size_t i = 0; i < each; ++i)
+  {
+    descriptors.middleCols(count * (2 + i), count) =
+      ComputeWaveKernelFrom(spectrum, landmarks[i * landmarks.size() / each][which], count);
+  }
+  return descriptors;
+}
+
+/// The mean of the wave kernels from the points of a curve.
+Eigen::MatrixXd CurveDescriptors(
+  const LaplaceEigenpairs& spectrum, const Landmarks& curve, int which, int count)
+{
+  Eigen::MatrixXd descriptors = Eigen::MatrixXd::Zero(spectrum.Masses.size(), count);
+  for (const auto& pair : curve)
+  {
+    descriptors += ComputeWaveKernelFrom(spectrum, pair[which], count);
+  }
+  return descriptors / std::max<double>(1.0, static_cast<double>(curve.size()));
+}
+
+/// The built-in descriptors, those of the curves, and the given ones, as far as they are used.
+Eigen::MatrixXd Descriptors(const LaplaceEigenpairs& spectrum, const Landmarks& landmarks,
+  int which, const FunctionalMapOptions& options)
+{
+  using Type = FunctionalMapOptions::DescriptorType;
+  std::vector<Eigen::MatrixXd> parts;
+  if (options.Use != Type::Given)
+  {
+    parts.push_back(BuiltInDescriptors(spectrum, landmarks, which, options.Descriptors));
+  }
+  if (options.Use != Type::BuiltIn)
+  {
+    for (const Landmarks& curve : options.Guide.Curves)
+    {
+      parts.push_back(CurveDescriptors(spectrum, curve, which, options.Descriptors));
+    }
+    parts.push_back(which == 0 ? options.Guide.DescriptorsOfA : options.Guide.DescriptorsOfB);
+  }
+  Eigen::Index columns = 0;
+  for (const Eigen::MatrixXd& part : parts)
+  {
+    columns += part.cols();
+  }
+  Eigen::MatrixXd all(spectrum.Masses.size(), columns);
+  Eigen::Index at = 0;
+  for (const Eigen::MatrixXd& part : parts)
+  {
+    all.middleCols(at, part.cols()) = part;
+    at += part.cols();
+  }
+  return all;
+}
+
 Side Prepare(const Surface& surface, int pairs, const Landmarks& landmarks, int which,
   const FunctionalMapOptions& options, const Progress& progress)
 {
   Side side{ { surface.Points() / std::sqrt(ComputePointAreas(surface).sum()),
                surface.Triangles() },
-    {}, {}, {} };
+    {}, {}, 0, {} };
   constexpr double tolerance = 1e-6; // smaller ones give no better maps, but take longer
   side.Spectrum = SolveLaplaceEigenproblem(
     side.Surface, pairs, progress.Part(0.0, 0.7, "computing the eigenfunctions"), tolerance);
-  const int count = options.Descriptors;
-  // Landmarks along curves are many: a few of them, in order, contain as much information.
-  constexpr std::size_t maximum = 12;
-  const std::size_t each = std::min(landmarks.size(), maximum);
-  side.Descriptors.resize(surface.Points().rows(), count * (2 + each));
-  side.Descriptors.leftCols(count) = ComputeWaveKernelSignature(side.Spectrum, count);
-  side.Descriptors.middleCols(count, count) = ComputeHeatKernelSignature(side.Spectrum, count);
-  for (std::size_t i = 0; i < each; ++i)
+  if (options.Guide.Matrix.size() == 0)
   {
-    side.Descriptors.middleCols(count * (2 + i), count) =
-      ComputeWaveKernelFrom(side.Spectrum, landmarks[i * landmarks.size() / each][which], count);
+    side.Descriptors = Descriptors(side.Spectrum, landmarks, which, options);
+    side.Given = options.Use == FunctionalMapOptions::DescriptorType::BuiltIn
+      ? 0
+      : options.Guide.DescriptorsOfA.cols();
   }
   side.Samples = SampleFarthestPoints(side.Surface, options.Samples, progress.Part(0.8, 1.0));
   return side;
+}
+
+/// The matrix of a guide in the first eigenfunctions of the two sides: the changes of basis are
+/// Phi' M (basis of the guide).
+Eigen::MatrixXd GivenMap(const FunctionalGuide& guide, const Side& one, const Side& two)
+{
+  const auto change = [&](const Side& side, const Eigen::MatrixXd& basis)
+  {
+    const Eigen::Index size = std::min(guide.Matrix.rows(), side.Spectrum.Eigenvalues.size());
+    return Eigen::MatrixXd(side.Spectrum.Eigenfunctions.leftCols(size).transpose() *
+      (side.Spectrum.Masses.asDiagonal() * basis));
+  };
+  return change(two, guide.BasisOfB) * guide.Matrix * change(one, guide.BasisOfA).transpose();
 }
 
 int CountUsedPoints(const Surface& surface, const char* name)
@@ -299,14 +388,21 @@ int CountUsedPoints(const Surface& surface, const char* name)
 } // namespace
 
 // 1. Compute the spectrum, descriptors and samples of both surfaces, scaled to area 1 (Prepare).
-// 2. Fit a small functional map to the descriptors (FitFunctionalMap).
+// 2. Fit a small functional map to the descriptors (FitFunctionalMap), or take the given one.
 // 3. Raise its size step by step (RefineByZoomOut).
 // 4. Map each point to the position with the nearest row of eigenfunctions (Ezuz and Ben-Chen).
 SurfaceMaps ComputeFunctionalMap(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const FunctionalMapOptions& options, const Progress& progress)
 {
+  if (options.Use == FunctionalMapOptions::DescriptorType::Given &&
+    !options.Guide.HasDescriptors() && options.Guide.Matrix.size() == 0)
+  {
+    throw InvalidInput("Descriptors is Given, but none are given; name them in DescriptorArrays or "
+                       "RegionArray, or set Descriptors to BuiltIn");
+  }
   const int points = std::min(CountUsedPoints(a, "SurfaceA"), CountUsedPoints(b, "SurfaceB"));
-  const int pairs = std::min(options.Refinement.Last, points);
+  const auto given = static_cast<int>(options.Guide.Matrix.rows());
+  const int pairs = std::min(std::max(options.Refinement.Last, given), points);
   FunctionalMapFitOptions fit = options.Fit;
   fit.Size = std::min(fit.Size, pairs);
   ZoomOutOptions refinement = options.Refinement;
@@ -314,17 +410,21 @@ SurfaceMaps ComputeFunctionalMap(const Surface& a, const Surface& b, const Landm
 
   const Side one = Prepare(a, pairs, landmarks, 0, options, progress.Part(0.0, 0.2));
   const Side two = Prepare(b, pairs, landmarks, 1, options, progress.Part(0.2, 0.4));
-  const Eigen::MatrixXd map = FitFunctionalMap(
-    one.Described(), two.Described(), fit, progress.Part(0.4, 0.5, "fitting the functional map"));
+  const Eigen::MatrixXd map = given > 0 ? GivenMap(options.Guide, one, two)
+                                        : FitFunctionalMap(one.Described(), two.Described(), fit,
+                                            progress.Part(0.4, 0.5, "fitting the functional map"));
   const FunctionalMaps maps = RefineByZoomOut(one.Sampled(), two.Sampled(), map, landmarks,
     refinement, progress.Part(0.5, 0.9, "refining the functional map"));
   const Eigen::MatrixXd &functionsA = one.Spectrum.Eigenfunctions,
                         &functionsB = two.Spectrum.Eigenfunctions;
   // The row of a point's image: with C from B to A, phi_A(x) = C phi_B(image of x), for all
-  // eigenfunctions together.
-  return { FindNearestSurfacePoints(functionsA, b.Triangles(), functionsB * maps.BToA.transpose(),
+  // eigenfunctions of the map together.
+  const Eigen::Index size = maps.AToB.rows();
+  return { FindNearestSurfacePoints(functionsA.leftCols(size), b.Triangles(),
+             functionsB.leftCols(size) * maps.BToA.transpose(),
              progress.Part(0.9, 0.95, "finding the nearest points")),
-    FindNearestSurfacePoints(functionsB, a.Triangles(), functionsA * maps.AToB.transpose(),
+    FindNearestSurfacePoints(functionsB.leftCols(size), a.Triangles(),
+      functionsA.leftCols(size) * maps.AToB.transpose(),
       progress.Part(0.95, 1.0, "finding the nearest points")) };
 }
 

@@ -58,6 +58,10 @@ FunctionalMaps RefineByZoomOut(const SampledSpectrum& a, const SampledSpectrum& 
   // The functional map of an isometry is orthogonal, so its transpose is the first guess of the
   // inverse.
   FunctionalMaps maps{ map, map.transpose() };
+  if (options.Step == 0)
+  {
+    return maps;
+  }
   const Eigen::Index first = map.rows(), last = std::max<Eigen::Index>(first, options.Last);
   // The first pass has the size of the given map and repairs it; each later pass adds Step
   // functions.

@@ -14,7 +14,7 @@ namespace shape
 struct ZoomOutOptions
 {
   int Last = 120; ///< eigenfunctions of each surface at the end; at most its number of eigenpairs
-  int Step = 6;   ///< eigenfunctions added in each step; >= 1
+  int Step = 6;   ///< eigenfunctions added in each step; 0: the given map is not refined
 };
 
 /// The spectrum of a surface, and samples of its points.
@@ -50,8 +50,9 @@ struct FunctionalMaps
  * (Ren, Melzi, Ovsjanikov and Wonka, "MapTree: recovering multiple solutions in the space of maps",
  * 2020, section 5).
  *
- * map: the initial functional map from a to b (k x k), for surfaces scaled to area 1. landmarks:
- * each pair has the weight of a thousandth of all samples in the fits. Throws Aborted.
+ * map: the initial functional map from a to b (k x k), for surfaces scaled to area 1. Without
+ * steps, the result is this map and its transpose. landmarks: each pair has the weight of a
+ * thousandth of all samples in the fits. Throws Aborted.
  */
 FunctionalMaps RefineByZoomOut(const SampledSpectrum& a, const SampledSpectrum& b,
   const Eigen::MatrixXd& map, const Landmarks& landmarks, const ZoomOutOptions& options = {},

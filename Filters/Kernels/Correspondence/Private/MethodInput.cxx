@@ -142,7 +142,7 @@ void RequireMethodInput(const Surface& a, const Surface& b, const Landmarks& lan
   {
     const Topology topology = RequireManifold(*surface, name);
     RequireArea(*surface, name);
-    RequireComponents(topology, name, !landmarks.empty(), options);
+    RequireComponents(topology, name, !landmarks.empty() || options.IsGuided(), options);
     RequireSphereLike(topology, name, options.Method);
     areClosed = areClosed && topology.BoundaryLoops == 0;
   }

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "Base/Progress.h"
+#include "Correspondence/Pair/CoarsePair.h"
+#include "Correspondence/Pair/SurfaceMaps.h"
+#include "Mesh/Surface.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace shape
+{
+
+/// What is known of a map, besides landmarks, and guides ComputeFunctionalMap.
+struct FunctionalGuide
+{
+  ///@{
+  /// Functions of the points of A and of B, a column each, whose columns correspond: n_A x q, n_B x
+  /// q.
+  Eigen::MatrixXd DescriptorsOfA, DescriptorsOfB;
+  ///@}
+  /// Corresponding curves, each as the pairs of its points.
+  std::vector<Landmarks> Curves;
+  /// An initial functional map from A to B, k x k; empty: it is fitted.
+  Eigen::MatrixXd Matrix;
+  ///@{
+  /// The bases of Matrix: functions of the points, n_A x k and n_B x k, orthonormal if each surface
+  /// is scaled to area 1.
+  Eigen::MatrixXd BasisOfA, BasisOfB;
+  ///@}
+
+  bool HasDescriptors() const { return this->DescriptorsOfA.cols() > 0 || !this->Curves.empty(); }
+};
+
+/// Throws InvalidInput unless the matrix is square, finite and not empty.
+void RequireFunctionalMap(const Eigen::MatrixXd& matrix);
+
+/// Sets the bases to the first eigenfunctions of the surfaces, and divides Matrix by the ratio of
+/// their lengths: on input, it refers to SolveLaplaceEigenproblem's bases of the given surfaces, as
+/// FunctionalMatrix does. Throws InvalidInput if RequireFunctionalMap does or if Matrix has more
+/// rows than a surface has points that triangles use; SolveFailure; Aborted.
+FunctionalGuide WithEigenbases(
+  FunctionalGuide guide, const Surface& a, const Surface& b, const Progress& progress = {});
+
+/// Restricts the functions to some points of the surfaces, and numbers the curves by them. pointsA,
+/// pointsB: for each point that is left, its index; ascending, with every point of the curves.
+FunctionalGuide AtPoints(
+  const FunctionalGuide& guide, const std::vector<int>& pointsA, const std::vector<int>& pointsB);
+
+/// Restricts a guide to the points of the coarse surfaces of a pair, which must have kept the
+/// points of the curves.
+FunctionalGuide OnCoarse(const FunctionalGuide& guide, const CoarsePair& pair);
+
+/// The regions of a surface.
+struct SurfaceRegions
+{
+  Eigen::VectorXi Ids;   ///< of each triangle or each point
+  bool OfPoints = false; ///< whether Ids has an entry for each point
+};
+
+/// Indicator functions of corresponding regions.
+struct RegionIndicators
+{
+  ///@{
+  /// n_A x q, n_B x q: a column for each id that is on both surfaces, ascending. The value at a
+  /// point is 1 in the region and 0 outside; if the regions consist of triangles, it is the share
+  /// of the area around the point that belongs to the region.
+  Eigen::MatrixXd OfA, OfB;
+  ///@}
+};
+
+/// Computes the indicators of regions that have the same id on both surfaces. Throws InvalidInput
+/// if no id is on both surfaces.
+RegionIndicators ComputeRegionIndicators(const Surface& a, const SurfaceRegions& regionsOfA,
+  const Surface& b, const SurfaceRegions& regionsOfB);
+
+} // namespace shape

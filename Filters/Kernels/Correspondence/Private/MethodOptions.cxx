@@ -1,0 +1,69 @@
+#include "Correspondence/Private/MethodOptions.h"
+
+#include "Base/Errors.h"
+
+#include <cmath>
+#include <string>
+
+namespace shape
+{
+namespace
+{
+
+void RequireAtLeast(int least, int value, const std::string& name)
+{
+  RequireOption(value >= least, name, value, "at least " + std::to_string(least));
+}
+
+void RequireWeight(double value, const std::string& name)
+{
+  RequireOption(value >= 0.0 && std::isfinite(value), name, value, "at least 0 and finite");
+}
+
+void RequirePositive(double value, const std::string& name)
+{
+  RequireOption(value > 0.0 && std::isfinite(value), name, value, "positive and finite");
+}
+
+void RequireShare(double value, const std::string& name)
+{
+  RequireOption(value > 0.0 && value < 1.0, name, value, "between 0 and 1");
+}
+
+} // namespace
+
+void RequireMethodOptions(const CorrespondenceOptions& options)
+{
+  RequireAtLeast(10, options.NumberOfEigenpairs, "NumberOfEigenpairs");
+  RequireOption(options.CoarsePoints == 0 || options.CoarsePoints >= 100, "CoarsePoints",
+    options.CoarsePoints, "0 or at least 100");
+  RequireAtLeast(10, options.Samples, "Samples");
+  RequireAtLeast(1, options.MaximumIterations, "MaximumIterations");
+
+  const FunctionalMapOptions& functional = options.Functional;
+  RequireAtLeast(1, functional.Fit.Size, "FunctionalMapSize");
+  RequireAtLeast(1, functional.Descriptors, "NumberOfDescriptors");
+  RequireAtLeast(1, functional.Fit.OperatorStride, "OperatorStride");
+  RequireAtLeast(0, functional.Refinement.Step, "ZoomOutStep");
+  RequireAtLeast(10, functional.Samples, "ZoomOutSamples");
+  RequireWeight(functional.Fit.LaplacianWeight, "LaplacianWeight");
+  RequireWeight(functional.Fit.DescriptorWeight, "DescriptorWeight");
+  RequireWeight(functional.Fit.OrientationWeight, "OrientationWeight");
+
+  const ReversibleHarmonicOptions& harmonic = options.Harmonic;
+  RequireShare(harmonic.Alpha, "Alpha");
+  RequireShare(harmonic.FirstAlpha, "FirstAlpha");
+  RequireAtLeast(0, harmonic.AlphaSteps, "AlphaSteps");
+  RequirePositive(harmonic.BetaStep, "BetaStep");
+  RequireAtLeast(1, harmonic.BetaSteps, "BetaSteps");
+  // EmbeddedSurface has at most 32 dimensions.
+  RequireOption(harmonic.Scaling.Dimensions >= 1 && harmonic.Scaling.Dimensions <= 32, "Dimensions",
+    harmonic.Scaling.Dimensions, "from 1 to 32");
+
+  RequireAtLeast(2, options.Heat.Eigenpairs, "HeatEigenpairs");
+  RequireAtLeast(1, options.Heat.Times, "HeatTimes");
+  RequireAtLeast(1, options.Blended.Candidates, "Candidates");
+  RequirePositive(options.Blended.Agreement, "Agreement");
+}
+
+} // namespace shape
