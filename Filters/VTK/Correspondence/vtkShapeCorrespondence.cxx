@@ -2,6 +2,8 @@
 
 #include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
+#include "vtkShapeFunctionalMap.h"
+#include "vtkShapeList.h"
 #include "vtkShapeMapColors.h"
 #include "vtkShapeRepair.h"
 
@@ -11,13 +13,19 @@
 #include "Mesh/Topology.h"
 
 #include "vtkCell.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkShapeCorrespondence);
@@ -45,46 +53,98 @@ double ComputeMeanEdgeLength(const shape::Mesh& mesh)
   return sum / 3.0;
 }
 
-/// Returns the points of the landmarks, and positions between them along lines. Lines are sampled
-/// at the mean edge length of the surface. Coarser samples would leave points between them
-/// unconstrained, and finer samples would have the same nearest points.
-Partners ReadPartners(vtkUnstructuredGrid* given, const Eigen::MatrixXd& targets, double step)
+/// The landmarks as they are given: points, their positions on SurfaceB, and lines.
+struct GivenLandmarks
 {
-  const Eigen::MatrixXd positions = vtkShapeConvert::ToPoints(given);
-  if (positions.rows() != targets.rows())
+  vtkUnstructuredGrid* Grid;
+  Eigen::MatrixXd Positions, Targets;
+
+  GivenLandmarks(vtkUnstructuredGrid* grid, const Eigen::MatrixXd& targets)
+    : Grid(grid)
+    , Positions(vtkShapeConvert::ToPoints(grid))
+    , Targets(targets)
   {
-    throw shape::InvalidInput("Landmarks has " + std::to_string(positions.rows()) +
-      " points, and TargetLandmarks has " + std::to_string(targets.rows()) +
-      "; connect equally many, because they are paired by order");
-  }
-  Partners partners;
-  for (Eigen::Index i = 0; i < positions.rows(); ++i)
-  {
-    partners.OnA.emplace_back(positions.row(i));
-    partners.OnB.emplace_back(targets.row(i));
-  }
-  for (vtkIdType cell = 0; cell < given->GetNumberOfCells(); ++cell)
-  {
-    if (given->GetCell(cell)->GetCellDimension() != 1)
+    if (this->Positions.rows() != targets.rows())
     {
-      continue;
+      throw shape::InvalidInput("Landmarks has " + std::to_string(this->Positions.rows()) +
+        " points, and TargetLandmarks has " + std::to_string(targets.rows()) +
+        "; connect equally many, because they are paired by order");
     }
-    vtkIdList* points = given->GetCell(cell)->GetPointIds();
-    for (vtkIdType i = 1; i < points->GetNumberOfIds(); ++i)
+  }
+
+  void AddPoint(vtkIdType point, Partners& partners) const
+  {
+    partners.OnA.emplace_back(this->Positions.row(point));
+    partners.OnB.emplace_back(this->Targets.row(point));
+  }
+
+  /// Adds positions between two points, at the distance `step` on SurfaceA.
+  void AddBetween(vtkIdType p, vtkIdType q, double step, Partners& partners) const
+  {
+    constexpr double maximum = 10000.0; // points on a segment
+    const int pieces = static_cast<int>(std::clamp(
+      std::ceil((this->Positions.row(q) - this->Positions.row(p)).norm() / step), 1.0, maximum));
+    for (int k = 1; k < pieces; ++k)
     {
-      constexpr double maximum = 10000.0; // points on a segment
-      const vtkIdType p = points->GetId(i - 1), q = points->GetId(i);
-      const int pieces = static_cast<int>(
-        std::clamp(std::ceil((positions.row(q) - positions.row(p)).norm() / step), 1.0, maximum));
-      for (int k = 1; k < pieces; ++k)
+      const double t = static_cast<double>(k) / pieces;
+      partners.OnA.emplace_back((1.0 - t) * this->Positions.row(p) + t * this->Positions.row(q));
+      partners.OnB.emplace_back((1.0 - t) * this->Targets.row(p) + t * this->Targets.row(q));
+    }
+  }
+
+  /// Calls `use` with the point indices of each line.
+  void ForEachLine(const std::function<void(vtkIdList*)>& use) const
+  {
+    for (vtkIdType cell = 0; cell < this->Grid->GetNumberOfCells(); ++cell)
+    {
+      if (this->Grid->GetCell(cell)->GetCellDimension() == 1)
       {
-        const double t = static_cast<double>(k) / pieces;
-        partners.OnA.emplace_back((1.0 - t) * positions.row(p) + t * positions.row(q));
-        partners.OnB.emplace_back((1.0 - t) * targets.row(p) + t * targets.row(q));
+        use(this->Grid->GetCell(cell)->GetPointIds());
       }
     }
   }
+};
+
+/// Returns the points of the landmarks, and positions between them along lines. Lines are sampled
+/// at the mean edge length of the surface. Coarser samples would leave points between them
+/// unconstrained, and finer samples would have the same nearest points.
+Partners ReadPartners(const GivenLandmarks& given, double step)
+{
+  Partners partners;
+  for (Eigen::Index i = 0; i < given.Positions.rows(); ++i)
+  {
+    given.AddPoint(i, partners);
+  }
+  given.ForEachLine(
+    [&](vtkIdList* points)
+    {
+      for (vtkIdType i = 1; i < points->GetNumberOfIds(); ++i)
+      {
+        given.AddBetween(points->GetId(i - 1), points->GetId(i), step, partners);
+      }
+    });
   return partners;
+}
+
+/// Returns the positions along each line, in order, with the same step.
+std::vector<Partners> ReadCurves(const GivenLandmarks& given, double step)
+{
+  std::vector<Partners> curves;
+  given.ForEachLine(
+    [&](vtkIdList* points)
+    {
+      Partners curve;
+      for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
+      {
+        if (i > 0)
+        {
+          given.AddBetween(points->GetId(i - 1), points->GetId(i), step, curve);
+        }
+        given.AddPoint(points->GetId(i), curve);
+      }
+      curves.push_back(std::move(curve));
+    });
+  return curves;
 }
 
 Eigen::MatrixXd AsRows(const std::vector<Eigen::RowVector3d>& positions)
@@ -97,7 +157,33 @@ Eigen::MatrixXd AsRows(const std::vector<Eigen::RowVector3d>& positions)
   return rows;
 }
 
+/// Whether a list names an array.
+bool HasNames(const std::vector<std::string>& arrays)
+{
+  return std::any_of(arrays.begin(), arrays.end(), vtkShapeConvert::IsChosen);
+}
+
 } // namespace
+
+void vtkShapeCorrespondence::SetNumberOfDescriptorArrays(int count)
+{
+  vtkShapeList::Resize(this, this->DescriptorArrays, count);
+}
+
+void vtkShapeCorrespondence::SetDescriptorArrays(int index, const std::string& name)
+{
+  vtkShapeList::Set(this, "Descriptor Arrays", this->DescriptorArrays, index, { name });
+}
+
+void vtkShapeCorrespondence::SetNumberOfTransferArrays(int count)
+{
+  vtkShapeList::Resize(this, this->TransferArrays, count);
+}
+
+void vtkShapeCorrespondence::SetTransferArrays(int index, const std::string& name)
+{
+  vtkShapeList::Set(this, "Transfer Arrays", this->TransferArrays, index, { name });
+}
 
 vtkShapeCorrespondence::vtkShapeCorrespondence()
 {
@@ -105,9 +191,11 @@ vtkShapeCorrespondence::vtkShapeCorrespondence()
   this->DeclareInput("SurfaceB", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
   this->DeclareInput("Landmarks", PortData::WholeGrid, PortUse::Optional, { "vtkDataSet" });
   this->DeclareInput("TargetLandmarks", PortData::WholeGrid, PortUse::Optional, { "vtkDataSet" });
+  this->DeclareInput("FunctionalMap", PortData::Table, PortUse::Optional, { "vtkTable" });
   this->DeclareOutputLikeInput(0);
   this->DeclareOutputLikeInput(1);
   this->DeclareFacts();
+  this->DeclareOutput("vtkTable");
   this->DeclareShown(0, { "MapColors" });
   this->DeclareShown(1, { "MapColors" });
 }
@@ -120,25 +208,43 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
                        b = vtkShapeConvert::ToMesh(this->GetGatheredInput(1).Data, "SurfaceB");
   shape::RequireManifold(a, "SurfaceA");
   shape::RequireManifold(b, "SurfaceB");
-  shape::Landmarks landmarks;
   const bool hasLandmarks = this->GetNumberOfInputConnections(2) > 0;
   const bool hasTargets = this->GetNumberOfInputConnections(3) > 0;
   if (hasTargets && !hasLandmarks)
   {
     throw shape::InvalidInput("there are TargetLandmarks without Landmarks; connect both");
   }
+  shape::CorrespondenceOptions options = this->Options;
+  options.FunctionalMatrix = this->OutputEigenfunctions || HasNames(this->TransferArrays);
+  shape::FunctionalGuide& guide = options.Functional.Guide;
+  guide = this->ReadGuide(a, b);
+  shape::Landmarks landmarks;
   if (hasLandmarks)
   {
-    vtkUnstructuredGrid* given = this->GetGatheredInput(2).Grid;
-    const Partners partners = ReadPartners(given,
+    vtkUnstructuredGrid* grid = this->GetGatheredInput(2).Grid;
+    const GivenLandmarks given(grid,
       hasTargets ? vtkShapeConvert::ToPoints(this->GetGatheredInput(3).Grid)
-                 : vtkShapeConvert::ToPointArray(given, "TargetPosition", 3, "the input Landmarks",
-                     "make it with Shape Landmarks"),
-      ComputeMeanEdgeLength(a));
-    landmarks = shape::PairLandmarks(a, AsRows(partners.OnA), b, AsRows(partners.OnB));
+                 : vtkShapeConvert::ToPointArray(grid, "TargetPosition", 3, "the input Landmarks",
+                     "make it with Shape Landmarks"));
+    const double step = ComputeMeanEdgeLength(a);
+    const auto paired = [&](const Partners& partners)
+    { return shape::PairLandmarks(a, AsRows(partners.OnA), b, AsRows(partners.OnB)); };
+    landmarks = paired(ReadPartners(given, step));
+    if (this->CurveDescriptors)
+    {
+      for (const Partners& curve : ReadCurves(given, step))
+      {
+        guide.Curves.push_back(paired(curve));
+      }
+    }
+  }
+  if (!options.UsesGuide() && (guide.HasDescriptors() || guide.Matrix.size() > 0))
+  {
+    this->Warn("the method computes no functional map, so FunctionalMap, DescriptorArrays, "
+               "RegionArray and CurveDescriptors do not count; set Method to FunctionalMap");
   }
   const shape::CorrespondenceResult result =
-    shape::ComputeCorrespondence(a, b, landmarks, this->Options, progress);
+    shape::ComputeCorrespondence(a, b, landmarks, options, progress);
   const bool isPart = result.Part.Which != shape::SurfacePart::WhichType::None;
   if (result.GenusOfA != result.GenusOfB && !isPart)
   {
@@ -146,8 +252,14 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
       std::to_string(result.GenusOfB) +
       ": no continuous one-to-one map exists; expect folds, or map surfaces of equal genus");
   }
-  this->WriteMap(0, result.Maps.AToB, b, 1);
-  this->WriteMap(1, result.Maps.BToA, a, 0);
+  this->WriteMap(0, result, b);
+  this->WriteMap(1, result, a);
+  const bool isFirst = !this->GetController() || this->GetController()->GetLocalProcessId() == 0;
+  if (options.FunctionalMatrix && isFirst)
+  {
+    vtkShapeFunctionalMap::WriteMatrix(
+      result.Matrix, vtkTable::SafeDownCast(this->GetOutputDataObject(3)));
+  }
   vtkShapeMapColors::Add(this->GetOutputDataObject(0), "TargetPosition", b);
   vtkShapeMapColors::Add(this->GetOutputDataObject(1), "", b);
   for (const int port : { 0, 1 })
@@ -178,23 +290,77 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
     add("CouplingError", result.CouplingError);
     add("CoarsePoints", result.CoarsePoints);
     add("Iterations", result.Iterations);
+    add("FunctionalMapSize", static_cast<double>(result.Matrix.Matrix.rows()));
   }
 }
 
+shape::FunctionalGuide vtkShapeCorrespondence::ReadGuide(
+  const shape::Surface& a, const shape::Surface& b)
+{
+  vtkPolyData *dataA = this->GetGatheredInput(0).Data, *dataB = this->GetGatheredInput(1).Data;
+  shape::FunctionalGuide guide;
+  vtkShapeFunctionalMap::Descriptors given =
+    vtkShapeFunctionalMap::ReadDescriptors(dataA, dataB, this->DescriptorArrays);
+  if (vtkShapeConvert::IsChosen(this->RegionArray))
+  {
+    const auto regions = [&](vtkPolyData* data, const std::string& name)
+    {
+      std::vector<int> cellOf;
+      vtkShapeConvert::ToMesh(data, name, &cellOf);
+      return vtkShapeFunctionalMap::ReadRegions(data, cellOf, this->RegionArray, name);
+    };
+    vtkShapeFunctionalMap::Append(
+      shape::ComputeRegionIndicators(a, regions(dataA, "SurfaceA"), b, regions(dataB, "SurfaceB")),
+      given);
+  }
+  guide.DescriptorsOfA = std::move(given.OfA);
+  guide.DescriptorsOfB = std::move(given.OfB);
+  if (this->GetNumberOfInputConnections(4) > 0)
+  {
+    guide.Matrix =
+      vtkShapeFunctionalMap::ReadMatrix(this->GetInputDataObject(4, 0), this->GetController());
+    shape::RequireFunctionalMap(guide.Matrix);
+  }
+  return guide;
+}
+
 void vtkShapeCorrespondence::WriteMap(
-  int port, const shape::SurfacePoints& map, const shape::Mesh& other, int otherPort)
+  int port, const shape::CorrespondenceResult& result, const shape::Mesh& other)
 {
   const GatheredInput& whole = this->GetGatheredInput(port);
-  const GatheredInput& target = this->GetGatheredInput(otherPort);
+  const GatheredInput& target = this->GetGatheredInput(1 - port);
+  const shape::SurfacePoints& map = port == 0 ? result.Maps.AToB : result.Maps.BToA;
   // Cell ids of polygons follow those of vertices and lines.
   const auto before =
     static_cast<double>(target.Given->GetNumberOfVerts() + target.Given->GetNumberOfLines());
   const Eigen::VectorXi triangles = vtkShapeRepaired::ToGiven(target.GivenTriangles, map.Triangles);
   const auto own = [&](const Eigen::MatrixXd& values)
   { return vtkShapeConvert::Rows(values, whole.OwnPoints); };
-  vtkShapeComposite::AddPointFields(this->GetInputDataObject(port, 0),
-    this->GetOutputDataObject(port),
-    { { "TargetPosition", own(shape::PullBack(map, other.Triangles, other.Points)) },
-      { "TargetCell", own(triangles.cast<double>().array() + before), true },
-      { "TargetBarycentric", own(map.Barycentrics) } });
+  std::vector<vtkShapeComposite::PointField> fields = {
+    { "TargetPosition", own(shape::PullBack(map, other.Triangles, other.Points)) },
+    { "TargetCell", own(triangles.cast<double>().array() + before), true },
+    { "TargetBarycentric", own(map.Barycentrics) }
+  };
+  const shape::LaplaceEigenpairs& basis = port == 0 ? result.Matrix.OfA : result.Matrix.OfB;
+  if (this->OutputEigenfunctions)
+  {
+    fields.push_back({ "Eigenfunctions", own(basis.Eigenfunctions) });
+    fields.push_back({ "Masses", own(basis.Masses) });
+  }
+  for (const std::string& array : this->TransferArrays)
+  {
+    if (port == 1 && vtkShapeConvert::IsChosen(array))
+    {
+      fields.push_back({ array + "FromA",
+        own(shape::TransferFunctions(
+          result.Matrix, vtkShapeFunctionalMap::ReadArray(target.Data, array, "SurfaceA"))) });
+    }
+  }
+  vtkDataObject* output = this->GetOutputDataObject(port);
+  vtkShapeComposite::AddPointFields(this->GetInputDataObject(port, 0), output, fields);
+  if (this->OutputEigenfunctions)
+  {
+    output->GetAttributesAsFieldData(vtkDataObject::FIELD)
+      ->AddArray(vtkShapeConvert::ToArray(basis.Eigenvalues, "Eigenvalues"));
+  }
 }

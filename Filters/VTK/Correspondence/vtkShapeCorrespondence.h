@@ -14,6 +14,12 @@
  *   finds landmarks itself (shape::FindLandmarks), which requires surfaces of one component.
  * - TargetLandmarks (optional): points on SurfaceB, paired with the points of Landmarks by order.
  *   They replace the array TargetPosition of Landmarks.
+ * - FunctionalMap (optional): a table with a square matrix, a functional map from SurfaceA to
+ *   SurfaceB. It has the bases of the output FunctionalMap, and replaces the fit to descriptors. In
+ *   parallel, the table of the first process is used.
+ *
+ * If FunctionalMap, DescriptorArrays or RegionArray guide the functional map, no landmarks are
+ * found.
  *
  * Outputs: SurfaceA and SurfaceB, each with the precise map onto the other surface. The map
  * consists of the point arrays
@@ -23,6 +29,22 @@
  *   strips are cut into triangles, which are numbered in order after vertices and lines.
  * - `TargetBarycentric` (double, 3): the barycentric coordinates, in the order of the corners.
  * `MapColors` (unsigned char, 3) are colours for the eye: corresponding points have the same one.
+ * With OutputEigenfunctions, also
+ * - `Eigenfunctions` (double, k): those of the surface, as shape::SolveLaplaceEigenproblem and
+ * Shape Laplace Spectrum compute them on the given surface, however coarse the surfaces were on
+ * which the method ran.
+ * - `Masses` (double): the area around each point, in which the eigenfunctions are orthonormal.
+ * - Field data `Eigenvalues` (double, k), ascending, in 1 / length^2.
+ * SurfaceB has, for each name X of TransferArrays, the point array `XFromA`: Phi_B C Phi_A' M_A X,
+ * where Phi are the eigenfunctions, M the masses and C the matrix.
+ *
+ * Output FunctionalMap, after Facts: with OutputEigenfunctions or TransferArrays, and any method,
+ * the matrix C of the map from SurfaceB to SurfaceA (shape::FunctionalMatrix). It takes
+ * coefficients of functions on SurfaceA to coefficients on SurfaceB: C = Phi_B' M_B P Phi_A, where
+ * P interpolates at TargetPosition of SurfaceB. A row for each eigenfunction of SurfaceB; the
+ * columns 0, 1, 2 and so on are those of SurfaceA. Field data: EigenvaluesOfA, EigenvaluesOfB;
+ * ScaleOfA, ScaleOfB, the roots of the areas: C times ScaleOfA / ScaleOfB is the matrix of the
+ * surfaces scaled to area 1. Otherwise, the table is empty. In parallel, the first process has it.
  *
  * Facts, with the prefix Correspondence
  * - .Landmarks: number of landmarks used. .LandmarksFound: 1 if the filter found the landmarks
@@ -47,6 +69,7 @@
  * - .Iterations: with ReversibleHarmonic, the number of its iterations; otherwise 0. If one surface
  *   is a part of the other, .Iterations is also 0. The result is then the initial functional map,
  *   because iterations would spread the part over the other surface.
+ * - .FunctionalMapSize: rows and columns of the output FunctionalMap; 0 if it is empty.
  *
  * The mathematics: shape::ComputeCorrespondence.
  */
@@ -56,6 +79,9 @@
 #include "vtkShapeAlgorithm.h"
 
 #include "Correspondence/Correspondence.h" // for the options
+
+#include <string> // for names of arrays
+#include <vector> // for names of arrays
 
 class VTKSHAPEFILTERS_EXPORT vtkShapeCorrespondence : public vtkShapeAlgorithm
 {
@@ -80,6 +106,38 @@ public:
   vtkShapeOption(NumberOfEigenpairs, int);
   vtkShapeOption(Samples, int);
   vtkShapeOption(CoarsePoints, int);
+  vtkShapeEnumOptionAs(Options.Functional.Use, Descriptors,
+    shape::FunctionalMapOptions::DescriptorType,
+    shape::FunctionalMapOptions::DescriptorType::BuiltIn,
+    shape::FunctionalMapOptions::DescriptorType::Both);
+  vtkShapeOptionAs(Options.Functional.Fit.Size, FunctionalMapSize, int);
+  vtkShapeOptionAs(Options.Functional.Descriptors, NumberOfDescriptors, int);
+  vtkShapeOptionOf(Options.Functional.Fit, OperatorStride, int);
+  vtkShapeOptionOf(Options.Functional.Fit, LaplacianWeight, double);
+  vtkShapeOptionOf(Options.Functional.Fit, DescriptorWeight, double);
+  vtkShapeOptionOf(Options.Functional.Fit, OrientationWeight, double);
+  vtkShapeOptionAs(Options.Functional.Refinement.Step, ZoomOutStep, int);
+  vtkShapeOptionAs(Options.Functional.Samples, ZoomOutSamples, int);
+  vtkShapeOptionOf(Options.Harmonic, Alpha, double);
+  vtkShapeOptionOf(Options.Harmonic, FirstAlpha, double);
+  vtkShapeOptionOf(Options.Harmonic, AlphaSteps, int);
+  vtkShapeOptionOf(Options.Harmonic, BetaStep, double);
+  vtkShapeOptionOf(Options.Harmonic, BetaSteps, int);
+  vtkShapeOptionOf(Options.Harmonic.Scaling, Dimensions, int);
+  vtkShapeOptionAs(Options.Heat.Eigenpairs, HeatEigenpairs, int);
+  vtkShapeOptionAs(Options.Heat.Times, HeatTimes, int);
+  vtkShapeOptionOf(Options.Blended, Candidates, int);
+  vtkShapeOptionOf(Options.Blended, Agreement, double);
+  virtual void SetNumberOfDescriptorArrays(int count);
+  virtual void SetDescriptorArrays(int index, const std::string& name);
+  virtual std::vector<std::string> GetDescriptorArrays() { return this->DescriptorArrays; }
+  vtkSetStdStringFromCharMacro(RegionArray);
+  vtkGetCharFromStdStringMacro(RegionArray);
+  vtkShapeOptionAs(CurveDescriptors, CurveDescriptors, bool);
+  vtkShapeOptionAs(OutputEigenfunctions, OutputEigenfunctions, bool);
+  virtual void SetNumberOfTransferArrays(int count);
+  virtual void SetTransferArrays(int index, const std::string& name);
+  virtual std::vector<std::string> GetTransferArrays() { return this->TransferArrays; }
   ///@}
 
 protected:
@@ -91,9 +149,15 @@ private:
   vtkShapeCorrespondence(const vtkShapeCorrespondence&) = delete;
   void operator=(const vtkShapeCorrespondence&) = delete;
 
-  /// Fills output `port` with the surface of that port and its map onto the other surface.
-  void WriteMap(int port, const shape::SurfacePoints& map, const shape::Mesh& other, int otherPort);
+  /// Reads the arrays, curves and the matrix that guide a functional map.
+  shape::FunctionalGuide ReadGuide(const shape::Surface& a, const shape::Surface& b);
+  /// Fills output `port` with the surface of that port, its map onto the other surface, its
+  /// eigenfunctions if they are wanted, and what is transferred to it.
+  void WriteMap(int port, const shape::CorrespondenceResult& result, const shape::Mesh& other);
 
+  std::vector<std::string> DescriptorArrays, TransferArrays;
+  std::string RegionArray = "None";
+  bool CurveDescriptors = false, OutputEigenfunctions = false;
   shape::CorrespondenceOptions Options;
 };
 
