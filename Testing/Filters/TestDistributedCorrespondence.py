@@ -102,6 +102,22 @@ found = run(shapemap.vtkShapeCorrespondence(), a, b, Method=1)
 assert fact(found, 'Correspondence.LandmarksFound') == 1
 keep('found', found, array(found, 'TargetPosition'), 0.02)
 
+# Functional maps: the first process has the matrix, which all take, and each gets its own rows.
+algorithm = shapemap.vtkShapeCorrespondence()
+algorithm.SetTransferArrays(0, 'Place')
+algorithm.SetRegionArray('Side')
+sender = copy(a)
+add_array(sender, points(a), 'Place')
+add_array(sender, (array(a, 'TargetPosition')[:, 0] > 0.0).astype(int), 'Side')
+there = run(algorithm, sender, b, Method=1, OutputEigenfunctions=True)
+here, matrix = algorithm.GetOutputDataObject(1), algorithm.GetOutputDataObject(3)
+assert (matrix.GetNumberOfRows() == 120) == (rank == 0) and matrix.GetNumberOfRows() in (0, 120)
+assert fact(there, 'Correspondence.FunctionalMapSize') == 120
+keep('transferred', here, array(here, 'PlaceFromA'), 0.05)
+again = shapemap.vtkShapeCorrespondence()
+again.SetInputDataObject(4, matrix)
+keep('guided', run(again, a, b, Method=1), array(again.GetOutputDataObject(0), 'TargetPosition'), 0.02)
+
 # A known map: its curve and the differences that it shows.
 mapped = copy(a)
 target = copy(b)

@@ -19,8 +19,8 @@
  *   request fails. If one process fails, all processes fail.
  * - An output that is declared like an input (DeclareOutputLikeInput, DeclareMovedOutput) has the
  *   type of that input.
- * - The facts of a run, such as counts and errors, are the columns of a table of one row: the
- * output Facts. In parallel, the first process has the row.
+ * - The facts of a run, such as counts and errors, are the columns of a table of one row, which is
+ *   the output Facts. In parallel, the first process has the row.
  * - If the points of an output differ from the points of the inputs, the measures of the inputs'
  *   geometry are removed from it: see vtkShapeMeasures.
  */

@@ -116,6 +116,11 @@ public:
   vtkShapeOptionOf(Options.Functional.Fit, LaplacianWeight, double);
   vtkShapeOptionOf(Options.Functional.Fit, DescriptorWeight, double);
   vtkShapeOptionOf(Options.Functional.Fit, OrientationWeight, double);
+  vtkShapeOptionOf(Options.Functional.Fit, OrthonormalityWeight, double);
+  vtkShapeOptionOf(Options.Functional.Fit, InverseWeight, double);
+  vtkShapeEnumOptionOf(Options.Functional.Fit, Mask, shape::FunctionalMapFitOptions::MaskType,
+    shape::FunctionalMapFitOptions::MaskType::Laplacian,
+    shape::FunctionalMapFitOptions::MaskType::Resolvent);
   vtkShapeOptionAs(Options.Functional.Refinement.Step, ZoomOutStep, int);
   vtkShapeOptionAs(Options.Functional.Samples, ZoomOutSamples, int);
   vtkShapeOptionOf(Options.Harmonic, Alpha, double);

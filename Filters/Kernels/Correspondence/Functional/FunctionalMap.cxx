@@ -1,265 +1,18 @@
 #include "Correspondence/Functional/FunctionalMap.h"
 
 #include "Base/Errors.h"
-#include "Base/Parallel.h"
 #include "Geodesics/FarthestPoints.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Search/NearestSurfacePoints.h"
 #include "Spectrum/SpectralSignatures.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace shape
 {
-
-namespace
-{
-
-using Matrices = std::vector<Eigen::MatrixXd>;
-
-/// The operators of one surface in the basis of its first eigenfunctions.
-struct Operators
-{
-  Eigen::MatrixXd Coefficients; ///< k x q
-  Matrices Products, Turns;     ///< q each, k x k
-};
-
-/// Gradients of piecewise linear functions, in coordinates of each triangle's plane with the first
-/// edge along x.
-/// In its own plane, a triangle's corners are (0, 0), (x1, 0), (x2, y2), so that a gradient takes
-/// two divisions.
-class Gradients
-{
-public:
-  explicit Gradients(const Mesh& mesh)
-    : Triangles(mesh.Triangles)
-    , Positions(mesh.Triangles.rows(), 3)
-    , Areas(mesh.Triangles.rows())
-  {
-    for (Eigen::Index t = 0; t < this->Positions.rows(); ++t)
-    {
-      const Eigen::Matrix3d corners = GetCorners(mesh, t);
-      const Eigen::RowVector3d side = corners.row(1) - corners.row(0),
-                               other = corners.row(2) - corners.row(0);
-      const double length = side.norm(), twice = side.cross(other).norm();
-      const bool isFlat = twice <= std::numeric_limits<double>::min();
-      // A triangle without area has no gradient and contributes to no integral.
-      this->Positions.row(t) << (isFlat ? 1.0 : length), (isFlat ? 0.0 : side.dot(other) / length),
-        (isFlat ? 1.0 : twice / length);
-      this->Areas(t) = isFlat ? 0.0 : 0.5 * twice;
-    }
-  }
-
-  struct Components
-  {
-    Eigen::MatrixXd X, Y; ///< m x k
-  };
-
-  /// functions: n x k, of the points.
-  Components Of(const Eigen::MatrixXd& functions) const
-  {
-    Components gradients{ Eigen::MatrixXd(this->Positions.rows(), functions.cols()), {} };
-    gradients.Y.resizeLike(gradients.X);
-    for (Eigen::Index k = 0; k < functions.cols(); ++k)
-    {
-      for (Eigen::Index t = 0; t < this->Positions.rows(); ++t)
-      {
-        const double first = functions(this->Triangles(t, 0), k);
-        const double x = (functions(this->Triangles(t, 1), k) - first) / this->Positions(t, 0);
-        gradients.X(t, k) = x;
-        gradients.Y(t, k) =
-          (functions(this->Triangles(t, 2), k) - first - x * this->Positions(t, 1)) /
-          this->Positions(t, 2);
-      }
-    }
-    return gradients;
-  }
-
-  /// The functions' integrals over the triangles (m x k).
-  Eigen::MatrixXd Integrals(const Eigen::MatrixXd& functions) const
-  {
-    return this->Areas.asDiagonal() * AverageAtCorners(this->Triangles, functions);
-  }
-
-private:
-  const Eigen::MatrixXi& Triangles;
-  Eigen::MatrixXd Positions; ///< m x 3: x of the second corner, x and y of the third
-  Eigen::VectorXd Areas;
-};
-
-/// The descriptors that give operators: every stride-th computed one, and every given one.
-std::vector<Eigen::Index> OperatorColumns(Eigen::Index computed, Eigen::Index all, int stride)
-{
-  std::vector<Eigen::Index> chosen;
-  for (Eigen::Index i = 0; i < all;
-       i += i < computed ? std::min<Eigen::Index>(stride, computed - i) : 1)
-  {
-    chosen.push_back(i);
-  }
-  return chosen;
-}
-
-/// Coefficients are inner products with the mass-orthonormal eigenfunctions: phi' M f. An operator
-/// T becomes phi' M T phi.
-Operators OperatorsOf(
-  const SurfaceDescriptors& given, const FunctionalMapFitOptions& options, const Progress& progress)
-{
-  const LaplaceEigenpairs& spectrum = given.Spectrum;
-  const Eigen::MatrixXd functions = spectrum.Eigenfunctions.leftCols(options.Size);
-  const Eigen::MatrixXd weighted = spectrum.Masses.asDiagonal() * functions;
-  Eigen::MatrixXd descriptors = given.Descriptors;
-  for (Eigen::Index i = 0; i < descriptors.cols(); ++i)
-  {
-    const double norm = std::sqrt(spectrum.Masses.dot(descriptors.col(i).cwiseAbs2()));
-    descriptors.col(i) /= norm > 0.0 ? norm : 1.0;
-  }
-  const Eigen::Index computed = descriptors.cols() - given.Given;
-  const std::vector<Eigen::Index> chosen =
-    OperatorColumns(computed, descriptors.cols(), options.OperatorStride);
-  const Gradients gradients(given.Surface);
-  const Gradients::Components ofFunctions = gradients.Of(functions);
-  const Eigen::MatrixXd integrals = gradients.Integrals(functions);
-  const int count = static_cast<int>(chosen.size());
-  Operators result{ weighted.transpose() * descriptors, Matrices(count), Matrices(count) };
-  if (given.Given > 0 && computed > 0)
-  {
-    result.Coefficients.rightCols(given.Given) *=
-      std::sqrt(static_cast<double>(computed) / static_cast<double>(given.Given));
-  }
-  ParallelFor(
-    count, 1,
-    [&](int begin, int end)
-    {
-      for (int i = begin; i < end; ++i)
-      {
-        const Eigen::VectorXd descriptor = descriptors.col(chosen[i]);
-        if (options.DescriptorWeight > 0.0)
-        {
-          // P of the header: multiplication by the descriptor (Nogneng and Ovsjanikov).
-          result.Products[i] = weighted.transpose() * descriptor.asDiagonal() * functions;
-        }
-        if (options.OrientationWeight > 0.0)
-        {
-          // n x grad(f) is (-y, x) of grad(f).
-          const Gradients::Components own = gradients.Of(descriptor);
-          // O of the header: the orientation operator of Ren et al., section 4. The integrand is
-          // constant in each triangle except for the test function, which is integrated exactly.
-          result.Turns[i] = integrals.transpose() *
-            (own.X.col(0).asDiagonal() * ofFunctions.Y - own.Y.col(0).asDiagonal() * ofFunctions.X);
-        }
-      }
-    },
-    progress);
-  return result;
-}
-
-/// w (|C X - Y C|^2 summed over pairs of operators), and half its gradient.
-/// The sum is |C X_i - Y_i C|^2; half its gradient is C (sum X X') + (sum Y' Y) C minus the two
-/// mixed terms. The first two sums do not depend on C and are computed once.
-class Commutators
-{
-public:
-  /// Divided by the number of operators and the mean of their squared norms.
-  Commutators(const Matrices& x, const Matrices& y, double weight, Eigen::Index size)
-    : X(x)
-    , Y(y)
-    , Right(Eigen::MatrixXd::Zero(size, size))
-    , Left(Eigen::MatrixXd::Zero(size, size))
-  {
-    if (weight <= 0.0)
-    {
-      return;
-    }
-    double norms = 0.0;
-    for (std::size_t i = 0; i < x.size(); ++i)
-    {
-      this->Right += x[i] * x[i].transpose();
-      this->Left += y[i].transpose() * y[i];
-      norms += 0.5 * (x[i].squaredNorm() + y[i].squaredNorm()) / static_cast<double>(size);
-    }
-    this->Weight = norms > 0.0 ? weight / norms : 0.0;
-  }
-
-  void AddGradient(const Eigen::MatrixXd& c, Eigen::MatrixXd& gradient) const
-  {
-    if (this->Weight <= 0.0)
-    {
-      return;
-    }
-    Eigen::MatrixXd own = c * this->Right + this->Left * c;
-    for (std::size_t i = 0; i < this->X.size(); ++i)
-    {
-      own.noalias() -= this->Y[i] * (c * this->X[i].transpose());
-      own.noalias() -= this->Y[i].transpose() * (c * this->X[i]);
-    }
-    gradient += this->Weight * own;
-  }
-
-private:
-  const Matrices& X;
-  const Matrices& Y;
-  Eigen::MatrixXd Right, Left;
-  double Weight = 0.0;
-};
-
-} // namespace
-
-// The energy of the header is quadratic in C. Its gradient is zero if apply(C) = B A' / q; this
-// linear system is symmetric and positive semidefinite, and is solved by conjugate gradients on
-// matrices.
-Eigen::MatrixXd FitFunctionalMap(const SurfaceDescriptors& a, const SurfaceDescriptors& b,
-  const FunctionalMapFitOptions& options, const Progress& progress)
-{
-  // The matrices are small (30 x 30 by default): starting threads would take longer than a product.
-  const BlasThreads one(false);
-  const Operators ofA = OperatorsOf(a, options, progress.Part(0.0, 0.2));
-  const Operators ofB = OperatorsOf(b, options, progress.Part(0.2, 0.4));
-  const int size = options.Size;
-  const double count = std::max<double>(1.0, static_cast<double>(ofA.Coefficients.cols()));
-  const Eigen::MatrixXd squares = ofA.Coefficients * ofA.Coefficients.transpose() / count;
-  const Eigen::MatrixXd wanted = ofB.Coefficients * ofA.Coefficients.transpose() / count;
-  const Eigen::VectorXd valuesA = a.Spectrum.Eigenvalues.head(size),
-                        valuesB = b.Spectrum.Eigenvalues.head(size);
-  const double largest = std::max(valuesA.maxCoeff(), valuesB.maxCoeff());
-  // |C L1 - L2 C|^2 is diagonal in the entries of C: entry (i, j) has the weight (l1_j - l2_i)^2.
-  const Eigen::MatrixXd gaps = options.LaplacianWeight / (largest * largest) *
-    (valuesA.transpose().replicate(size, 1) - valuesB.replicate(1, size)).cwiseAbs2();
-  const Commutators products(ofA.Products, ofB.Products, options.DescriptorWeight, size),
-    turns(ofA.Turns, ofB.Turns, options.OrientationWeight, size);
-  const auto apply = [&](const Eigen::MatrixXd& c)
-  {
-    Eigen::MatrixXd result = c * squares + gaps.cwiseProduct(c);
-    products.AddGradient(c, result);
-    turns.AddGradient(c, result);
-    return result;
-  };
-
-  // The limit and the tolerance suffice, since the refinement improves the map anyway.
-  constexpr int maximum = 200;
-  constexpr double minimum = 1e-6; // of the right-hand side
-  Eigen::MatrixXd map = Eigen::MatrixXd::Zero(size, size), residual = wanted, direction = residual;
-  double squared = residual.squaredNorm();
-  const double enough = minimum * minimum * squared;
-  for (int k = 0; k < maximum && squared > enough; ++k)
-  {
-    progress(0.4 + 0.6 * k / maximum);
-    const Eigen::MatrixXd image = apply(direction);
-    const double step = squared / direction.cwiseProduct(image).sum();
-    map += step * direction;
-    residual -= step * image;
-    const double next = residual.squaredNorm();
-    direction = residual + next / squared * direction;
-    squared = next;
-  }
-  progress(1.0);
-  return map;
-}
 
 namespace
 {
@@ -388,7 +141,7 @@ int CountUsedPoints(const Surface& surface, const char* name)
 } // namespace
 
 // 1. Compute the spectrum, descriptors and samples of both surfaces, scaled to area 1 (Prepare).
-// 2. Fit a small functional map to the descriptors (FitFunctionalMap), or take the given one.
+// 2. Fit small functional maps to the descriptors (FitFunctionalMaps), or take the given one.
 // 3. Raise its size step by step (RefineByZoomOut).
 // 4. Map each point to the position with the nearest row of eigenfunctions (Ezuz and Ben-Chen).
 SurfaceMaps ComputeFunctionalMap(const Surface& a, const Surface& b, const Landmarks& landmarks,
@@ -410,10 +163,10 @@ SurfaceMaps ComputeFunctionalMap(const Surface& a, const Surface& b, const Landm
 
   const Side one = Prepare(a, pairs, landmarks, 0, options, progress.Part(0.0, 0.2));
   const Side two = Prepare(b, pairs, landmarks, 1, options, progress.Part(0.2, 0.4));
-  const Eigen::MatrixXd map = given > 0 ? GivenMap(options.Guide, one, two)
-                                        : FitFunctionalMap(one.Described(), two.Described(), fit,
-                                            progress.Part(0.4, 0.5, "fitting the functional map"));
-  const FunctionalMaps maps = RefineByZoomOut(one.Sampled(), two.Sampled(), map, landmarks,
+  const FunctionalMaps start = given > 0 ? WithTranspose(GivenMap(options.Guide, one, two))
+                                         : FitFunctionalMaps(one.Described(), two.Described(), fit,
+                                             progress.Part(0.4, 0.5, "fitting the functional map"));
+  const FunctionalMaps maps = RefineByZoomOut(one.Sampled(), two.Sampled(), start, landmarks,
     refinement, progress.Part(0.5, 0.9, "refining the functional map"));
   const Eigen::MatrixXd &functionsA = one.Spectrum.Eigenfunctions,
                         &functionsB = two.Spectrum.Eigenfunctions;

@@ -37,7 +37,7 @@ Eigen::MatrixXd FitCoefficients(const Eigen::MatrixXd& from, const Eigen::Matrix
 }
 
 FunctionalMaps RefineByZoomOut(const SampledSpectrum& a, const SampledSpectrum& b,
-  const Eigen::MatrixXd& map, const Landmarks& landmarks, const ZoomOutOptions& options,
+  const FunctionalMaps& start, const Landmarks& landmarks, const ZoomOutOptions& options,
   const Progress& progress)
 {
   std::vector<int> ofA, ofB;
@@ -54,15 +54,12 @@ FunctionalMaps RefineByZoomOut(const SampledSpectrum& a, const SampledSpectrum& 
                         functionsB = b.Spectrum.Eigenfunctions(b.Samples, Eigen::all),
                         landmarksA = weight * a.Spectrum.Eigenfunctions(ofA, Eigen::all),
                         landmarksB = weight * b.Spectrum.Eigenfunctions(ofB, Eigen::all);
-  // A point's row of eigenfunctions on b is its image's row on a times the map's transpose.
-  // The functional map of an isometry is orthogonal, so its transpose is the first guess of the
-  // inverse.
-  FunctionalMaps maps{ map, map.transpose() };
+  FunctionalMaps maps = start;
   if (options.Step == 0)
   {
     return maps;
   }
-  const Eigen::Index first = map.rows(), last = std::max<Eigen::Index>(first, options.Last);
+  const Eigen::Index first = start.AToB.rows(), last = std::max<Eigen::Index>(first, options.Last);
   // The first pass has the size of the given map and repairs it; each later pass adds Step
   // functions.
   for (Eigen::Index size = first;; size = std::min<Eigen::Index>(size + options.Step, last))
@@ -70,7 +67,8 @@ FunctionalMaps RefineByZoomOut(const SampledSpectrum& a, const SampledSpectrum& 
     progress(last > first ? static_cast<double>(size - first) / (last - first) : 1.0);
     const Eigen::Index now = maps.AToB.rows();
     // From functional maps to point maps (Melzi et al.): nearest rows, here on triangles instead of
-    // at vertices.
+    // at vertices. A point's row of eigenfunctions on b is its image's row on a times the map's
+    // transpose.
     const SurfacePoints onA = FindNearestSurfacePoints(functionsB.leftCols(now), a.Triangles,
                           a.Spectrum.Eigenfunctions.leftCols(now) * maps.AToB.transpose()),
                         onB = FindNearestSurfacePoints(functionsA.leftCols(now), b.Triangles,

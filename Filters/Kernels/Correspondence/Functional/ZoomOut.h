@@ -40,6 +40,13 @@ struct FunctionalMaps
   Eigen::MatrixXd AToB, BToA; ///< k x k
 };
 
+/// The functional map of an isometry is orthogonal, so its transpose is the first guess of the
+/// inverse.
+inline FunctionalMaps WithTranspose(const Eigen::MatrixXd& map)
+{
+  return { map, map.transpose() };
+}
+
 /**
  * Refines a map between two surfaces by alternating between functional maps and point maps, each
  * time adding eigenfunctions. A point map takes each point to the position on the other surface
@@ -55,7 +62,7 @@ struct FunctionalMaps
  * thousandth of all samples in the fits. Throws Aborted.
  */
 FunctionalMaps RefineByZoomOut(const SampledSpectrum& a, const SampledSpectrum& b,
-  const Eigen::MatrixXd& map, const Landmarks& landmarks, const ZoomOutOptions& options = {},
+  const FunctionalMaps& start, const Landmarks& landmarks, const ZoomOutOptions& options = {},
   const Progress& progress = {});
 
 } // namespace shape
