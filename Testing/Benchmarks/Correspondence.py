@@ -27,6 +27,9 @@ RUNS = (
     ('HeatKernel', 12, ('stretched',)),
     ('BlendedIntrinsic', 12, ('isometric', 'stretched')),
     ('CommonSphere', 12, ('isometric', 'stretched')),
+    ('CommonOrbifold', 5, ('isometric', 'stretched')),
+    ('CommonOrbifold', 12, ('isometric', 'stretched')),
+    ('WeightedAverages', 12, ('isometric', 'stretched')),
 )
 
 

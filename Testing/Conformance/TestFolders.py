@@ -12,7 +12,7 @@ ORDER = [
     'Base', 'Linear', 'Mesh', 'Search', 'Geometry', 'Labels', 'Solids', 'Distance', 'Planar', 'Quality',
     'Laplacian', 'Distortion', 'Geodesics', 'Spectrum', 'Remesh', 'Skeleton', 'Parameterize', 'ExponentialMap', 'Transfer', 'Materials',
     'Correspondence/Pair', 'Correspondence/Landmarks', 'Correspondence/Functional',
-    'Correspondence/Transport', 'Correspondence/Conformal', 'Correspondence/Reversible',
+    'Correspondence/Transport', 'Correspondence/Conformal', 'Correspondence/Averages', 'Correspondence/Reversible',
     'Correspondence/Evaluate', 'Correspondence',
     'Fmm', 'Tetrahedra', 'Untangle', 'Harmonic', 'Cage',
     'Hex/Voxels', 'Hex/Features', 'Hex/Optimize', 'Hex/Fit', 'Hex/Grid', 'Hex/Polycube', 'Hex',

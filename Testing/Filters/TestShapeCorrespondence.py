@@ -11,7 +11,7 @@ import shapemap
 import shapetesting
 from shapetesting import array, copy, fact, points, read, triangles
 
-HARMONIC, FUNCTIONAL, WASSERSTEIN, HEAT, BLENDED, SPHERE, ORBIFOLD = range(7)
+HARMONIC, FUNCTIONAL, WASSERSTEIN, HEAT, BLENDED, SPHERE, ORBIFOLD, AVERAGES = range(8)
 
 
 def new(a, b, landmarks=None, method=FUNCTIONAL):
@@ -122,21 +122,24 @@ assert clear.mean() > 0.9 and (abs(limbs - expected)[clear] < 0.5).mean() > 0.99
 chosen = numpy.linspace(0, len(truth) - 1, 12).astype(int)
 some = marks(points(a)[chosen], wanted[chosen])
 for method, most in ((HARMONIC, 0.02), (FUNCTIONAL, 0.02), (WASSERSTEIN, 0.05), (HEAT, 0.05),
-                     (BLENDED, 0.06), (SPHERE, 0.06)):
+                     (BLENDED, 0.06), (SPHERE, 0.06), (AVERAGES, 0.06)):
     there, here = maps(a, b, some, method=method)
     assert errors(there).mean() < most, (method, errors(there).mean())
     assert fact(there, 'Correspondence.LandmarksFound') == 0
     assert fact(here, 'Correspondence.Landmarks') == 12
-    if method == HARMONIC:
+    if method in (HARMONIC, AVERAGES):
         assert errors(there)[chosen].max() < 1e-6
+    if method == HARMONIC:
         assert fact(there, 'Correspondence.RoundTrip') < 0.01
 
-# Four of them through an orbifold; more are refused.
-four = marks(points(a)[chosen[:4]], wanted[chosen[:4]])
-there, here = maps(a, b, four, method=ORBIFOLD)
-assert errors(there)[chosen[:4]].max() < 1e-6 and errors(there).mean() < 0.1
-assert fact(there, 'Correspondence.ReversedArea') < 0.01
-assert 'give 3 or 4' in refusal(a, b, some, method=ORBIFOLD)
+# Four of them through an orbifold in the plane, twelve through a hyperbolic one; two are too few.
+for count in (4, 12):
+    few = marks(points(a)[chosen[:count]], wanted[chosen[:count]])
+    there, here = maps(a, b, few, method=ORBIFOLD)
+    assert errors(there)[chosen[:count]].max() < 1e-6 and errors(there).mean() < 0.1, count
+    assert fact(there, 'Correspondence.ReversedArea') < 0.01
+assert 'give three or more' in refusal(
+    a, b, marks(points(a)[chosen[:2]], wanted[chosen[:2]]), method=ORBIFOLD)
 
 # Landmarks on a line count between its points, too.
 down = numpy.argsort(points(a)[:, 2])[::40]

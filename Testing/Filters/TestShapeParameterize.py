@@ -199,7 +199,17 @@ assert (array(laid, 'TargetPosition') == positions[array(laid, 'OriginalPointId'
 assert fact(four.GetOutputDataObject(1), 'Parameterize.Method') == 'Parallelogram'
 assert not error_of(clean.GetOutput(), [[1, 1, 1], [-1, -1, 1], [1, -1, -1]], Domain=3)
 
-assert 'has 3 or 4 cones, but there are 0 Landmarks' in error_of(mapped, Domain=3)
+# Six cones: a polygon of the hyperbolic plane, inside the unit circle.
+six = shapemap.vtkShapeParameterize()
+six.SetInputDataObject(0, mapped)
+six.SetInputDataObject(1, cloud(ends + [[0.0, 2.0, 2.0], [0.0, -2.0, 2.0]]))
+six.SetDomain(3)
+assert not shapetesting.run(six)
+laid = six.GetOutputDataObject(1)
+assert (signed_areas(laid) > 0.0).all() and numpy.linalg.norm(points(laid), axis=1).max() < 1.0
+assert fact(laid, 'Parameterize.Method') == 'Hyperbolic' and fact(laid, 'Parameterize.Iterations') < 12
+
+assert 'has 3 or more cones, but there are 0 Landmarks' in error_of(mapped, Domain=3)
 assert 'but there are 2 Landmarks' in error_of(mapped, ends[:2], Domain=3)
 assert 'are the same point' in error_of(mapped, ends[:2] + ends[:1], Domain=3)
 assert 'Landmarks are the cones of the Orbifold' in error_of(mapped, ends, Domain=1)

@@ -1,7 +1,9 @@
 #include "Correspondence/Correspondence.h"
 
 #include "Base/Errors.h"
+#include "Correspondence/Averages/WeightedAverages.h"
 #include "Correspondence/Conformal/BlendedIntrinsic.h"
+#include "Correspondence/Conformal/HyperbolicMap.h"
 #include "Correspondence/Conformal/OrbifoldMap.h"
 #include "Correspondence/Conformal/SphereCommonDomain.h"
 #include "Correspondence/Functional/FunctionalMap.h"
@@ -90,7 +92,8 @@ SurfacePoints Expanded(const SurfacePoints& map, const Compact& from, const Surf
   return all;
 }
 
-/// Of the landmarks that were found, only the first four are used: an orbifold has no more cones.
+/// Of the landmarks that were found, only the first four are used: a wrong one does more harm than
+/// further ones do good.
 SurfaceMaps ThroughOrbifold(
   const Surface& a, const Surface& b, Landmarks landmarks, bool found, const Progress& progress)
 {
@@ -98,6 +101,11 @@ SurfaceMaps ThroughOrbifold(
   if (found && landmarks.size() > maximum)
   {
     landmarks.resize(maximum);
+  }
+  if (landmarks.size() > maximum)
+  {
+    return MapThroughHyperbolicOrbifold(
+      a, PointsOf(landmarks, 0), b, PointsOf(landmarks, 1), progress);
   }
   // Of the types with as many cones, these depend least on the mesh (MapThroughOrbifold).
   const OrbifoldType type =
@@ -243,6 +251,8 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
     }
     case Options::MethodType::CommonOrbifold:
       return ThroughOrbifold(a, b, landmarks, result.Found, progress);
+    case Options::MethodType::WeightedAverages:
+      return pair.OnFine(MapByWeightedAverages(a, b, landmarks, {}, progress), lift);
     case Options::MethodType::ReversibleHarmonic:
       break;
   }

@@ -18,7 +18,10 @@ struct CorrespondenceOptions
     HeatKernel = 3,         ///< shape::ComputeHeatKernelMap: needs only one landmark
     BlendedIntrinsic = 4,   ///< shape::ComputeBlendedIntrinsicMap: for genus 0
     CommonSphere = 5,       ///< shape::MapThroughSphere: one to one; for closed surfaces of genus 0
-    CommonOrbifold = 6      ///< shape::MapThroughOrbifold: the same, with three or four landmarks
+    /// shape::MapThroughOrbifold, or from five landmarks on shape::MapThroughHyperbolicOrbifold:
+    /// the same, with exact landmarks
+    CommonOrbifold = 6,
+    WeightedAverages = 7 ///< shape::MapByWeightedAverages: smooth, from many landmarks
   };
   MethodType Method = MethodType::ReversibleHarmonic;
   /// The initial maps of ReversibleHarmonic.

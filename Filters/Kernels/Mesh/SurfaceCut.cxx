@@ -22,9 +22,9 @@ namespace
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// Finds the path through the stops, or the path up to a leg that does not exist. toll: the cost of
-/// passing a neighbour of a stop at which the leg does not end.
-EdgePath FindPath(
-  const Graph& graph, const std::vector<int>& stops, double toll, const Progress& progress)
+/// passing a neighbour of a stop at which the leg does not end. factors: see FindEdgePathThrough.
+EdgePath FindPath(const Graph& graph, const std::vector<int>& stops, double toll,
+  const Eigen::MatrixXd& factors, const Progress& progress)
 {
   std::vector<char> blocked(graph.Size(), 0);
   std::vector<double> tolls(graph.Size(), 0.0);
@@ -48,8 +48,11 @@ EdgePath FindPath(
       [&](double distance, int link)
       {
         const int next = graph.Neighbours[link];
-        return blocked[next] == 0 || next == stops[i] ? distance + tolls[next] + graph.Lengths[link]
-                                                      : Infinity;
+        const double factor =
+          factors.size() > 0 ? factors(next, static_cast<Eigen::Index>(i) - 1) : 1.0;
+        return blocked[next] == 0 || next == stops[i]
+          ? distance + tolls[next] + factor * graph.Lengths[link]
+          : Infinity;
       });
     if (leg.empty())
     {
@@ -119,16 +122,16 @@ CutSurface CutAlongEdges(const Surface& surface, const std::vector<std::array<in
   return result;
 }
 
-EdgePath FindEdgePathThrough(
-  const Surface& surface, const std::vector<int>& stops, const Progress& progress)
+EdgePath FindEdgePathThrough(const Surface& surface, const std::vector<int>& stops,
+  const Progress& progress, const Eigen::MatrixXd& factors)
 {
   const std::shared_ptr<const Graph> graph = GetEdgeGraph(surface);
-  EdgePath path = FindPath(*graph, stops, 0.0, progress.Part(0.0, 0.5));
+  EdgePath path = FindPath(*graph, stops, 0.0, factors, progress.Part(0.0, 0.5));
   if (path.Stops.size() < stops.size())
   {
     // A stop was enclosed: now passing near stops costs as much as ten times across the surface.
-    path =
-      FindPath(*graph, stops, 10.0 * ComputeBoxDiagonal(surface.Points()), progress.Part(0.5, 1.0));
+    path = FindPath(
+      *graph, stops, 10.0 * ComputeBoxDiagonal(surface.Points()), factors, progress.Part(0.5, 1.0));
   }
   if (path.Stops.size() < stops.size())
   {

@@ -5,6 +5,8 @@
 #include "Mesh/Provenance.h"
 #include "Mesh/Surface.h"
 
+#include <Eigen/Core>
+
 #include <array>
 #include <vector>
 
@@ -35,9 +37,12 @@ struct EdgePath
  * neither the previous legs nor another stop. If a stop cannot be reached in this way, the search
  * is repeated with legs that also avoid the neighbours of later stops.
  *
+ * factors: points x legs, or empty: for each leg, the factor by which edges to a point are longer;
+ * > 0.
+ *
  * Throws InvalidInput if there is no such path because the mesh is too coarse; Aborted.
  */
-EdgePath FindEdgePathThrough(
-  const Surface& surface, const std::vector<int>& stops, const Progress& progress = {});
+EdgePath FindEdgePathThrough(const Surface& surface, const std::vector<int>& stops,
+  const Progress& progress = {}, const Eigen::MatrixXd& factors = {});
 
 } // namespace shape

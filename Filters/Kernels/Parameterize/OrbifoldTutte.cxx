@@ -1,12 +1,11 @@
 #include "Parameterize/OrbifoldTutte.h"
 
 #include "Base/Errors.h"
-#include "Geometry/Orientation.h"
 #include "Laplacian/CotangentWeights.h"
 #include "Linear/SparseSolve.h"
 #include "Mesh/BoundaryLoops.h"
 #include "Mesh/Surface.h"
-#include "Mesh/Topology.h"
+#include "Parameterize/OrbifoldInput.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -26,53 +25,12 @@ using Complex = std::complex<double>;
 /// The minimum weight of an edge: with positive weights nothing flips.
 constexpr double MinimumWeight = 1e-2;
 
-void RequireSphere(const Surface& surface)
-{
-  const Topology topology = RequireClosedSurface(surface, "the surface");
-  if (topology.Components > 1)
-  {
-    throw InvalidInput("the surface has " + std::to_string(topology.Components) +
-      " components; keep one with Connectivity / Extract Largest");
-  }
-  if (topology.EulerNumber != 2)
-  {
-    throw InvalidInput("the surface has Euler number " + std::to_string(topology.EulerNumber) +
-      " (genus " + std::to_string((2 - topology.EulerNumber) / 2) +
-      "); an orbifold needs genus 0: cut each handle with Clip and close the cuts with "
-      "Shape Fill Holes");
-  }
-  const auto unused = (topology.ComponentId.array() < 0).count();
-  if (unused > 0)
-  {
-    throw InvalidInput("the surface has " + std::to_string(unused) +
-      (unused == 1 ? " point that no triangle uses" : " points that no triangle uses") +
-      "; remove unused points with Clean");
-  }
-}
-
-void RequireCones(const Mesh& surface, const std::vector<int>& cones, OrbifoldType type)
+void RequireConeCount(const std::vector<int>& cones, OrbifoldType type)
 {
   if (static_cast<int>(cones.size()) != GetConeCount(type))
   {
     throw InvalidInput("the orbifold has " + std::to_string(GetConeCount(type)) + " cones, but " +
       std::to_string(cones.size()) + " are given; give 3 or 4 Landmarks");
-  }
-  for (std::size_t i = 0; i < cones.size(); ++i)
-  {
-    if (cones[i] < 0 || cones[i] >= surface.Points.rows())
-    {
-      throw InvalidInput("cone " + std::to_string(i) + " is point " + std::to_string(cones[i]) +
-        ", but the surface has only " + std::to_string(surface.Points.rows()) +
-        " points; give points of the surface");
-    }
-    const auto own = cones.begin() + static_cast<std::ptrdiff_t>(i);
-    const auto same = std::find(cones.begin(), own, cones[i]);
-    if (same != own)
-    {
-      throw InvalidInput("cones " + std::to_string(same - cones.begin()) + " and " +
-        std::to_string(i) + " are the same point, " + std::to_string(cones[i]) +
-        "; move one of them away from the other");
-    }
   }
 }
 
@@ -196,27 +154,6 @@ private:
   Eigen::VectorXd Right;
 };
 
-void RequireNoFlip(const Mesh& cut, const Eigen::MatrixXd& image)
-{
-  int flipped = 0, first = -1;
-  for (int t = 0; t < cut.Triangles.rows(); ++t)
-  {
-    const Eigen::RowVector3i corners = cut.Triangles.row(t);
-    if (EvaluateOrientation(image.row(corners(0)), image.row(corners(1)), image.row(corners(2))) <=
-      0)
-    {
-      first = flipped++ == 0 ? t : first;
-    }
-  }
-  if (flipped > 0)
-  {
-    throw SolveFailure("on the tile, " + std::to_string(flipped) + " of " +
-      std::to_string(cut.Triangles.rows()) + " triangles (first triangle " + std::to_string(first) +
-      ") are too small for double precision: an extremity shrinks exponentially with the ratio of "
-      "its length to its girth; put Landmarks on the ends of the longest extremities");
-  }
-}
-
 } // namespace
 
 OrbifoldImage MapToOrbifold(const Surface& surface, const std::vector<int>& cones,
@@ -230,8 +167,8 @@ OrbifoldImage MapToOrbifold(const Surface& surface, const std::vector<int>& cone
   // 3. The Dirichlet energy of all edges, with positive cotangent weights, gives the equations of
   //    the weighted means.
   // 4. The solution, checked with exact predicates.
-  RequireSphere(surface);
-  RequireCones(surface, cones, type);
+  RequireOrbifoldInput(surface, cones);
+  RequireConeCount(cones, type);
   OrbifoldImage image;
   image.Cones = cones;
   image.Tile = BuildOrbifoldTile(type);
@@ -281,7 +218,7 @@ OrbifoldImage MapToOrbifold(const Surface& surface, const std::vector<int>& cone
       position.Unknown >= 0 ? position.Motion(solution[position.Unknown]) : position.Motion.Shift;
     image.Points.row(static_cast<Eigen::Index>(i)) << z.real(), z.imag();
   }
-  RequireNoFlip(image.Cut.Surface, image.Points);
+  RequireUnflippedTile(image.Cut.Surface, image.Points);
   progress(1.0);
   return image;
 }

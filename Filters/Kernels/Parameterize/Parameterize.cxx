@@ -4,6 +4,8 @@
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Parameterize/FreeBoundaryMap.h"
+#include "Parameterize/HyperbolicOrbifold.h"
+#include "Parameterize/OrbifoldInput.h"
 #include "Parameterize/OrbifoldTutte.h"
 #include "Parameterize/SphereMap.h"
 #include "Quality/ConformalDistortion.h"
@@ -13,6 +15,7 @@
 #include <cmath>
 #include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace shape
@@ -183,13 +186,43 @@ std::vector<int> NearestPoints(const Surface& surface, const Eigen::MatrixXd& la
   return points;
 }
 
+/// Sets the result of a map of a surface that is cut open. points: k x 2.
+void SetCutImage(
+  ParameterizeResult& result, CutSurface cut, const Eigen::MatrixXd& points, Eigen::Index uncut)
+{
+  result.CutPositions = Eigen::MatrixXd::Zero(points.rows(), 3);
+  result.CutPositions.leftCols(2) = points;
+  result.Positions = result.CutPositions.topRows(uncut);
+  result.Cut = std::move(cut);
+}
+
+/// The image in the Poincare disk, which preserves angles.
+ParameterizeResult OntoHyperbolicOrbifold(
+  const Surface& surface, const Eigen::MatrixXd& landmarks, const Progress& progress)
+{
+  HyperbolicImage image =
+    MapToHyperbolicOrbifold(surface, NearestPoints(surface, landmarks), progress.Part(0.0, 0.85));
+  const Eigen::MatrixXd points = ProjectToPoincare(image.Points);
+  // Straight edges replace the arcs of circles, and might turn over a flat triangle.
+  RequireUnflippedTile(image.Cut.Surface, points);
+  ParameterizeResult result;
+  SetCutImage(result, std::move(image.Cut), points, surface.Points().rows());
+  result.Iterations = image.Iterations;
+  result.Method = "Hyperbolic";
+  return result;
+}
+
 ParameterizeResult OntoOrbifold(const Surface& surface, const Eigen::MatrixXd& landmarks,
   const ParameterizeOptions& options, const Progress& progress)
 {
-  if (landmarks.rows() != 3 && landmarks.rows() != 4)
+  if (landmarks.rows() < 3)
   {
-    throw InvalidInput("the Orbifold has 3 or 4 cones, but there are " +
-      std::to_string(landmarks.rows()) + " Landmarks; give 3 or 4 points near the surface");
+    throw InvalidInput("the Orbifold has 3 or more cones, but there are " +
+      std::to_string(landmarks.rows()) + " Landmarks; give 3 or more points near the surface");
+  }
+  if (landmarks.rows() > 4)
+  {
+    return OntoHyperbolicOrbifold(surface, landmarks, progress);
   }
   const OrbifoldType type = landmarks.rows() == 4 ? OrbifoldType::Rectangle : options.Tile;
   OrbifoldImage image =
@@ -199,10 +232,7 @@ ParameterizeResult OntoOrbifold(const Surface& surface, const Eigen::MatrixXd& l
     image.Points = FitToBestParallelogram(image);
   }
   ParameterizeResult result;
-  result.CutPositions = Eigen::MatrixXd::Zero(image.Points.rows(), 3);
-  result.CutPositions.leftCols(2) = image.Points;
-  result.Positions = result.CutPositions.topRows(surface.Points().rows());
-  result.Cut = std::move(image.Cut);
+  SetCutImage(result, std::move(image.Cut), image.Points, surface.Points().rows());
   result.FlippedTriangles = image.FlippedTriangles;
   result.Method = Word(type);
   return result;

@@ -34,7 +34,7 @@ struct ParameterizeOptions
   /// triangles count.
   double RefineExponent = InjectiveRefinementOptions().Exponent;
   /// Orbifold: the tile for three landmarks; Rhombus treats the three alike. With four landmarks,
-  /// the tile is a parallelogram whatever this option says.
+  /// the tile is a parallelogram whatever this option says, and with more it is hyperbolic.
   OrbifoldType Tile = OrbifoldType::Rhombus;
   /// Sphere: the weight of equal areas relative to equal angles; >= 0. With 0, only angles matter,
   /// and an extremity shrinks exponentially with the ratio of its length to its girth.
@@ -50,7 +50,8 @@ struct ParameterizeResult
   CutSurface Cut;
   Eigen::MatrixXd CutPositions; ///< Orbifold: the image of each point of the cut surface
   std::string Method;           ///< name of the method that computed the image, in one word
-  /// number of iterations of the method; 0 if it solves one linear system
+  /// number of iterations of the method; 0 if it solves one linear system; for a hyperbolic
+  /// Orbifold, Newton steps
   int Iterations = 0;
   /// Sphere: number of points that were reinserted to repair flipped triangles
   int ReinsertedPoints = 0;
@@ -72,8 +73,10 @@ struct ParameterizeResult
  * Maps a surface onto a simple domain without flipping a triangle. The map preserves orientation: a
  * closed surface that faces inwards has an image that faces inwards.
  *
- * landmarks: k x 3. For the Orbifold, these are three or four positions; the points of the surface
- * nearest to them become its cones, in this order. For other domains, landmarks is empty.
+ * landmarks: k x 3. For the Orbifold, these are three or more positions; the points of the surface
+ * nearest to them become its cones, in this order. With five or more, the orbifold is hyperbolic
+ * (MapToHyperbolicOrbifold), and its image is in the Poincare disk, of radius 1. For other domains,
+ * landmarks is empty.
  *
  * Throws InvalidInput if the surface or the landmarks do not fit the domain, or RefineExponent is
  * not positive. Throws SolveFailure if a triangle would be flipped or an exponential measure

@@ -94,7 +94,7 @@ public:
   /// shape::CorrespondenceOptions.
   vtkShapeEnumOption(Method, shape::CorrespondenceOptions::MethodType,
     shape::CorrespondenceOptions::MethodType::ReversibleHarmonic,
-    shape::CorrespondenceOptions::MethodType::CommonOrbifold);
+    shape::CorrespondenceOptions::MethodType::WeightedAverages);
   vtkShapeEnumOption(Start, shape::CorrespondenceOptions::StartType,
     shape::CorrespondenceOptions::StartType::FunctionalMap,
     shape::CorrespondenceOptions::StartType::LandmarkCells);

@@ -7,7 +7,7 @@
  *   boundary loop and no handle. For FreeBoundary, a surface with one or more boundary loops.
  *   Polygons are triangulated internally. Blocks and distributed pieces are joined first, and each
  *   process gets its own pieces back.
- * - Landmarks (only for Orbifold): three or four points. The nearest points of the surface become
+ * - Landmarks (only for Orbifold): three or more points. The nearest points of the surface become
  *   the cones, in the same order.
  *
  * Outputs
@@ -22,7 +22,8 @@
  * - .Method: for Sphere, ConformalFlow or, if that would flip triangles, PositiveFlow or
  *   GlobalReinsertion. With AreaWeight > 0, it is GlobalReinsertion. For Disk, it is the name of
  *   the weights, and for FreeBoundary, it is BoundaryFirst. For Disk and FreeBoundary, it is
- *   the measure of Refine if the map is refined. For Orbifold, it is the name of the tile.
+ *   the measure of Refine if the map is refined. For Orbifold, it is the name of the tile, or
+ *   Hyperbolic with five or more Landmarks.
  * - .Iterations: number of iterations of the method. .ReinsertedPoints: number of points that got a
  *   new position because the method had flipped triangles around them.
  * - .MeasureBefore, .MeasureAfter: mean of the measure of Refine over the area of the surface,

@@ -26,7 +26,7 @@ LANDMARKS  which of its files of landmarks, such as landmarks5.txt; none: withou
            as mirrored:landmarks12.txt: B is mirrored, so that landmarks are on the wrong sides
 METHOD     FunctionalMap, ReversibleHarmonic, ReversibleHarmonicFromCells, GromovWasserstein,
            GromovWasserstein1000 (of so many samples), HeatKernel, BlendedIntrinsic, CommonSphere,
-           CommonOrbifold, LandmarkCells; or Given: FILE is read, a position on B for each point of A,
+           CommonOrbifold, WeightedAverages, LandmarkCells; or Given: FILE is read, a position on B for each point of A,
            and measured
 FILE       else it is written: where each point of A goes; none: nothing is
 
@@ -100,6 +100,7 @@ shape::CorrespondenceResult Find(const std::string& method, const shape::Mesh& a
     { "BlendedIntrinsic", { Options::MethodType::BlendedIntrinsic } },
     { "CommonSphere", { Options::MethodType::CommonSphere } },
     { "CommonOrbifold", { Options::MethodType::CommonOrbifold } },
+    { "WeightedAverages", { Options::MethodType::WeightedAverages } },
   };
   if (method == "LandmarkCells")
   {

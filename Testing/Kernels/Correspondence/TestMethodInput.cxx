@@ -17,7 +17,7 @@ using Method = shape::CorrespondenceOptions::MethodType;
 
 constexpr Method AllMethods[] = { Method::ReversibleHarmonic, Method::FunctionalMap,
   Method::GromovWasserstein, Method::HeatKernel, Method::BlendedIntrinsic, Method::CommonSphere,
-  Method::CommonOrbifold };
+  Method::CommonOrbifold, Method::WeightedAverages };
 
 const shape::Landmarks Four = { { 0, 0 }, { 1, 1 }, { 2, 2 }, { 3, 3 } };
 
@@ -61,11 +61,11 @@ TEST(MethodInput, WhatTheOtherMethodsCanDoIsNamed)
   const shape::Mesh sphere = shapetest::Pebble(shapetest::Icosphere(2));
   ExpectRefused(sphere, shapetest::FlatDisk(4),
     { Method::ReversibleHarmonic, Method::FunctionalMap, Method::GromovWasserstein,
-      Method::HeatKernel, Method::BlendedIntrinsic },
+      Method::HeatKernel, Method::BlendedIntrinsic, Method::WeightedAverages },
     { "SurfaceB has 1 open loop", "Fill Holes", "or take ReversibleHarmonic" });
   ExpectRefused(shapetest::Torus(1.0, 0.3, 20, 10), sphere,
     { Method::ReversibleHarmonic, Method::FunctionalMap, Method::GromovWasserstein,
-      Method::HeatKernel },
+      Method::HeatKernel, Method::WeightedAverages },
     { "SurfaceA has genus 1", "or take ReversibleHarmonic or FunctionalMap" });
   const shape::Mesh two =
     shapetest::Joined({ sphere, shapetest::Shifted(shapetest::Icosphere(0), { 9, 9, 9 }) });
@@ -96,11 +96,12 @@ TEST(MethodInput, LandmarksMustBeAsManyAsTheMethodTakes)
   {
     EXPECT_REFUSED(Require(sphere, sphere, method, one), "there is 1 distinct landmark");
   }
-  for (const shape::Landmarks& landmarks : { one, five })
+  for (const Method method : { Method::CommonOrbifold, Method::WeightedAverages })
   {
-    EXPECT_REFUSED(Require(sphere, sphere, Method::CommonOrbifold, landmarks), "give 3 or 4");
-    EXPECT_NO_THROW(Require(sphere, sphere, Method::FunctionalMap, landmarks));
+    EXPECT_REFUSED(Require(sphere, sphere, method, one), "give three or more");
+    EXPECT_NO_THROW(Require(sphere, sphere, method, five));
   }
+  EXPECT_NO_THROW(Require(sphere, sphere, Method::FunctionalMap, one));
   EXPECT_REFUSED(Require(sphere, sphere, Method::CommonSphere, { { 0, 162 } }), "is point 162");
 }
 

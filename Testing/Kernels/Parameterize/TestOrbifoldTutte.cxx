@@ -185,6 +185,23 @@ TEST(OrbifoldTutte, FindsAPathWhereTheShortestWouldWallAConeIn)
   EXPECT_EQ(paths, 990);
 }
 
+TEST(OrbifoldTutte, APathAvoidsWhatCountsAsLong)
+{
+  const shape::Mesh mesh = shapetest::Icosphere(3);
+  Eigen::Index top = 0, bottom = 0;
+  mesh.Points.col(2).maxCoeff(&top);
+  mesh.Points.col(2).minCoeff(&bottom);
+  for (const double side : { 1.0, -1.0 })
+  {
+    const Eigen::MatrixXd factors = (side * mesh.Points.col(0).array() > 0.2)
+                                      .select(Eigen::ArrayXd::Constant(642, 50.0), 1.0)
+                                      .matrix();
+    const shape::EdgePath path = shape::FindEdgePathThrough(
+      mesh, { static_cast<int>(top), static_cast<int>(bottom) }, {}, factors);
+    EXPECT_LE((side * mesh.Points(path.Points, 0)).maxCoeff(), 0.2);
+  }
+}
+
 TEST(OrbifoldTutte, WhatItCannotMapIsRefusedWithTheFact)
 {
   const shape::Mesh mesh = shapetest::Pebble(shapetest::Icosphere(2));

@@ -34,9 +34,11 @@ std::string NameOf(Method method)
     case Method::CommonSphere:
       return "CommonSphere";
     case Method::CommonOrbifold:
+      return "CommonOrbifold";
+    case Method::WeightedAverages:
       break;
   }
-  return "CommonOrbifold";
+  return "WeightedAverages";
 }
 
 /// "3 open loops"
@@ -118,16 +120,16 @@ void RequireEnoughLandmarks(const Landmarks& landmarks, Method method)
       "them found, or "
       "take FunctionalMap or HeatKernel");
   }
-  if (method == Method::BlendedIntrinsic && count < 3)
+  if ((method == Method::BlendedIntrinsic || method == Method::WeightedAverages) && count < 3)
   {
     throw InvalidInput(fact +
       " needs three; give three or more, or none to have them found, or take FunctionalMap or "
       "HeatKernel");
   }
-  if (method == Method::CommonOrbifold && (count < 3 || count > 4))
+  if (method == Method::CommonOrbifold && (count < 3))
   {
     throw InvalidInput(fact +
-      " needs 3 or 4, one for each cone; give 3 or 4, or none to have them found, or take "
+      " needs three, one for each cone; give three or more, or none to have them found, or take "
       "CommonSphere");
   }
 }

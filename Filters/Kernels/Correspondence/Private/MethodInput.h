@@ -17,7 +17,7 @@ namespace shape
  * - surfaces of genus 1 or more: all methods except CommonSphere, CommonOrbifold and
  *   BlendedIntrinsic;
  * - landmarks are indices of points; if any are given, CommonSphere needs at least two,
- *   BlendedIntrinsic at least three, CommonOrbifold three or four.
+ *   BlendedIntrinsic, CommonOrbifold and WeightedAverages at least three.
  *
  * a, b: consistently oriented 2-manifolds, open or closed; points that no triangle uses are
  * ignored.
