@@ -18,7 +18,7 @@ import numpy  # noqa: E402
 from CorrespondencePairs import pairs  # noqa: E402
 import PairDeformation as shapes  # noqa: E402
 
-NAMES = ('homer-sits', 'elephant-kneels', 'bear-grows', 'homer-grows', 'cow-giraffe', 'man-fat', 'camel-big-head')
+NAMES = 'homer-sits', 'bear-grows', 'cow-giraffe', 'man-fat', 'camel-big-head'
 COUNTS = 5, 8, 12, 16, 20
 PEER = 'CommonSphere'
 
