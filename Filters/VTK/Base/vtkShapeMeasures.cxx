@@ -58,7 +58,8 @@ const std::set<std::string> RealMeasures = {
   "SymmetricDirichlet", "ConformalDistortion", "ARAP", "Hencky", "AMIPS", "AreaDistortion",
   "L2Stretch", "LinfStretch", "SmallestSingularValue", "LargestSingularValue", "AreaDifference",
   "ConformalDifference", "AreaEigenfunctions", "ConformalEigenfunctions", "Eigenfunctions",
-  "HeatKernelSignature", "WaveKernelSignature", "Embedding", "ArrivalTime", "Radius", "SplineError"
+  "Masses", "HeatKernelSignature", "WaveKernelSignature", "Embedding", "ArrivalTime", "Radius",
+  "SplineError"
 };
 
 /// Measures that are counts or Booleans.
