@@ -176,7 +176,8 @@ for what, data, methods in SURFACES:
         # Four cones are those of a flat orbifold, twelve those of a hyperbolic one.
         for count in (4, 12) if method == 'CommonOrbifold' else (12,):
             chosen = spread(data, min(count, len(numpy.unique(triangles(data)))))
-            most = 0.06 if method == 'GromovWasserstein' else 0.02
+            # These compare samples, which begin at the first point, and so depend on the numbering.
+            most = 0.06 if method in ('GromovWasserstein', 'WeightedAverages') else 0.02
             check_identity(what, method, data, other, marks(chosen, chosen), most)
     print(what, 'is matched by', ', '.join(methods))
 
