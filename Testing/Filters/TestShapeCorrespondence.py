@@ -118,11 +118,12 @@ expected = numpy.sign(truth[:, 0]) * (abs(truth[:, 0]) > 0.25)
 clear = abs(abs(truth[:, 0]) - 0.25) > 0.03
 assert clear.mean() > 0.9 and (abs(limbs - expected)[clear] < 0.5).mean() > 0.99
 
-# From landmarks: every method is near; reversible harmonic maps keep the landmarks.
+# From landmarks: every method is near, averages of few landmarks less than others; they and reversible
+# harmonic maps keep the landmarks.
 chosen = numpy.linspace(0, len(truth) - 1, 12).astype(int)
 some = marks(points(a)[chosen], wanted[chosen])
 for method, most in ((HARMONIC, 0.02), (FUNCTIONAL, 0.02), (WASSERSTEIN, 0.05), (HEAT, 0.05),
-                     (BLENDED, 0.06), (SPHERE, 0.06), (AVERAGES, 0.06)):
+                     (BLENDED, 0.06), (SPHERE, 0.06), (AVERAGES, 0.1)):
     there, here = maps(a, b, some, method=method)
     assert errors(there).mean() < most, (method, errors(there).mean())
     assert fact(there, 'Correspondence.LandmarksFound') == 0
