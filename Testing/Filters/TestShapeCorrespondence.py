@@ -4,6 +4,7 @@ As an example: two figures in different poses, without a landmark; then a segmen
 carried over to the other, and one made half of the other by Shape Morph."""
 import numpy
 from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 import shapemap
@@ -11,7 +12,7 @@ import shapemap
 import shapetesting
 from shapetesting import array, copy, fact, points, read, triangles
 
-HARMONIC, FUNCTIONAL, WASSERSTEIN, HEAT, BLENDED, SPHERE, ORBIFOLD, AVERAGES = range(8)
+HARMONIC, FUNCTIONAL, WASSERSTEIN, HEAT, BLENDED, SPHERE, ORBIFOLD, AVERAGES, SCALING = range(9)
 
 
 def new(a, b, landmarks=None, method=FUNCTIONAL):
@@ -184,3 +185,78 @@ bad = points(a)
 bad[3, 1] = numpy.nan
 shapetesting.set_points(broken, bad)
 assert 'finite' in refusal(broken, b)
+
+# The coupling as data: its rows and columns sum to the weights of the samples, within its error.
+coupled = shapetesting.outputs(shapetesting.new(
+    shapemap.vtkShapeCorrespondence, a, b, some, Method=WASSERSTEIN, Samples=150, ImageOfPoint=int(chosen[3])))
+table = coupled[4]
+entries = {name: vtk_to_numpy(table.GetColumnByName(name)) for name in ('SampleOfA', 'SampleOfB', 'Mass')}
+error, omitted = (fact(coupled[0], 'Correspondence.Coupling' + name) for name in ('Error', 'Omitted'))
+slack = error + omitted + 1e-12
+assert 0 <= omitted < 1e-4 and error < 1e-3
+for side, name in ((0, 'SampleOfA'), (1, 'SampleOfB')):
+    weights = array(coupled[side], 'SampleWeight')
+    assert abs(weights.sum() - 1) < 1e-12 and (weights > 0).sum() >= 150
+    sums = numpy.bincount(entries[name], entries['Mass'], minlength=len(weights))
+    assert abs(sums - weights).sum() <= slack, (name, abs(sums - weights).sum(), slack)
+# A landmark's mass goes to its partner alone, and so does the distribution of its image.
+partner = numpy.linalg.norm(points(b) - wanted[chosen[3]], axis=1).argmin()
+assert set(entries['SampleOfB'][entries['SampleOfA'] == chosen[3]]) == {partner}
+corners = points(b)[triangles(b)]
+areas = numpy.zeros(len(points(b)))
+numpy.add.at(areas, triangles(b), numpy.linalg.norm(numpy.cross(
+    corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)[:, None] / 6)
+density = array(coupled[1], 'ImageDistribution')
+assert density.min() >= 0 and abs(density @ areas - 1) < 1e-9
+spread_of = numpy.linalg.norm(points(b)[density > 1e-9 * density.max()] - points(b)[partner], axis=1).max()
+assert 0 < spread_of < 0.15 * size, spread_of
+
+# A feature that both surfaces have: with its whole weight, coupled points have the same height.
+along = truth[:, 2] - truth[:, 2].min()
+with_a, with_b = copy(a), copy(b)
+shapetesting.add_array(with_a, along, 'Height')
+shapetesting.add_array(with_b, along[order], 'Height')
+
+
+def fused(weight, *arrays):
+    algorithm = shapetesting.new(shapemap.vtkShapeCorrespondence, with_a, with_b, some, Method=WASSERSTEIN,
+                                 Samples=100, FeatureWeight=weight)
+    algorithm.SetNumberOfFeatureArrays(len(arrays))
+    for index, name in enumerate(arrays):
+        algorithm.SetFeatureArrays(index, name)
+    return algorithm
+
+
+costs = [fact(shapetesting.outputs(fused(weight, 'Height'))[0], 'Correspondence.FeatureCost')
+         for weight in (0.0, 0.5, 1.0)]
+assert 0 < costs[2] < costs[1] < costs[0], costs
+assert fact(shapetesting.outputs(fused(0.5))[0], 'Correspondence.FeatureCost') == 0
+assert 'Nowhere' in shapetesting.refusal(fused(0.5, 'Nowhere'))
+
+# Distances along the surface: a strip rolled up has those of the flat one; those of a larger one are larger.
+u, v = (grid.ravel() for grid in numpy.meshgrid(numpy.linspace(0, 5, 26), numpy.linspace(0, 1, 6), indexing='ij'))
+quads = numpy.array([[6 * i + j, 6 * i + 6 + j, 6 * i + 7 + j, 6 * i + j + 1] for i in range(25) for j in range(5)])
+strip = numpy.vstack([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+flat = surface_of(numpy.column_stack([u, v, 0 * u]), strip)
+rolled = surface_of(numpy.column_stack([numpy.sin(u), v, 1 - numpy.cos(u)]), strip)
+larger = surface_of(numpy.column_stack([1.2 * u, 1.2 * v, 0 * u]), strip)
+diameter = numpy.hypot(5, 1)
+
+
+def bounds(*surfaces, **options):
+    found = shapetesting.outputs(shapetesting.new(
+        shapemap.vtkShapeCorrespondence, *surfaces, None, DistanceSamples=30, **options))[0]
+    return [fact(found, 'Correspondence.' + name)
+            for name in ('GromovHausdorffLower', 'GromovHausdorffUpper', 'MaximumDistortion', 'SamplingError')]
+
+
+lower, upper, most, apart = bounds(flat, rolled, Method=SCALING, ScalingSamples=30)
+assert 0 <= lower <= upper < 0.01 * diameter and most == 2 * upper and 0 < apart < diameter
+lower, upper, most, apart = bounds(flat, larger, Method=SCALING, ScalingSamples=30)
+assert abs(lower - 0.1 * diameter) < 0.001 * diameter > abs(upper - 0.1 * diameter), (lower, upper)
+ends = marks([[0, 0, 0], [5, 0, 0], [5, 1, 0]], 1.2 * numpy.array([[0, 0, 0], [5, 0, 0], [5, 1, 0]]))
+for compare in (False, True):
+    found = shapetesting.outputs(shapetesting.new(shapemap.vtkShapeCorrespondence, flat, larger, ends,
+                                                  Method=FUNCTIONAL, CompareDistances=compare))[0]
+    upper = fact(found, 'Correspondence.GromovHausdorffUpper')
+    assert upper >= 0.099 * diameter if compare else upper == -1, upper

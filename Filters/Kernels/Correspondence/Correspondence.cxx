@@ -15,6 +15,7 @@
 #include "Correspondence/Private/MethodInput.h"
 #include "Correspondence/Private/MethodOptions.h"
 #include "Correspondence/Reversible/ReversibleHarmonic.h"
+#include "Correspondence/Transport/GeneralizedMDS.h"
 #include "Correspondence/Transport/GromovWasserstein.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
@@ -115,12 +116,21 @@ SurfaceMaps ThroughOrbifold(
   return { std::move(map.AToB), std::move(map.BToA) };
 }
 
+/// Whether landmarks must be found.
+bool NeedsLandmarks(const Landmarks& landmarks, const Options& options)
+{
+  return landmarks.empty() && !options.IsGuided() &&
+    options.Method != Options::MethodType::GeneralizedMDS;
+}
+
 /// Finds landmarks if result.Found is true, and decides which surface is a part of the other one.
-void Begin(const Surface& a, const Surface& b, Landmarks& landmarks, Options::PartType part,
+void Begin(const Surface& a, const Surface& b, Landmarks& landmarks, const Options& given,
   CorrespondenceResult& result, const Progress& progress)
 {
   using Part = Options::PartType;
   using Which = SurfacePart::WhichType;
+  result.Found = NeedsLandmarks(landmarks, given);
+  const Part part = landmarks.empty() && !result.Found ? Part::None : given.Part;
   const bool isA = part == Part::SurfaceA, isB = part == Part::SurfaceB;
   if (!result.Found)
   {
@@ -198,9 +208,67 @@ int EnoughPoints(const Surface& surface, const Options& options)
       const auto points = static_cast<int>(surface.Points().rows());
       return std::min(options.CoarsePoints, std::max(minimum, points / 5 * 2));
     }
+    case Options::MethodType::GeneralizedMDS:
+    {
+      constexpr int enough = 600; // the time grows with their cube
+      return options.CoarsePoints == 0 ? 0 : std::min(options.CoarsePoints, enough);
+    }
     default:
       return options.CoarsePoints;
   }
+}
+
+/// The landmarks from which the couplings start, of those found and their rival.
+std::vector<Landmarks> CouplingStarts(
+  const Landmarks& found, const Landmarks& rival, Options::CouplingStartType start)
+{
+  using Start = Options::CouplingStartType;
+  if (start == Start::Rival && rival.empty())
+  {
+    throw InvalidInput("no map contradicts the landmarks that were found, so there is no rival to "
+                       "start from; set CouplingStart to Best or Found");
+  }
+  std::vector<Landmarks> starts;
+  if (start != Start::Rival)
+  {
+    starts.push_back(found);
+  }
+  if (start != Start::Found && !rival.empty())
+  {
+    starts.push_back(rival);
+  }
+  return starts;
+}
+
+void RequireRows(const Eigen::MatrixXd& features, const Surface& surface, const std::string& name)
+{
+  if (features.rows() != surface.Points().rows())
+  {
+    throw InvalidInput("there are features of " + std::to_string(features.rows()) +
+      " points, but " + name + " has " + std::to_string(surface.Points().rows()) +
+      "; give a row for each point");
+  }
+}
+
+/// The features of the coarse surfaces' points.
+SurfaceFeatures Features(const SurfaceFeatures& given, const CoarsePair& pair)
+{
+  SurfaceFeatures features{ {}, {}, given.FeatureWeight };
+  if (given.OfA.cols() > 0)
+  {
+    std::vector<int> onA(pair.A().Points().rows()), onB(pair.B().Points().rows());
+    for (std::size_t i = 0; i < onA.size(); ++i)
+    {
+      onA[i] = pair.FinePointOfA(static_cast<int>(i));
+    }
+    for (std::size_t i = 0; i < onB.size(); ++i)
+    {
+      onB[i] = pair.FinePointOfB(static_cast<int>(i));
+    }
+    features.OfA = given.OfA(onA, Eigen::all);
+    features.OfB = given.OfB(onB, Eigen::all);
+  }
+  return features;
 }
 
 /// Computes the maps of the fine surfaces. landmarks: of the coarse ones; on return, those used.
@@ -218,20 +286,29 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
     {
       GromovWassersteinOptions own;
       own.Samples = options.Samples;
+      own.Eigenpairs = options.CouplingEigenpairs;
+      own.Coupling = options.Coupling;
+      own.Features = Features(options.Features, pair);
       // Landmarks that were found are a guess: they are starts of the coupling, which may correct
       // them.
       if (result.Found)
       {
-        own.Starts = { landmarks };
-        if (!result.Start.Rival.empty())
-        {
-          own.Starts.push_back(result.Start.Rival);
-        }
+        own.Starts = CouplingStarts(landmarks, result.Start.Rival, options.CouplingStart);
       }
       GromovWassersteinResult coupled =
         ComputeGromovWassersteinMap(a, b, result.Found ? Landmarks() : landmarks, own, progress);
       result.CouplingDistortion = coupled.Distortion;
       result.CouplingError = coupled.Error;
+      result.FeatureCost = coupled.FeatureCost;
+      result.Coupling = std::move(coupled.Coupling);
+      for (int& sample : result.Coupling.SamplesOfA)
+      {
+        sample = pair.FinePointOfA(sample);
+      }
+      for (int& sample : result.Coupling.SamplesOfB)
+      {
+        sample = pair.FinePointOfB(sample);
+      }
       if (result.Found)
       {
         landmarks = coupled.Start;
@@ -253,6 +330,13 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
       return ThroughOrbifold(a, b, landmarks, result.Found, progress);
     case Options::MethodType::WeightedAverages:
       return pair.OnFine(MapByWeightedAverages(a, b, landmarks, {}, progress), lift);
+    case Options::MethodType::GeneralizedMDS:
+    {
+      GeneralizedMDSOptions own;
+      own.Samples = options.ScalingSamples;
+      own.Starts = options.ScalingStarts;
+      return pair.OnFine(ComputeGeneralizedMDS(a, b, landmarks, own, progress).Maps, lift);
+    }
     case Options::MethodType::ReversibleHarmonic:
       break;
   }
@@ -302,7 +386,7 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
     }
     own.push_back({ one.PositionOf(pointA), two.PositionOf(pointB) });
   }
-  const bool find = own.empty() && !options.IsGuided();
+  const bool find = NeedsLandmarks(own, options);
   result.Found = find;
   const double found = find ? 0.15 : 0.0; // share of the time
   // A guide that is not used is not prepared either.
@@ -317,8 +401,8 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
   {
     const CoarsePair pair(one.Surface, two.Surface, {}, options.CoarsePoints,
       progress.Part(0.0, 0.05, "coarsening the surfaces"));
-    Begin(pair.A(), pair.B(), own, options.Part, result,
-      progress.Part(0.05, found, "finding landmarks"));
+    Begin(
+      pair.A(), pair.B(), own, options, result, progress.Part(0.05, found, "finding landmarks"));
     own = pair.OnFine(own);
     result.Start.Pairs = pair.OnFine(result.Start.Pairs);
     result.Start.Rival = pair.OnFine(result.Start.Rival);
@@ -340,12 +424,21 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
   result.Start.Rival = pair.OnCoarse(result.Start.Rival);
   if (!find)
   {
-    Begin(pair.A(), pair.B(), own, options.Part, result,
+    Begin(pair.A(), pair.B(), own, options, result,
       progress.Part(found + 0.05, found + 0.1, "comparing the landmarks"));
   }
   RequireNoGuide(result.Part, options);
   guide = OnCoarse(guide, pair);
-  const double mapped = options.FunctionalMatrix ? 0.8 : 0.95;
+  if (options.Features.OfA.cols() > 0)
+  {
+    RequireRows(options.Features.OfA, a, "SurfaceA");
+    RequireRows(options.Features.OfB, b, "SurfaceB");
+    used.Features.OfA = options.Features.OfA(one.Points, Eigen::all);
+    used.Features.OfB = options.Features.OfB(two.Points, Eigen::all);
+  }
+  const bool compare =
+    options.CompareDistances || options.Method == Options::MethodType::GeneralizedMDS;
+  const double mapped = compare ? 0.6 : options.FunctionalMatrix ? 0.8 : 0.95; // share of the time
   const SurfaceMaps maps =
     Find(pair, own, used, result, progress.Part(found + 0.1, mapped, "mapping the surfaces"));
   result.Start.Rival = pair.OnFine(result.Start.Rival);
@@ -361,13 +454,29 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
   result.Used = asGiven(pair.OnFine(own));
   result.Start.Pairs = asGiven(result.Start.Pairs);
   result.Start.Rival = asGiven(result.Start.Rival);
+  for (int& sample : result.Coupling.SamplesOfA)
+  {
+    sample = one.Points[sample];
+  }
+  for (int& sample : result.Coupling.SamplesOfB)
+  {
+    sample = two.Points[sample];
+  }
   result.Facts = EvaluateMaps(one.Surface, two.Surface, maps);
+  if (compare)
+  {
+    GromovHausdorffOptions distances;
+    distances.Samples = options.DistanceSamples;
+    result.Distances = MeasureGromovHausdorff(one.Surface, two.Surface, maps, distances,
+      progress.Part(mapped, 0.99, "comparing distances"));
+  }
   result.Maps = { Expanded(maps.AToB, one, a), Expanded(maps.BToA, two, b) };
   if (options.FunctionalMatrix)
   {
     const std::size_t points = std::min(one.Points.size(), two.Points.size());
     result.Matrix = ComputeFunctionalMatrix(a, b, result.Maps.BToA,
-      std::min(options.NumberOfEigenpairs, static_cast<int>(points)), progress.Part(mapped, 1.0));
+      std::min(options.NumberOfEigenpairs, static_cast<int>(points)),
+      progress.Part(compare ? 0.99 : mapped, 1.0));
   }
   progress(1.0);
   return result;

@@ -7,7 +7,11 @@
 #include "Correspondence/Landmarks/AutomaticLandmarks.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
 #include "Correspondence/Pair/SurfacePart.h"
+#include "Correspondence/Transport/GromovHausdorff.h"
+#include "Correspondence/Transport/SampledCoupling.h"
 #include "Mesh/Surface.h"
+
+#include <optional>
 
 namespace shape
 {
@@ -27,10 +31,14 @@ struct CorrespondenceResult
   int Iterations = 0;
   double CouplingDistortion = -1.0; ///< GromovWasserstein: see GromovWassersteinResult::Distortion
   double CouplingError = -1.0;      ///< GromovWasserstein: see GromovWassersteinResult::Error
+  double FeatureCost = -1.0;        ///< GromovWasserstein: see GromovWassersteinResult::FeatureCost
+  SampledCoupling Coupling;         ///< GromovWasserstein: of points of the given surfaces
   SurfaceMapFacts Facts;
   /// The matrix of Maps.BToA in the bases of a and b, with as many eigenfunctions as
   /// NumberOfEigenpairs and the points allow; empty unless CorrespondenceOptions::FunctionalMatrix.
   FunctionalMatrix Matrix;
+  /// How much the maps change distances; empty unless CompareDistances or GeneralizedMDS.
+  std::optional<GromovHausdorffResult> Distances;
   ///@{
   /// The genus of the surfaces (ComputeGenus). If they differ, no continuous one-to-one map exists.
   int GenusOfA = 0, GenusOfB = 0;
@@ -41,9 +49,9 @@ struct CorrespondenceResult
  * Computes corresponding points of two surfaces, in both directions, by one of eight methods. The
  * header of each method says for which surfaces it is suitable. If no landmarks are given,
  * FindLandmarks finds them; each surface must then have one component. Landmarks found in this way
- * are not pinned, and CommonOrbifold uses only the first four of them. No landmarks are found if
- * options.Functional.Guide has descriptors or a matrix, which take their place
- * (CorrespondenceOptions::IsGuided).
+ * are not pinned, and CommonOrbifold uses only the first four of them. No landmarks are found for
+ * GeneralizedMDS, which needs none, nor if options.Functional.Guide has descriptors or a matrix,
+ * which take their place (CorrespondenceOptions::IsGuided).
  *
  * The guide has a row for each point of a and b. Its matrix refers to SolveLaplaceEigenproblem's
  * bases of a and b, as FunctionalMatrix does; its bases are not used.

@@ -4,6 +4,7 @@
 #include "Correspondence/Functional/FunctionalMap.h"
 #include "Correspondence/Functional/HeatKernelMap.h"
 #include "Correspondence/Reversible/ReversibleHarmonic.h"
+#include "Correspondence/Transport/GromovWasserstein.h"
 
 namespace shape
 {
@@ -21,7 +22,8 @@ struct CorrespondenceOptions
     /// shape::MapThroughOrbifold, or from five landmarks on shape::MapThroughHyperbolicOrbifold:
     /// the same, with exact landmarks
     CommonOrbifold = 6,
-    WeightedAverages = 7 ///< shape::MapByWeightedAverages: smooth, from many landmarks
+    WeightedAverages = 7, ///< shape::MapByWeightedAverages: smooth, from many landmarks
+    GeneralizedMDS = 8    ///< shape::ComputeGeneralizedMDS: changes distances least; any genus
   };
   MethodType Method = MethodType::ReversibleHarmonic;
   /// The initial maps of ReversibleHarmonic.
@@ -36,6 +38,25 @@ struct CorrespondenceOptions
   int MaximumIterations = 100;  ///< ReversibleHarmonic: maximum number of iterations; >= 1
   int NumberOfEigenpairs = 120; ///< FunctionalMap: maximum number for each surface; >= 10
   int Samples = 500;            ///< GromovWasserstein: samples of each surface; >= 10
+  /// GromovWasserstein: the coupling of the samples.
+  EntropicCouplingOptions Coupling;
+  SurfaceFeatures Features; ///< GromovWasserstein: what corresponding points should share
+  /// GromovWasserstein: eigenpairs that extend the coupling to all points; >= 2.
+  int CouplingEigenpairs = 60;
+  /// GromovWasserstein without given landmarks: the landmarks from which the coupling starts.
+  enum class CouplingStartType
+  {
+    Best = 0,  ///< both of FindLandmarks' maps; the coupling with the smaller distortion is used
+    Found = 1, ///< FindLandmarks' best map
+    Rival = 2  ///< FindLandmarks' rival, such as the other one of two symmetric maps
+  };
+  CouplingStartType CouplingStart = CouplingStartType::Best;
+  int ScalingSamples = 100; ///< GeneralizedMDS: samples of each surface; >= 8
+  int ScalingStarts = 8;    ///< GeneralizedMDS: starts that are optimised; >= 1
+  /// Whether the maps are compared with distances along the surfaces (MeasureGromovHausdorff). It
+  /// is always done for GeneralizedMDS.
+  bool CompareDistances = false;
+  int DistanceSamples = 50; ///< CompareDistances: samples of each surface; >= 2
   /// Which surface is a part of the other one. FunctionalMap maps the part into the other surface.
   /// If ReversibleHarmonic starts from this map, it returns the map unchanged. Iterations would
   /// spread the part over the whole other surface. The other methods treat both surfaces as
@@ -51,7 +72,8 @@ struct CorrespondenceOptions
   /// A surface with more points than this is matched on a coarse copy (CoarsePair) with about this
   /// many points. The maps are then transferred to the given surfaces. ReversibleHarmonic uses two
   /// fifths of the larger surface's points, but at least 2000 and never more than CoarsePoints. It
-  /// then refines the maps on the given surfaces. CommonSphere and CommonOrbifold never coarsen. If
+  /// then refines the maps on the given surfaces. CommonSphere and CommonOrbifold never coarsen.
+  /// GeneralizedMDS never uses more than 600. If
   /// CoarsePoints is 0, no surface is coarsened; otherwise it is >= 100.
   int CoarsePoints = 8000;
   /// Whether the matrix of the map is computed (CorrespondenceResult::Matrix), by any method. It

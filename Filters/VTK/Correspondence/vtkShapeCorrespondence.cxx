@@ -13,10 +13,13 @@
 #include "Mesh/Topology.h"
 
 #include "vtkCell.h"
+#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
@@ -32,6 +35,8 @@ vtkStandardNewMacro(vtkShapeCorrespondence);
 
 namespace
 {
+
+constexpr int MatrixPort = 3, CouplingPort = 4; // of the outputs
 
 /// Corresponding positions, one in each row.
 struct Partners
@@ -163,6 +168,15 @@ bool HasNames(const std::vector<std::string>& arrays)
   return std::any_of(arrays.begin(), arrays.end(), vtkShapeConvert::IsChosen);
 }
 
+vtkSmartPointer<vtkIdTypeArray> ToIds(const Eigen::VectorXi& values, const std::string& name)
+{
+  auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
+  ids->SetName(name.c_str());
+  ids->SetNumberOfTuples(values.size());
+  std::copy(values.begin(), values.end(), ids->GetPointer(0));
+  return ids;
+}
+
 } // namespace
 
 void vtkShapeCorrespondence::SetNumberOfDescriptorArrays(int count)
@@ -173,6 +187,16 @@ void vtkShapeCorrespondence::SetNumberOfDescriptorArrays(int count)
 void vtkShapeCorrespondence::SetDescriptorArrays(int index, const std::string& name)
 {
   vtkShapeList::Set(this, "Descriptor Arrays", this->DescriptorArrays, index, { name });
+}
+
+void vtkShapeCorrespondence::SetNumberOfFeatureArrays(int count)
+{
+  vtkShapeList::Resize(this, this->FeatureArrays, count);
+}
+
+void vtkShapeCorrespondence::SetFeatureArrays(int index, const std::string& name)
+{
+  vtkShapeList::Set(this, "Feature Arrays", this->FeatureArrays, index, { name });
 }
 
 void vtkShapeCorrespondence::SetNumberOfTransferArrays(int count)
@@ -195,7 +219,8 @@ vtkShapeCorrespondence::vtkShapeCorrespondence()
   this->DeclareOutputLikeInput(0);
   this->DeclareOutputLikeInput(1);
   this->DeclareFacts();
-  this->DeclareOutput("vtkTable");
+  this->DeclareOutput("vtkTable"); // MatrixPort
+  this->DeclareOutput("vtkTable"); // CouplingPort
   this->DeclareShown(0, { "MapColors" });
   this->DeclareShown(1, { "MapColors" });
 }
@@ -243,8 +268,18 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
     this->Warn("the method computes no functional map, so FunctionalMap, DescriptorArrays, "
                "RegionArray and CurveDescriptors do not count; set Method to FunctionalMap");
   }
+  if (this->ImageOfPoint >= 0 &&
+    this->Options.Method != shape::CorrespondenceOptions::MethodType::GromovWasserstein)
+  {
+    throw shape::InvalidInput("only GromovWasserstein computes the distribution of an image; set "
+                              "Method to GromovWasserstein, or Image Of Point to -1");
+  }
+  const vtkShapeFunctionalMap::Descriptors features = vtkShapeFunctionalMap::ReadDescriptors(
+    this->GetGatheredInput(0).Data, this->GetGatheredInput(1).Data, this->FeatureArrays);
+  options.Features.OfA = features.OfA;
+  options.Features.OfB = features.OfB;
   const shape::CorrespondenceResult result =
-    shape::ComputeCorrespondence(a, b, landmarks, options, progress);
+    shape::ComputeCorrespondence(a, b, landmarks, options, progress.Part(0.0, 0.95));
   const bool isPart = result.Part.Which != shape::SurfacePart::WhichType::None;
   if (result.GenusOfA != result.GenusOfB && !isPart)
   {
@@ -252,13 +287,31 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
       std::to_string(result.GenusOfB) +
       ": no continuous one-to-one map exists; expect folds, or map surfaces of equal genus");
   }
-  this->WriteMap(0, result, b);
-  this->WriteMap(1, result, a);
+  std::map<std::string, Eigen::VectorXd> onA, onB;
+  if (!result.Coupling.SamplesOfA.empty())
+  {
+    onA["SampleWeight"] = Eigen::VectorXd::Zero(a.Points().rows());
+    onA["SampleWeight"](result.Coupling.SamplesOfA) = result.Coupling.WeightsOfA;
+    onB["SampleWeight"] = Eigen::VectorXd::Zero(b.Points().rows());
+    onB["SampleWeight"](result.Coupling.SamplesOfB) = result.Coupling.WeightsOfB;
+  }
+  if (this->ImageOfPoint >= 0)
+  {
+    const std::vector<int>& points = this->GetGatheredInput(0).GivenPoints;
+    const auto found = std::find(points.begin(), points.end(), this->ImageOfPoint);
+    const int point =
+      found == points.end() ? this->ImageOfPoint : static_cast<int>(found - points.begin());
+    onB["ImageDistribution"] =
+      shape::ComputeImageDistribution(a, b, result.Coupling, point, progress.Part(0.95, 1.0));
+  }
+  this->WriteMap(0, result, b, onA);
+  this->WriteMap(1, result, a, onB);
+  const double omitted = this->WriteCoupling(result.Coupling);
   const bool isFirst = !this->GetController() || this->GetController()->GetLocalProcessId() == 0;
   if (options.FunctionalMatrix && isFirst)
   {
     vtkShapeFunctionalMap::WriteMatrix(
-      result.Matrix, vtkTable::SafeDownCast(this->GetOutputDataObject(3)));
+      result.Matrix, vtkTable::SafeDownCast(this->GetOutputDataObject(MatrixPort)));
   }
   vtkShapeMapColors::Add(this->GetOutputDataObject(0), "TargetPosition", b);
   vtkShapeMapColors::Add(this->GetOutputDataObject(1), "", b);
@@ -288,6 +341,14 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
     add("CoverageOfB", result.Facts.CoverageOfB);
     add("CouplingDistortion", result.CouplingDistortion);
     add("CouplingError", result.CouplingError);
+    add("CouplingOmitted", omitted);
+    add("FeatureCost", result.FeatureCost);
+    const auto& distances = result.Distances;
+    add("MaximumDistortion", distances ? distances->Maximum : -1.0);
+    add("RMSDistortion", distances ? distances->RootMeanSquare : -1.0);
+    add("GromovHausdorffUpper", distances ? distances->Upper : -1.0);
+    add("GromovHausdorffLower", distances ? distances->Lower : -1.0);
+    add("SamplingError", distances ? distances->SamplingError : -1.0);
     add("CoarsePoints", result.CoarsePoints);
     add("Iterations", result.Iterations);
     add("FunctionalMapSize", static_cast<double>(result.Matrix.Matrix.rows()));
@@ -324,8 +385,8 @@ shape::FunctionalGuide vtkShapeCorrespondence::ReadGuide(
   return guide;
 }
 
-void vtkShapeCorrespondence::WriteMap(
-  int port, const shape::CorrespondenceResult& result, const shape::Mesh& other)
+void vtkShapeCorrespondence::WriteMap(int port, const shape::CorrespondenceResult& result,
+  const shape::Mesh& other, const std::map<std::string, Eigen::VectorXd>& more)
 {
   const GatheredInput& whole = this->GetGatheredInput(port);
   const GatheredInput& target = this->GetGatheredInput(1 - port);
@@ -341,6 +402,10 @@ void vtkShapeCorrespondence::WriteMap(
     { "TargetCell", own(triangles.cast<double>().array() + before), true },
     { "TargetBarycentric", own(map.Barycentrics) }
   };
+  for (const auto& [name, values] : more)
+  {
+    fields.push_back({ name, own(values) });
+  }
   const shape::LaplaceEigenpairs& basis = port == 0 ? result.Matrix.OfA : result.Matrix.OfB;
   if (this->OutputEigenfunctions)
   {
@@ -363,4 +428,25 @@ void vtkShapeCorrespondence::WriteMap(
     output->GetAttributesAsFieldData(vtkDataObject::FIELD)
       ->AddArray(vtkShapeConvert::ToArray(basis.Eigenvalues, "Eigenvalues"));
   }
+}
+
+double vtkShapeCorrespondence::WriteCoupling(const shape::SampledCoupling& coupling)
+{
+  const shape::CouplingEntries entries = shape::ListEntries(coupling.Masses, this->SmallestMass);
+  const auto given = [&](int port, const std::vector<int>& samples, const std::vector<int>& indices)
+  {
+    Eigen::VectorXi points(static_cast<Eigen::Index>(indices.size()));
+    std::transform(
+      indices.begin(), indices.end(), points.begin(), [&](int index) { return samples[index]; });
+    return vtkShapeRepaired::ToGiven(this->GetGatheredInput(port).GivenPoints, points);
+  };
+  // Every process has the same coupling, and one of them outputs it.
+  if (!this->GetController() || this->GetController()->GetLocalProcessId() == 0)
+  {
+    auto* table = vtkTable::SafeDownCast(this->GetOutputDataObject(CouplingPort));
+    table->AddColumn(ToIds(given(0, coupling.SamplesOfA, entries.OfA), "SampleOfA"));
+    table->AddColumn(ToIds(given(1, coupling.SamplesOfB, entries.OfB), "SampleOfB"));
+    table->AddColumn(vtkShapeConvert::ToArray(entries.Masses, "Mass"));
+  }
+  return coupling.SamplesOfA.empty() ? -1.0 : entries.Omitted;
 }

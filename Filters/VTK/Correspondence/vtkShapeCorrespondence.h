@@ -28,6 +28,12 @@
  *   polygons of the other surface are triangles and it has no strips. Otherwise, polygons and
  *   strips are cut into triangles, which are numbered in order after vertices and lines.
  * - `TargetBarycentric` (double, 3): the barycentric coordinates, in the order of the corners.
+ * With GromovWasserstein, both outputs also have
+ * - `SampleWeight` (double): the weight of each sample, and 0 at all other points. The sum is 1.
+ * If ImageOfPoint is a point of SurfaceA, the output SurfaceB also has
+ * - `ImageDistribution` (double): the density of this point's image. The sum over all points, times
+ *   their areas (a third of the triangles around), is 1. See shape::ComputeImageDistribution.
+ *
  * `MapColors` (unsigned char, 3) are colours for the eye: corresponding points have the same one.
  * With OutputEigenfunctions, also
  * - `Eigenfunctions` (double, k): those of the surface, as shape::SolveLaplaceEigenproblem and
@@ -45,6 +51,14 @@
  * columns 0, 1, 2 and so on are those of SurfaceA. Field data: EigenvaluesOfA, EigenvaluesOfB;
  * ScaleOfA, ScaleOfB, the roots of the areas: C times ScaleOfA / ScaleOfB is the matrix of the
  * surfaces scaled to area 1. Otherwise, the table is empty. In parallel, the first process has it.
+ *
+ * Coupling: a vtkTable, empty except with GromovWasserstein. A row for each entry of the coupling
+ * that is greater than SmallestMass:
+ * - `SampleOfA`, `SampleOfB` (vtkIdType): points of the inputs. Points of several blocks or pieces
+ *   are numbered as joined.
+ * - `Mass` (double): the mass that goes from the first to the second. The total mass is 1. The sum
+ *   over the rows of a sample is its SampleWeight, up to CouplingError + CouplingOmitted.
+ * In parallel, the first process has the rows.
  *
  * Facts, with the prefix Correspondence
  * - .Landmarks: number of landmarks used. .LandmarksFound: 1 if the filter found the landmarks
@@ -64,6 +78,13 @@
  * - .CouplingDistortion, .CouplingError: only for GromovWasserstein, otherwise -1. The first
  *   measures how much distances between samples change. The second measures how far the masses of
  *   samples are from their prescribed weights.
+ * - .FeatureCost: with GromovWasserstein, the mean squared difference of the FeatureArrays of
+ * coupled points, each divided by its range; otherwise -1.
+ * - .MaximumDistortion, .RMSDistortion: the largest change of a distance along the surfaces, and
+ * the root mean square. .GromovHausdorffUpper, .GromovHausdorffLower, .SamplingError: bounds of the
+ *   Gromov-Hausdorff distance. See shape::GromovHausdorffResult. They are -1 unless
+ * CompareDistances is on or Method is GeneralizedMDS.
+ * - .CouplingOmitted: the mass of the entries that the table Coupling leaves out; otherwise -1.
  * - .CoarsePoints: the method was run on two surfaces, coarser ones if the inputs are large. This
  *   is the number of points of the larger one.
  * - .Iterations: with ReversibleHarmonic, the number of its iterations; otherwise 0. If one surface
@@ -94,7 +115,7 @@ public:
   /// shape::CorrespondenceOptions.
   vtkShapeEnumOption(Method, shape::CorrespondenceOptions::MethodType,
     shape::CorrespondenceOptions::MethodType::ReversibleHarmonic,
-    shape::CorrespondenceOptions::MethodType::WeightedAverages);
+    shape::CorrespondenceOptions::MethodType::GeneralizedMDS);
   vtkShapeEnumOption(Start, shape::CorrespondenceOptions::StartType,
     shape::CorrespondenceOptions::StartType::FunctionalMap,
     shape::CorrespondenceOptions::StartType::LandmarkCells);
@@ -143,6 +164,27 @@ public:
   virtual void SetNumberOfTransferArrays(int count);
   virtual void SetTransferArrays(int index, const std::string& name);
   virtual std::vector<std::string> GetTransferArrays() { return this->TransferArrays; }
+  vtkShapeOption(CouplingEigenpairs, int);
+  vtkShapeEnumOption(CouplingStart, shape::CorrespondenceOptions::CouplingStartType,
+    shape::CorrespondenceOptions::CouplingStartType::Best,
+    shape::CorrespondenceOptions::CouplingStartType::Rival);
+  vtkShapeOptionOf(Options.Coupling, FirstEntropy, double);
+  vtkShapeOptionOf(Options.Coupling, Entropy, double);
+  vtkShapeOptionOf(Options.Coupling, EntropyFactor, double);
+  vtkShapeOptionOf(Options.Coupling, IterationsPerEntropy, int);
+  vtkShapeOptionOf(Options.Coupling, SinkhornIterations, int);
+  vtkShapeOptionOf(Options.Features, FeatureWeight, double);
+  vtkShapeOption(ScalingSamples, int);
+  vtkShapeOption(ScalingStarts, int);
+  vtkShapeOption(CompareDistances, bool);
+  vtkShapeOption(DistanceSamples, int);
+  vtkSetMacro(SmallestMass, double);
+  vtkGetMacro(SmallestMass, double);
+  vtkSetMacro(ImageOfPoint, int);
+  vtkGetMacro(ImageOfPoint, int);
+  virtual void SetNumberOfFeatureArrays(int count);
+  virtual void SetFeatureArrays(int index, const std::string& name);
+  virtual std::vector<std::string> GetFeatureArrays() { return this->FeatureArrays; }
   ///@}
 
 protected:
@@ -156,14 +198,21 @@ private:
 
   /// Reads the arrays, curves and the matrix that guide a functional map.
   shape::FunctionalGuide ReadGuide(const shape::Surface& a, const shape::Surface& b);
-  /// Fills output `port` with the surface of that port, its map onto the other surface, its
-  /// eigenfunctions if they are wanted, and what is transferred to it.
-  void WriteMap(int port, const shape::CorrespondenceResult& result, const shape::Mesh& other);
+  /// Fills output `port` with the surface of that port, its map onto the other surface, `more`
+  /// arrays, whose rows are those of the gathered surface, its eigenfunctions if they are wanted,
+  /// and what is transferred to it.
+  void WriteMap(int port, const shape::CorrespondenceResult& result, const shape::Mesh& other,
+    const std::map<std::string, Eigen::VectorXd>& more);
+  /// Fills the output Coupling. Returns the mass that the table omits, or -1 if there is no
+  /// coupling.
+  double WriteCoupling(const shape::SampledCoupling& coupling);
 
-  std::vector<std::string> DescriptorArrays, TransferArrays;
+  std::vector<std::string> DescriptorArrays, FeatureArrays, TransferArrays;
   std::string RegionArray = "None";
   bool CurveDescriptors = false, OutputEigenfunctions = false;
   shape::CorrespondenceOptions Options;
+  double SmallestMass = 1e-9;
+  int ImageOfPoint = -1;
 };
 
 #endif

@@ -36,9 +36,11 @@ std::string NameOf(Method method)
     case Method::CommonOrbifold:
       return "CommonOrbifold";
     case Method::WeightedAverages:
+      return "WeightedAverages";
+    case Method::GeneralizedMDS:
       break;
   }
-  return "WeightedAverages";
+  return "GeneralizedMDS";
 }
 
 /// "3 open loops"

@@ -43,11 +43,52 @@ double Longest(const SampledSurface& a, const SampledSurface& b)
   return std::max(a.Between().maxCoeff(), b.Between().maxCoeff());
 }
 
-/// Distances relative to the longest one, and weights. The first `fixed` samples of both are fixed
-/// pairs and have equal weights.
-MetricSpaces Spaces(const SampledSurface& a, const SampledSurface& b, int fixed)
+/// The costs of pairs of samples (SurfaceFeatures).
+Eigen::MatrixXd FeatureCosts(
+  const SurfaceFeatures& features, const std::vector<int>& onA, const std::vector<int>& onB)
 {
-  MetricSpaces spaces{ a.Between(), b.Between(), a.Weights, b.Weights };
+  const Eigen::Index columns = features.OfA.cols();
+  Eigen::MatrixXd costs =
+    Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(columns > 0 ? onA.size() : 0),
+      static_cast<Eigen::Index>(columns > 0 ? onB.size() : 0));
+  for (Eigen::Index k = 0; k < columns; ++k)
+  {
+    const double range = std::max(features.OfA.col(k).maxCoeff(), features.OfB.col(k).maxCoeff()) -
+      std::min(features.OfA.col(k).minCoeff(), features.OfB.col(k).minCoeff());
+    if (range > 0.0)
+    {
+      const Eigen::VectorXd a = features.OfA(onA, k) / range, b = features.OfB(onB, k) / range;
+      costs += (a.rowwise().replicate(b.size()) - b.transpose().colwise().replicate(a.size()))
+                 .cwiseAbs2() /
+        static_cast<double>(columns);
+    }
+  }
+  return costs;
+}
+
+void CheckFeatures(const SurfaceFeatures& features, const Surface& a, const Surface& b)
+{
+  if (features.OfA.cols() != features.OfB.cols())
+  {
+    throw InvalidInput("the features have " + std::to_string(features.OfA.cols()) +
+      " components on surface A and " + std::to_string(features.OfB.cols()) +
+      " on surface B; give both the same");
+  }
+  if (features.OfA.cols() > 0 &&
+    (features.OfA.rows() != a.Points().rows() || features.OfB.rows() != b.Points().rows() ||
+      !features.OfA.allFinite() || !features.OfB.allFinite()))
+  {
+    throw InvalidInput("features must be finite and have a row for each point");
+  }
+}
+
+/// Distances relative to the longest one, weights and costs. The first `fixed` samples of both are
+/// fixed pairs and have equal weights.
+MetricSpaces Spaces(
+  const SampledSurface& a, const SampledSurface& b, int fixed, const SurfaceFeatures& features)
+{
+  MetricSpaces spaces{ a.Between(), b.Between(), a.Weights, b.Weights,
+    FeatureCosts(features, a.Points, b.Points), features.FeatureWeight };
   const double longest = Longest(a, b);
   spaces.DistancesA /= longest;
   spaces.DistancesB /= longest;
@@ -118,6 +159,7 @@ GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surf
   RequireConnected(a, "surface A");
   RequireConnected(b, "surface B");
   RequireLandmarks(landmarks, a, b);
+  CheckFeatures(options.Features, a, b);
   const Landmarks distinct = Distinct(landmarks);
   const std::vector<Landmarks> starts =
     Starts(a, b, distinct, options, progress.Part(0.0, 0.1, "finding landmarks"));
@@ -147,8 +189,9 @@ GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surf
   const SampledSurface fewA = GetFirstSamples(onA, few, ComputePointAreas(a)),
                        fewB = GetFirstSamples(onB, few, ComputePointAreas(b));
   GromovWassersteinResult result;
+  MetricSpaces spaces = Spaces(fewA, fewB, fixed, options.Features);
   EntropicCoupling coupling;
-  coupling.Distortion = std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity();
   // Coupling on a quarter of the samples, once for each start. The problem is not convex; the
   // distortion shows which local minimum is better.
   for (std::size_t k = 0; k < starts.size(); ++k)
@@ -157,18 +200,21 @@ GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surf
                  begin = 0.16 + share * static_cast<double>(k);
     const Eigen::MatrixXd positionsA = EmbedByLandmarks(a, PointsOf(starts[k], 0)),
                           positionsB = EmbedByLandmarks(b, PointsOf(starts[k], 1));
-    EntropicCoupling own = SolveCoupling(Spaces(fewA, fewB, fixed),
+    EntropicCoupling own = SolveCoupling(spaces,
       Likeness(positionsA(fewA.Points, Eigen::all), positionsB(fewB.Points, Eigen::all)), pinned,
       options.Coupling, progress.Part(begin, begin + share, "coupling the samples"));
-    if (own.Distortion < coupling.Distortion)
+    const double ofCosts = spaces.Costs.size() > 0 ? spaces.CostWeight : 0.0;
+    const double cost = (1.0 - ofCosts) * own.Distortion * own.Distortion + ofCosts * own.Cost;
+    if (cost < least)
     {
+      least = cost;
       coupling = std::move(own);
       result.Start = starts[k];
     }
   }
   if (onA.Points.size() > fewA.Points.size() || onB.Points.size() > fewB.Points.size())
   {
-    const MetricSpaces spaces = Spaces(onA, onB, fixed);
+    spaces = Spaces(onA, onB, fixed, options.Features);
     // The first samples of all are the few ones, so their masses give the gains DA P DB of all
     // samples.
     const Eigen::MatrixXd gains = spaces.DistancesA.leftCols(coupling.Masses.rows()) *
@@ -179,11 +225,12 @@ GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surf
     constexpr int fewer = 3;
     EntropicCouplingOptions last = options.Coupling;
     last.FirstEntropy = std::min(last.FirstEntropy, more * last.Entropy);
-    last.Iterations = std::min(last.Iterations, fewer);
-    coupling = SolveCoupling(spaces, gains / last.FirstEntropy, pinned, last,
+    last.IterationsPerEntropy = std::min(last.IterationsPerEntropy, fewer);
+    coupling = SolveCoupling(spaces, PullOf(spaces, gains) / last.FirstEntropy, pinned, last,
       progress.Part(0.26, 0.9, "coupling the samples"));
   }
   result.Distortion = coupling.Distortion * Longest(onA, onB);
+  result.FeatureCost = coupling.Cost;
   result.Error = coupling.Error;
   const LaplaceEigenpairs spectrumA = SolveLaplaceEigenproblem(a,
                             std::min<int>(options.Eigenpairs, onA.Points.size()),
@@ -195,6 +242,8 @@ GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surf
                     progress.Part(0.94, 0.97, "finding the nearest points")),
     Spread(spectrumB, onB.Points, a, spectrumA, onA.Points, coupling.Masses.transpose(),
       progress.Part(0.97, 1.0, "finding the nearest points")) };
+  result.Coupling = { onA.Points, onB.Points, std::move(spaces.WeightsA),
+    std::move(spaces.WeightsB), std::move(coupling.Masses) };
   return result;
 }
 

@@ -3,18 +3,31 @@
 #include "Base/Progress.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
 #include "Correspondence/Transport/GromovWassersteinCoupling.h"
+#include "Correspondence/Transport/SampledCoupling.h"
 #include "Mesh/Surface.h"
+
+#include <Eigen/Core>
 
 #include <vector>
 
 namespace shape
 {
 
+/// Numbers at the points of two surfaces that corresponding points should share. Each column is
+/// divided by its range over both surfaces. The cost of a pair is the mean over the columns of the
+/// squared difference.
+struct SurfaceFeatures
+{
+  Eigen::MatrixXd OfA, OfB;   ///< nA x f and nB x f, finite; f may be 0
+  double FeatureWeight = 0.5; ///< MetricSpaces::CostWeight
+};
+
 struct GromovWassersteinOptions
 {
   int Samples = 500;   ///< samples of each surface; >= 10
   int Eigenpairs = 60; ///< eigenpairs of each surface, to extend the map to all points; >= 2
   EntropicCouplingOptions Coupling;
+  SurfaceFeatures Features;
   /// Sets of landmarks, each of which starts one coupling; not used if landmarks are given. If
   /// there are no sets, FindLandmarks gives two: its Pairs and its Rival.
   std::vector<Landmarks> Starts;
@@ -26,8 +39,10 @@ struct GromovWassersteinResult
   /// The root mean square difference between the distance of two samples and the distance of their
   /// images, divided by the root of the area.
   double Distortion = 0.0;
-  double Error = 0.0; ///< the share of the mass that does not fit the samples' weights
-  Landmarks Start;    ///< the given landmarks, or those from which the best coupling started
+  double FeatureCost = 0.0; ///< EntropicCoupling::Cost
+  double Error = 0.0;       ///< the share of the mass that does not fit the samples' weights
+  SampledCoupling Coupling;
+  Landmarks Start; ///< the given landmarks, or those from which the best coupling started
 };
 
 /**
@@ -41,7 +56,8 @@ struct GromovWassersteinResult
  * a landmark are samples that are coupled only to each other. The start is the similarity of the
  * samples' positions relative to the landmarks (EmbedByLandmarks). Without landmarks, no samples
  * are fixed. Each set of Starts then gives a coupling on a quarter of the samples, and the coupling
- * with the smallest distortion is used.
+ * with the smallest cost is used: its squared distortion, or the mean of that and the cost of the
+ * features, by their weight.
  *
  * The map of samples is extended to all points by "soft" functional maps (section 4 of the paper).
  * The image of a sample is the mean of B's eigenfunctions over the samples coupled to it. The

@@ -37,9 +37,10 @@ void Check(
   RequireOption(options.Entropy > 0.0, "Entropy", options.Entropy, "positive");
   RequireOption(options.FirstEntropy >= options.Entropy, "FirstEntropy", options.FirstEntropy,
     "at least Entropy");
-  RequireOption(
-    options.Factor > 0.0 && options.Factor < 1.0, "Factor", options.Factor, "between 0 and 1");
-  RequireOption(options.Iterations >= 1, "Iterations", options.Iterations, "at least 1");
+  RequireOption(options.EntropyFactor > 0.0 && options.EntropyFactor < 1.0, "EntropyFactor",
+    options.EntropyFactor, "between 0 and 1");
+  RequireOption(options.IterationsPerEntropy >= 1, "IterationsPerEntropy",
+    options.IterationsPerEntropy, "at least 1");
   RequireOption(options.SinkhornIterations >= 1, "SinkhornIterations", options.SinkhornIterations,
     "at least 1");
   RequireOption(options.Tolerance > 0.0, "Tolerance", options.Tolerance, "positive");
@@ -49,6 +50,19 @@ void Check(
   {
     throw InvalidInput("samples must have positive weights, and the start must have a row for each "
                        "sample of A and a column for each sample of B");
+  }
+}
+
+void CheckCosts(const MetricSpaces& spaces)
+{
+  RequireOption(spaces.CostWeight >= 0.0 && spaces.CostWeight <= 1.0, "FeatureWeight",
+    spaces.CostWeight, "between 0 and 1");
+  if (spaces.Costs.size() > 0 &&
+    (spaces.Costs.rows() != spaces.WeightsA.size() ||
+      spaces.Costs.cols() != spaces.WeightsB.size() || !spaces.Costs.allFinite()))
+  {
+    throw InvalidInput("costs must be finite and have a row for each sample of A and a column for "
+                       "each sample of B");
   }
 }
 
@@ -64,14 +78,22 @@ void Fix(const Landmarks& fixed, Eigen::MatrixXd& likeness)
   }
 }
 
-/// Masses, and the values from which they were computed.
+/// Masses, the values from which they were computed, and those for the next masses. Gains: DA P DB.
+/// Pull: how much the objective falls with each mass.
 struct State
 {
-  Eigen::MatrixXd Likeness, Masses, Gains;
+  Eigen::MatrixXd Likeness, Masses, Gains, Pull;
   Sinkhorn Scaling;
 };
 
 } // namespace
+
+Eigen::MatrixXd PullOf(const MetricSpaces& spaces, const Eigen::MatrixXd& gains)
+{
+  return spaces.Costs.size() > 0
+    ? (1.0 - spaces.CostWeight) * gains - 0.25 * spaces.CostWeight * spaces.Costs
+    : gains;
+}
 
 // Solomon et al., algorithm 1, with continuation in the entropy:
 // 1. The gains of the last masses: DA P DB.
@@ -81,6 +103,9 @@ EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd
   const Landmarks& fixed, const EntropicCouplingOptions& options, const Progress& progress)
 {
   Check(spaces, start, options);
+  CheckCosts(spaces);
+  const bool isFused = spaces.Costs.size() > 0;
+  const double ofCosts = isFused ? spaces.CostWeight : 0.0, ofDistances = 1.0 - ofCosts;
   const Eigen::VectorXd &rows = spaces.WeightsA, &columns = spaces.WeightsB;
   const BlasThreads several(
     BlasThreads::WorthSharing(static_cast<int>(std::min(rows.size(), columns.size()))));
@@ -90,44 +115,49 @@ EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd
     columns.dot(spaces.DistancesB.cwiseAbs2() * columns);
   const auto follow = [&](const State& from, Eigen::MatrixXd likeness, const Progress& part)
   {
-    State next{ std::move(likeness), {}, {}, from.Scaling };
+    State next{ std::move(likeness), {}, {}, {}, from.Scaling };
     Fix(fixed, next.Likeness);
     next.Masses = next.Scaling.Masses(
       next.Likeness, options.SinkhornIterations, options.Tolerance, part.Part(0.0, 0.5));
     const Eigen::MatrixXd ofA = spaces.DistancesA * next.Masses;
     part(0.75);
     next.Gains = ofA * spaces.DistancesB;
+    next.Pull = PullOf(spaces, next.Gains);
     return next;
   };
   EntropicCoupling coupling;
-  State state = follow({ {}, {}, {}, Sinkhorn(rows, columns) }, start, progress.Part(0.0, 0.0));
-  // The small number keeps an exact power of Factor from costing one more level by rounding.
-  const double span = std::log(options.Entropy / options.FirstEntropy) / std::log(options.Factor);
+  State state = follow({ {}, {}, {}, {}, Sinkhorn(rows, columns) }, start, progress.Part(0.0, 0.0));
+  // The small number keeps an exact power of EntropyFactor from costing one more level by rounding.
+  const double span =
+    std::log(options.Entropy / options.FirstEntropy) / std::log(options.EntropyFactor);
   const int levels = 1 + static_cast<int>(std::ceil(span - 1e-9));
   double last = options.FirstEntropy;
   for (int level = 0; level < levels; ++level)
   {
     const double entropy =
-      std::max(options.Entropy, options.FirstEntropy * std::pow(options.Factor, level));
+      std::max(options.Entropy, options.FirstEntropy * std::pow(options.EntropyFactor, level));
     // The logarithms are gains / e, so a new e only scales them, and Sinkhorn's factors with them.
     state.Likeness *= last / entropy;
     state.Scaling.Scale(last / entropy);
     last = entropy;
     double before = std::numeric_limits<double>::infinity(), power = 1.0;
-    for (int iteration = 0; iteration < options.Iterations; ++iteration)
+    for (int iteration = 0; iteration < options.IterationsPerEntropy; ++iteration)
     {
       // Sinkhorn's iterations become more as the entropy falls.
-      const auto reached = [&](int iterations) {
+      const auto reached = [&](int iterations)
+      {
         return std::pow(
-          (level + static_cast<double>(iterations) / options.Iterations) / levels, 2.0);
+          (level + static_cast<double>(iterations) / options.IterationsPerEntropy) / levels, 2.0);
       };
       const Progress part = progress.Part(reached(iteration), reached(iteration + 1));
       // The paper's damping: P^(1 - eta) times the new masses to the power eta, a weighted mean of
       // logarithms.
       State next = power < 1.0
-        ? follow(state, power / entropy * state.Gains + (1.0 - power) * state.Likeness, part)
-        : follow(state, state.Gains / entropy, part);
-      const double objective = 0.25 * own - 0.5 * next.Masses.cwiseProduct(next.Gains).sum() +
+        ? follow(state, power / entropy * state.Pull + (1.0 - power) * state.Likeness, part)
+        : follow(state, state.Pull / entropy, part);
+      const double objective =
+        ofDistances * (0.25 * own - 0.5 * next.Masses.cwiseProduct(next.Gains).sum()) +
+        (isFused ? 0.25 * ofCosts * next.Masses.cwiseProduct(spaces.Costs).sum() : 0.0) +
         entropy * RelativeEntropy(next.Masses, rows, columns);
       constexpr double enough = 1e-5, little = 1e-3; // of the objective
       if (objective > before)
@@ -158,6 +188,7 @@ EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd
     ofB.dot(spaces.DistancesB.cwiseAbs2() * ofB) -
     2.0 * state.Masses.cwiseProduct(state.Gains).sum();
   coupling.Distortion = std::sqrt(std::max(0.0, squares));
+  coupling.Cost = isFused ? state.Masses.cwiseProduct(spaces.Costs).sum() : 0.0;
   coupling.Masses = std::move(state.Masses);
   // Of the total mass. If more of it does not fit the weights, the coupling describes no map.
   constexpr double maximum = 0.05;

@@ -17,16 +17,23 @@ struct MetricSpaces
 {
   Eigen::MatrixXd DistancesA, DistancesB;
   Eigen::VectorXd WeightsA, WeightsB;
+  ///@{
+  /// What else a pair of samples costs, such as the squared difference of their features (sA x sB),
+  /// and the weight of this cost relative to that of the distances, in [0, 1]. Without Costs, the
+  /// weight has no effect.
+  Eigen::MatrixXd Costs = {};
+  double CostWeight = 0.0;
+  ///@}
 };
 
 struct EntropicCouplingOptions
 {
-  double FirstEntropy = 0.001;  ///< initial entropy; > 0
-  double Entropy = 5e-5;        ///< final entropy; in (0, FirstEntropy]
-  double Factor = 0.5;          ///< factor from one entropy to the next; in (0, 1)
-  int Iterations = 10;          ///< maximum number for each entropy; >= 1
-  int SinkhornIterations = 100; ///< maximum number in each iteration; >= 1
-  double Tolerance = 1e-4;      ///< error of the weights at which Sinkhorn's iteration stops; > 0
+  double FirstEntropy = 0.001;   ///< initial entropy; > 0
+  double Entropy = 5e-5;         ///< final entropy; in (0, FirstEntropy]
+  double EntropyFactor = 0.5;    ///< factor from one entropy to the next; in (0, 1)
+  int IterationsPerEntropy = 10; ///< maximum number for each entropy; >= 1
+  int SinkhornIterations = 100;  ///< maximum number in each iteration; >= 1
+  double Tolerance = 1e-4;       ///< error of the weights at which Sinkhorn's iteration stops; > 0
 };
 
 struct EntropicCoupling
@@ -37,9 +44,14 @@ struct EntropicCoupling
   /// The root mean square of DistancesA(i, j) - DistancesB(k, l), weighted by P(i, k) P(j, l), in
   /// the unit of the distances.
   double Distortion = 0.0;
+  double Cost = 0.0; ///< the sum of Costs(i, j) P(i, j); 0 without Costs
   /// The sum of |mass - weight| over A's samples.
   double Error = 0.0;
 };
+
+/// Returns how much the objective of SolveCoupling, without the entropy, falls with each mass, for
+/// gains DistancesA P DistancesB of the present masses P: (1 - w) gains - w Costs / 4.
+Eigen::MatrixXd PullOf(const MetricSpaces& spaces, const Eigen::MatrixXd& gains);
 
 /**
  * Computes the coupling of two sets of samples that best keeps the distances. Its masses P >= 0
@@ -55,6 +67,12 @@ struct EntropicCoupling
  * distances are of negative type, each iteration lowers the objective. An iteration that raises it
  * is undone and repeated with damping: a weighted geometric mean of the last and the new masses is
  * used (the paper's eta).
+ *
+ * With Costs C and their weight w, the first term is multiplied by 1 - w, and w sum C(i, j) P(i, j)
+ * / 4 is added: fused Gromov-Wasserstein (Vayer, Chapel, Flamary, Tavenard and Courty, "Optimal
+ * transport for structured data with application on graphs", 2019, where alpha is 1 - w). With w =
+ * 1, the coupling is the entropic optimal transport for C. The distances may be those of any
+ * spaces, such as graphs or points.
  *
  * start: sA x sB, the logarithms of the similarity of A's samples to B's. Sinkhorn's iteration
  * scales the rows and columns of their exponentials to the first masses. fixed: pairs of samples

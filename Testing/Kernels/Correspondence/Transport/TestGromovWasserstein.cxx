@@ -8,7 +8,12 @@
 #include <Eigen/Core>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
 #include <random>
+#include <vector>
 
 namespace
 {
@@ -110,7 +115,7 @@ TEST(GromovWasserstein, CouplingIsTheShuffleAndItsObjectiveFalls)
   shape::EntropicCouplingOptions options;
   options.FirstEntropy = 1e-3;
   options.Entropy = 1e-4;
-  options.Iterations = 30;
+  options.IterationsPerEntropy = 30;
   options.SinkhornIterations = 10000;
   const auto found = shape::SolveCoupling(spaces, start, fixed, options);
   for (int i = 0; i < static_cast<int>(count); ++i)
@@ -145,6 +150,101 @@ TEST(GromovWasserstein, MuchEntropySpreadsMassesEvenly)
     shape::SolveCoupling(spaces, Eigen::MatrixXd::Random(count, count), {}, options);
   const Eigen::MatrixXd even = spaces.WeightsA * spaces.WeightsB.transpose();
   EXPECT_LT((found.Masses - even).cwiseAbs().maxCoeff(), 1e-3 * even.maxCoeff());
+}
+
+TEST(GromovWasserstein, FeaturesAloneGiveTheBestAssignment)
+{
+  // As many features as samples, shuffled and changed: the best of all assignments is not obvious.
+  constexpr int count = 7;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  shape::MetricSpaces spaces;
+  const auto draw = [&](Eigen::Index rows, Eigen::Index columns)
+  {
+    return Eigen::MatrixXd(Eigen::MatrixXd::NullaryExpr(
+      rows, columns, [&](Eigen::Index, Eigen::Index) { return uniform(random); }));
+  };
+  const Eigen::MatrixXd a = draw(count, 2), b = draw(count, 2);
+  spaces.WeightsA = spaces.WeightsB = Eigen::VectorXd::Constant(count, 1.0 / count);
+  // Distances that say nothing about the features.
+  const Eigen::MatrixXd one = draw(count, count), two = draw(count, count);
+  spaces.DistancesA = 0.5 * (one + one.transpose());
+  spaces.DistancesB = 0.5 * (two + two.transpose());
+  spaces.Costs.resize(count, count);
+  for (int i = 0; i < count; ++i)
+  {
+    for (int j = 0; j < count; ++j)
+    {
+      spaces.Costs(i, j) = (a.row(i) - b.row(j)).squaredNorm();
+    }
+  }
+  spaces.CostWeight = 1.0;
+  std::vector<int> order(count), best;
+  std::iota(order.begin(), order.end(), 0);
+  double least = std::numeric_limits<double>::infinity();
+  do
+  {
+    double cost = 0.0;
+    for (int i = 0; i < count; ++i)
+    {
+      cost += spaces.Costs(i, order[i]) / count;
+    }
+    if (cost < least)
+    {
+      least = cost;
+      best = order;
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
+  shape::EntropicCouplingOptions options;
+  options.SinkhornIterations = 2000;
+  options.Tolerance = 1e-9;
+  const auto found =
+    shape::SolveCoupling(spaces, Eigen::MatrixXd::Random(count, count), {}, options);
+  // Of what is minimised, entropy is at most e log(count), and a quarter of the cost is counted.
+  EXPECT_GE(found.Cost, least - 1e-8);
+  EXPECT_LE(found.Cost, least + 4.0 * options.Entropy * std::log(count) + 1e-8);
+  for (int i = 0; i < count; ++i)
+  {
+    Eigen::Index to = 0;
+    found.Masses.row(i).maxCoeff(&to);
+    EXPECT_EQ(to, best[i]);
+  }
+  // With the other weight, costs have no effect.
+  spaces.CostWeight = 0.0;
+  const Eigen::MatrixXd start = Eigen::MatrixXd::Random(count, count);
+  const Eigen::MatrixXd masses = shape::SolveCoupling(spaces, start, {}, options).Masses;
+  spaces.Costs.resize(0, 0);
+  EXPECT_EQ(masses, shape::SolveCoupling(spaces, start, {}, options).Masses);
+  spaces.CostWeight = 1.5;
+  EXPECT_REFUSED(shape::SolveCoupling(spaces, start, {}, options), "FeatureWeight");
+}
+
+TEST(GromovWasserstein, FeaturesTellSidesApartThatDistancesDoNot)
+{
+  // A plate is like its mirror image, but a feature is on one side of it only.
+  const shape::Mesh plate = shapetest::FlatSquare(12, 0.0);
+  shape::GromovWassersteinOptions options;
+  options.Samples = 100;
+  const auto corner = [&](double x, double y)
+  {
+    Eigen::Index found = 0;
+    (plate.Points.rowwise() - Eigen::RowVector3d(x, y, 0.0)).rowwise().norm().minCoeff(&found);
+    return static_cast<int>(found);
+  };
+  // The start turns the plate by a half.
+  options.Starts = { { { corner(-1, -1), corner(1, 1) }, { corner(1, -1), corner(-1, 1) },
+    { corner(1, 1), corner(-1, -1) } } };
+  const auto right = [&]
+  {
+    const auto maps = shape::ComputeGromovWassersteinMap(plate, plate, {}, options).Maps;
+    return shapetest::MapErrors(maps.AToB, plate, plate.Points).mean();
+  };
+  EXPECT_GT(right(), 0.3);
+  options.Features.OfA = options.Features.OfB = plate.Points.leftCols(2);
+  options.Features.FeatureWeight = 0.8;
+  EXPECT_LT(right(), 0.1);
+  options.Features.OfB = plate.Points.leftCols(1);
+  EXPECT_REFUSED(right(), "components");
 }
 
 TEST(GromovWasserstein, FindsTheSameSurfaceInOtherTriangles)
