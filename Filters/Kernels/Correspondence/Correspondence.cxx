@@ -129,7 +129,6 @@ void Begin(const Surface& a, const Surface& b, Landmarks& landmarks, const Optio
 {
   using Part = Options::PartType;
   using Which = SurfacePart::WhichType;
-  result.Found = NeedsLandmarks(landmarks, given);
   const Part part = landmarks.empty() && !result.Found ? Part::None : given.Part;
   const bool isA = part == Part::SurfaceA, isB = part == Part::SurfaceB;
   if (!result.Found)
