@@ -12,8 +12,8 @@ ORDER = [
     'Base', 'Linear', 'Mesh', 'Search', 'Geometry', 'Labels', 'Solids', 'Distance', 'Planar', 'Quality',
     'Laplacian', 'Distortion', 'Geodesics', 'Spectrum', 'Remesh', 'Skeleton', 'Parameterize', 'ExponentialMap', 'Transfer', 'Materials',
     'Correspondence/Pair', 'Correspondence/Landmarks', 'Correspondence/Functional',
-    'Correspondence/Transport', 'Correspondence/Conformal', 'Correspondence/Averages', 'Correspondence/Reversible',
-    'Correspondence/Evaluate', 'Correspondence',
+    'Correspondence/Transport', 'Correspondence/Conformal', 'Correspondence/CommonBase', 'Correspondence/Averages',
+    'Correspondence/Reversible', 'Correspondence/Evaluate', 'Correspondence',
     'Fmm', 'Tetrahedra', 'Untangle', 'Harmonic', 'Cage',
     'Hex/Voxels', 'Hex/Features', 'Hex/Optimize', 'Hex/Fit', 'Hex/Grid', 'Hex/Polycube', 'Hex',
     'Deform', 'Fill', 'Solidify', 'CutPaste', 'IO']

@@ -12,9 +12,10 @@ import shapetesting
 from shapetesting import add_array, array, copy, fact, points, read, triangles
 
 METHODS = ['ReversibleHarmonic', 'FunctionalMap', 'GromovWasserstein', 'HeatKernel',
-           'BlendedIntrinsic', 'CommonSphere', 'CommonOrbifold', 'WeightedAverages', 'GeneralizedMDS']
+           'BlendedIntrinsic', 'CommonSphere', 'CommonOrbifold', 'WeightedAverages', 'GeneralizedMDS',
+           'CommonBase']
 ANY_GENUS = METHODS[:4] + METHODS[7:]
-WITH_BORDER = METHODS[:5] + METHODS[7:]
+WITH_BORDER = METHODS[:5] + METHODS[7:9]
 SPHERE_LIKE = METHODS[4:7]
 random = numpy.random.default_rng(5)
 
@@ -229,11 +230,11 @@ unsuited = {
 refused = [(what, data, pebble, None, METHODS, words) for what, (data, words) in unsuited.items()]
 refused += [
     ('a border', surface_of(sheet, sheet_faces), pebble, marks(spread(surface_of(
-        sheet, sheet_faces), 4), far[:4]), SPHERE_LIKE[1:],
+        sheet, sheet_faces), 4), far[:4]), SPHERE_LIKE[1:] + ['CommonBase'],
      ('SurfaceA has 1 open loop (first at point 0)', 'or take ReversibleHarmonic')),
     ('a handle', pebble, surface_of(torus, torus_faces), marks(far[:4], spread(surface_of(
-        torus, torus_faces), 4)), SPHERE_LIKE,
-     ('SurfaceB has genus 1', 'or take ReversibleHarmonic or FunctionalMap')),
+        torus, torus_faces), 4)), SPHERE_LIKE + ['CommonBase'],
+     ('SurfaceB has genus 1', 'ReversibleHarmonic')),
     ('two components', two, two, marks(far[:4], far[:4]),
      [m for m in METHODS if m not in ('FunctionalMap', 'HeatKernel')],
      ('SurfaceA has 2 components (the second begins at point 194)', 'or take FunctionalMap')),
@@ -247,7 +248,7 @@ refused += [
      ('SurfaceB faces inwards and SurfaceA outwards', 'Reverse Sense')),
     ('landmarks far away', pebble, pebble, marks(100 * far, far), METHODS,
      ('8 landmarks are farther from SurfaceA', 'put Landmarks on SurfaceA')),
-    ('landmarks at one point', pebble, pebble, marks(far[[0] * 4], far[[0] * 4]), SPHERE_LIKE + ['WeightedAverages'],
+    ('landmarks at one point', pebble, pebble, marks(far[[0] * 4], far[[0] * 4]), SPHERE_LIKE + ['WeightedAverages', 'CommonBase'],
      ('there is 1 distinct landmark', 'or none to have them found')),
     ('a landmark that is NaN', pebble, pebble, marks(broken[15:20], far[:5]), METHODS,
      ('the set of Landmarks has 1 point with a value that is not finite',)),

@@ -17,7 +17,7 @@ from shapetesting import add_array, array, copy, fact, points, read, triangles
 
 processes, rank = shapetesting.parallel()
 METHODS = ['ReversibleHarmonic', 'FunctionalMap', 'GromovWasserstein', 'HeatKernel',
-           'BlendedIntrinsic', 'CommonSphere', 'CommonOrbifold', 'WeightedAverages']
+           'BlendedIntrinsic', 'CommonSphere', 'CommonOrbifold', 'WeightedAverages', 'CommonBase']
 
 
 def piece(data, axis):

@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Correspondence/Averages/WeightedAverages.h"
+#include "Correspondence/CommonBase/CommonBaseMap.h"
 #include "Correspondence/Conformal/BlendedIntrinsic.h"
 #include "Correspondence/Conformal/HyperbolicMap.h"
 #include "Correspondence/Conformal/OrbifoldMap.h"
@@ -199,6 +200,7 @@ int EnoughPoints(const Surface& surface, const Options& options)
   {
     case Options::MethodType::CommonSphere:
     case Options::MethodType::CommonOrbifold:
+    case Options::MethodType::CommonBase:
       return 0; // only maps of the given surfaces are one to one
     case Options::MethodType::ReversibleHarmonic:
     {
@@ -335,6 +337,14 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
       own.Samples = options.ScalingSamples;
       own.Starts = options.ScalingStarts;
       return pair.OnFine(ComputeGeneralizedMDS(a, b, landmarks, own, progress).Maps, lift);
+    }
+    case Options::MethodType::CommonBase:
+    {
+      CommonBaseMap common = MapThroughBase(a, b, landmarks, progress);
+      result.Patches = common.Patches;
+      result.Flipped = common.Flipped;
+      result.SymmetricDirichlet = common.Energy;
+      return std::move(common.Maps);
     }
     case Options::MethodType::ReversibleHarmonic:
       break;

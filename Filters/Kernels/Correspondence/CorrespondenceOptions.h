@@ -23,7 +23,8 @@ struct CorrespondenceOptions
     /// the same, with exact landmarks
     CommonOrbifold = 6,
     WeightedAverages = 7, ///< shape::MapByWeightedAverages: smooth, from many landmarks
-    GeneralizedMDS = 8    ///< shape::ComputeGeneralizedMDS: changes distances least; any genus
+    GeneralizedMDS = 8,   ///< shape::ComputeGeneralizedMDS: changes distances least; any genus
+    CommonBase = 9        ///< shape::MapThroughBase: one to one; for closed surfaces of any genus
   };
   MethodType Method = MethodType::ReversibleHarmonic;
   /// The initial maps of ReversibleHarmonic.
@@ -72,9 +73,9 @@ struct CorrespondenceOptions
   /// A surface with more points than this is matched on a coarse copy (CoarsePair) with about this
   /// many points. The maps are then transferred to the given surfaces. ReversibleHarmonic uses two
   /// fifths of the larger surface's points, but at least 2000 and never more than CoarsePoints. It
-  /// then refines the maps on the given surfaces. CommonSphere and CommonOrbifold never coarsen.
-  /// GeneralizedMDS never uses more than 600. If
-  /// CoarsePoints is 0, no surface is coarsened; otherwise it is >= 100.
+  /// then refines the maps on the given surfaces. CommonSphere, CommonOrbifold and CommonBase never
+  /// coarsen. GeneralizedMDS never uses more than 600. If CoarsePoints is 0, no surface is
+  /// coarsened; otherwise it is >= 100.
   int CoarsePoints = 8000;
   /// Whether the matrix of the map is computed (CorrespondenceResult::Matrix), by any method. It
   /// takes the eigenfunctions of the given surfaces.

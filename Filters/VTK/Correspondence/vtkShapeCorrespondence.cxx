@@ -350,6 +350,11 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
     add("GromovHausdorffLower", distances ? distances->Lower : -1.0);
     add("SamplingError", distances ? distances->SamplingError : -1.0);
     add("CoarsePoints", result.CoarsePoints);
+    add("Patches", result.Patches);
+    add("FlippedTriangles", result.Flipped);
+    add("SymmetricDirichlet", result.SymmetricDirichlet);
+    add("GenusOfA", result.GenusOfA);
+    add("GenusOfB", result.GenusOfB);
     add("Iterations", result.Iterations);
     add("FunctionalMapSize", static_cast<double>(result.Matrix.Matrix.rows()));
   }

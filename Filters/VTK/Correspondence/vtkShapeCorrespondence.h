@@ -87,6 +87,9 @@
  * - .CouplingOmitted: the mass of the entries that the table Coupling leaves out; otherwise -1.
  * - .CoarsePoints: the method was run on two surfaces, coarser ones if the inputs are large. This
  *   is the number of points of the larger one.
+ * - .Patches: with CommonBase, the number of patches of the common base domain; otherwise 0.
+ *   .FlippedTriangles, .SymmetricDirichlet: only for CommonBase, see shape::CommonBaseMap.
+ *   .GenusOfA, .GenusOfB: the number of handles of each surface.
  * - .Iterations: with ReversibleHarmonic, the number of its iterations; otherwise 0. If one surface
  *   is a part of the other, .Iterations is also 0. The result is then the initial functional map,
  *   because iterations would spread the part over the other surface.
@@ -115,7 +118,7 @@ public:
   /// shape::CorrespondenceOptions.
   vtkShapeEnumOption(Method, shape::CorrespondenceOptions::MethodType,
     shape::CorrespondenceOptions::MethodType::ReversibleHarmonic,
-    shape::CorrespondenceOptions::MethodType::GeneralizedMDS);
+    shape::CorrespondenceOptions::MethodType::CommonBase);
   vtkShapeEnumOption(Start, shape::CorrespondenceOptions::StartType,
     shape::CorrespondenceOptions::StartType::FunctionalMap,
     shape::CorrespondenceOptions::StartType::LandmarkCells);

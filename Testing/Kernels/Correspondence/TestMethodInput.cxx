@@ -17,7 +17,7 @@ using Method = shape::CorrespondenceOptions::MethodType;
 
 constexpr Method AllMethods[] = { Method::ReversibleHarmonic, Method::FunctionalMap,
   Method::GromovWasserstein, Method::HeatKernel, Method::BlendedIntrinsic, Method::CommonSphere,
-  Method::CommonOrbifold, Method::WeightedAverages };
+  Method::CommonOrbifold, Method::WeightedAverages, Method::CommonBase };
 
 const shape::Landmarks Four = { { 0, 0 }, { 1, 1 }, { 2, 2 }, { 3, 3 } };
 
@@ -66,7 +66,7 @@ TEST(MethodInput, WhatTheOtherMethodsCanDoIsNamed)
   ExpectRefused(shapetest::Torus(1.0, 0.3, 20, 10), sphere,
     { Method::ReversibleHarmonic, Method::FunctionalMap, Method::GromovWasserstein,
       Method::HeatKernel, Method::WeightedAverages },
-    { "SurfaceA has genus 1", "or take ReversibleHarmonic or FunctionalMap" });
+    { "SurfaceA has genus 1", "ReversibleHarmonic" });
   const shape::Mesh two =
     shapetest::Joined({ sphere, shapetest::Shifted(shapetest::Icosphere(0), { 9, 9, 9 }) });
   ExpectRefused(two, sphere, { Method::FunctionalMap, Method::HeatKernel },
@@ -102,6 +102,10 @@ TEST(MethodInput, LandmarksMustBeAsManyAsTheMethodTakes)
     EXPECT_NO_THROW(Require(sphere, sphere, method, five));
   }
   EXPECT_NO_THROW(Require(sphere, sphere, Method::FunctionalMap, one));
+  EXPECT_REFUSED(Require(sphere, sphere, Method::CommonBase, { { 0, 0 }, { 1, 1 } }), "needs 3");
+  const shape::Mesh torus = shapetest::Torus(1.0, 0.3, 20, 10);
+  EXPECT_REFUSED(Require(torus, torus, Method::CommonBase, one), "needs 2");
+  EXPECT_NO_THROW(Require(torus, torus, Method::CommonBase, five));
   EXPECT_REFUSED(Require(sphere, sphere, Method::CommonSphere, { { 0, 162 } }), "is point 162");
 }
 

@@ -1,6 +1,7 @@
 #include "Correspondence/Private/MethodInput.h"
 
 #include "Base/Errors.h"
+#include "Correspondence/CommonBase/BaseGenus.h"
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
@@ -38,9 +39,11 @@ std::string NameOf(Method method)
     case Method::WeightedAverages:
       return "WeightedAverages";
     case Method::GeneralizedMDS:
+      return "GeneralizedMDS";
+    case Method::CommonBase:
       break;
   }
-  return "GeneralizedMDS";
+  return "CommonBase";
 }
 
 /// "3 open loops"
@@ -81,9 +84,10 @@ void RequireComponents(const Topology& topology, const std::string& name, bool h
   }
 }
 
-void RequireSphereLike(const Topology& topology, const std::string& name, Method method)
+void RequireSuitable(const Topology& topology, const std::string& name, Method method)
 {
-  const bool needsClosed = method == Method::CommonSphere || method == Method::CommonOrbifold;
+  const bool needsSphere = method == Method::CommonSphere || method == Method::CommonOrbifold;
+  const bool needsClosed = needsSphere || method == Method::CommonBase;
   if (needsClosed && topology.BoundaryLoops > 0)
   {
     throw InvalidInput(name + " has " + Counted(topology.BoundaryLoops, "open loop") +
@@ -93,12 +97,38 @@ void RequireSphereLike(const Topology& topology, const std::string& name, Method
       "or take ReversibleHarmonic, FunctionalMap or BlendedIntrinsic");
   }
   const int genus = ComputeGenus(topology);
-  if ((needsClosed || method == Method::BlendedIntrinsic) && genus > 0)
+  if ((needsSphere || method == Method::BlendedIntrinsic) && genus > 0)
   {
     throw InvalidInput(name + " has genus " + std::to_string(genus) + ", but " + NameOf(method) +
       " needs genus 0: cut each handle with Clip and close the cuts with Shape Fill Holes, or take "
-      "ReversibleHarmonic or "
-      "FunctionalMap");
+      "CommonBase, ReversibleHarmonic or FunctionalMap");
+  }
+}
+
+/// A common base domain needs one genus. Fewer landmarks than this leave it without patches.
+void RequireCommonBase(const Surface& a, const Surface& b, const Landmarks& landmarks)
+{
+  const int genus = ComputeGenus(a.Topology()), other = ComputeGenus(b.Topology());
+  if (genus != other)
+  {
+    throw InvalidInput("SurfaceA has genus " + std::to_string(genus) + " and SurfaceB has genus " +
+      std::to_string(other) +
+      ", so no map between them is one to one, but CommonBase needs one; close or cut handles with "
+      "Shape Solidify, or take ReversibleHarmonic");
+  }
+  if (genus > MaximumBaseGenus)
+  {
+    throw InvalidInput("the surfaces have genus " + std::to_string(genus) +
+      ", but CommonBase needs genus " + std::to_string(MaximumBaseGenus) +
+      " or less; take ReversibleHarmonic or FunctionalMap");
+  }
+  const std::size_t minimum = genus == 0 ? 3 : 2;
+  if (!landmarks.empty() && landmarks.size() < minimum)
+  {
+    throw InvalidInput("there " + std::string(landmarks.size() == 1 ? "is " : "are ") +
+      Counted(static_cast<int>(landmarks.size()), "distinct landmark") + ", but CommonBase needs " +
+      std::to_string(minimum) + " for surfaces of genus " + std::to_string(genus) +
+      "; give more, or none to have them found");
   }
 }
 
@@ -147,7 +177,7 @@ void RequireMethodInput(const Surface& a, const Surface& b, const Landmarks& lan
     const Topology topology = RequireManifold(*surface, name);
     RequireArea(*surface, name);
     RequireComponents(topology, name, !landmarks.empty() || options.IsGuided(), options);
-    RequireSphereLike(topology, name, options.Method);
+    RequireSuitable(topology, name, options.Method);
     areClosed = areClosed && topology.BoundaryLoops == 0;
   }
   if (areClosed && SideOf(a) * SideOf(b) < 0)
@@ -157,6 +187,10 @@ void RequireMethodInput(const Surface& a, const Surface& b, const Landmarks& lan
       " outwards, which would exchange left and right; reverse the former with Reverse Sense");
   }
   RequireLandmarks(landmarks, a, b);
+  if (options.Method == Method::CommonBase)
+  {
+    RequireCommonBase(a, b, landmarks);
+  }
   if (!landmarks.empty())
   {
     RequireEnoughLandmarks(landmarks, options.Method);

@@ -13,11 +13,12 @@ namespace shape
  *
  * - each surface has a positive area; two closed surfaces both face outwards or both inwards;
  * - surfaces with several components: only FunctionalMap and HeatKernel, and only with landmarks;
- * - open surfaces: all methods except CommonSphere and CommonOrbifold;
+ * - open surfaces: all methods except CommonSphere, CommonOrbifold and CommonBase;
  * - surfaces of genus 1 or more: all methods except CommonSphere, CommonOrbifold and
- *   BlendedIntrinsic;
+ *   BlendedIntrinsic; CommonBase only for one genus, at most MaximumBaseGenus;
  * - landmarks are indices of points; if any are given, CommonSphere needs at least two,
- *   BlendedIntrinsic, CommonOrbifold and WeightedAverages at least three.
+ *   BlendedIntrinsic, CommonOrbifold and WeightedAverages at least three, CommonBase three, or two
+ * if the genus is 1 or more.
  *
  * a, b: consistently oriented 2-manifolds, open or closed; points that no triangle uses are
  * ignored.
