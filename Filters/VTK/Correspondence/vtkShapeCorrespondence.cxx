@@ -268,6 +268,9 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
     this->Warn("the method computes no functional map, so FunctionalMap, DescriptorArrays, "
                "RegionArray and CurveDescriptors do not count; set Method to FunctionalMap");
   }
+  shape::RequireOption(this->SmallestMass >= 0.0 && this->SmallestMass <= 1.0, "SmallestMass",
+    this->SmallestMass, "between 0 and 1");
+  shape::RequireOption(this->ImageOfPoint >= -1, "ImageOfPoint", this->ImageOfPoint, "at least -1");
   if (this->ImageOfPoint >= 0 &&
     this->Options.Method != shape::CorrespondenceOptions::MethodType::GromovWasserstein)
   {

@@ -62,6 +62,14 @@ void RequireMethodOptions(const CorrespondenceOptions& options)
   RequireOption(harmonic.Scaling.Dimensions >= 1 && harmonic.Scaling.Dimensions <= 32, "Dimensions",
     harmonic.Scaling.Dimensions, "from 1 to 32");
 
+  RequireCouplingOptions(options.Coupling);
+  RequireAtLeast(2, options.CouplingEigenpairs, "CouplingEigenpairs");
+  RequireOption(options.Features.FeatureWeight >= 0.0 && options.Features.FeatureWeight <= 1.0,
+    "FeatureWeight", options.Features.FeatureWeight, "between 0 and 1");
+  RequireAtLeast(8, options.ScalingSamples, "ScalingSamples");
+  RequireAtLeast(1, options.ScalingStarts, "ScalingStarts");
+  RequireAtLeast(2, options.DistanceSamples, "DistanceSamples");
+
   RequireAtLeast(2, options.Heat.Eigenpairs, "HeatEigenpairs");
   RequireAtLeast(1, options.Heat.Times, "HeatTimes");
   RequireAtLeast(1, options.Blended.Candidates, "Candidates");

@@ -34,16 +34,7 @@ double RelativeEntropy(
 void Check(
   const MetricSpaces& spaces, const Eigen::MatrixXd& start, const EntropicCouplingOptions& options)
 {
-  RequireOption(options.Entropy > 0.0, "Entropy", options.Entropy, "positive");
-  RequireOption(options.FirstEntropy >= options.Entropy, "FirstEntropy", options.FirstEntropy,
-    "at least Entropy");
-  RequireOption(options.EntropyFactor > 0.0 && options.EntropyFactor < 1.0, "EntropyFactor",
-    options.EntropyFactor, "between 0 and 1");
-  RequireOption(options.IterationsPerEntropy >= 1, "IterationsPerEntropy",
-    options.IterationsPerEntropy, "at least 1");
-  RequireOption(options.SinkhornIterations >= 1, "SinkhornIterations", options.SinkhornIterations,
-    "at least 1");
-  RequireOption(options.Tolerance > 0.0, "Tolerance", options.Tolerance, "positive");
+  RequireCouplingOptions(options);
   if (spaces.WeightsA.size() == 0 || spaces.WeightsB.size() == 0 ||
     start.rows() != spaces.WeightsA.size() || start.cols() != spaces.WeightsB.size() ||
     !(spaces.WeightsA.minCoeff() > 0.0 && spaces.WeightsB.minCoeff() > 0.0))
@@ -87,6 +78,22 @@ struct State
 };
 
 } // namespace
+
+void RequireCouplingOptions(const EntropicCouplingOptions& options)
+{
+  RequireOption(
+    std::isfinite(options.FirstEntropy), "FirstEntropy", options.FirstEntropy, "a finite number");
+  RequireOption(options.Entropy > 0.0, "Entropy", options.Entropy, "positive");
+  RequireOption(options.FirstEntropy >= options.Entropy, "FirstEntropy", options.FirstEntropy,
+    "at least Entropy");
+  RequireOption(options.EntropyFactor > 0.0 && options.EntropyFactor < 1.0, "EntropyFactor",
+    options.EntropyFactor, "between 0 and 1");
+  RequireOption(options.IterationsPerEntropy >= 1, "IterationsPerEntropy",
+    options.IterationsPerEntropy, "at least 1");
+  RequireOption(options.SinkhornIterations >= 1, "SinkhornIterations", options.SinkhornIterations,
+    "at least 1");
+  RequireOption(options.Tolerance > 0.0, "Tolerance", options.Tolerance, "positive");
+}
 
 Eigen::MatrixXd PullOf(const MetricSpaces& spaces, const Eigen::MatrixXd& gains)
 {

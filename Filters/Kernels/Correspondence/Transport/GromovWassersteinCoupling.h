@@ -49,6 +49,9 @@ struct EntropicCoupling
   double Error = 0.0;
 };
 
+/// Throws InvalidInput if an option is out of range.
+void RequireCouplingOptions(const EntropicCouplingOptions& options);
+
 /// Returns how much the objective of SolveCoupling, without the entropy, falls with each mass, for
 /// gains DistancesA P DistancesB of the present masses P: (1 - w) gains - w Costs / 4.
 Eigen::MatrixXd PullOf(const MetricSpaces& spaces, const Eigen::MatrixXd& gains);
