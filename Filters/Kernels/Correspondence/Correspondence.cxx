@@ -130,7 +130,9 @@ void Begin(const Surface& a, const Surface& b, Landmarks& landmarks, const Optio
 {
   using Part = Options::PartType;
   using Which = SurfacePart::WhichType;
-  const Part part = landmarks.empty() && !result.Found ? Part::None : given.Part;
+  // Generalised scaling treats both surfaces as complete, and has no landmarks to find a part by.
+  const bool isScaling = given.Method == Options::MethodType::GeneralizedMDS;
+  const Part part = landmarks.empty() && isScaling ? Part::None : given.Part;
   const bool isA = part == Part::SurfaceA, isB = part == Part::SurfaceB;
   if (!result.Found)
   {

@@ -199,7 +199,7 @@ TEST(Correspondence, RefusesWhatAMethodCannotDo)
     options.Method = method;
     EXPECT_REFUSED(
       shape::ComputeCorrespondence(torus, pair.B, { { 0, 0 }, { 50, 50 }, { 99, 99 } }, options),
-      "genus 1", "take ReversibleHarmonic");
+      "genus 1", "take CommonBase, ReversibleHarmonic");
   }
   options = {};
   options.NumberOfEigenpairs = 3;
