@@ -2,7 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
-#include "Mesh/Topology.h"
+#include "Parameterize/Private/SphereLike.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -12,30 +12,6 @@ namespace shape
 {
 namespace
 {
-
-void RequireSphere(const Surface& surface)
-{
-  const Topology topology = RequireClosedSurface(surface, "the surface");
-  if (topology.Components > 1)
-  {
-    throw InvalidInput("the surface has " + std::to_string(topology.Components) +
-      " components; keep one with Connectivity / Extract Largest");
-  }
-  if (topology.EulerNumber != 2)
-  {
-    throw InvalidInput("the surface has Euler number " + std::to_string(topology.EulerNumber) +
-      " (genus " + std::to_string((2 - topology.EulerNumber) / 2) +
-      "); an orbifold needs genus 0: cut each handle with Clip and close the cuts with "
-      "Shape Fill Holes");
-  }
-  const auto unused = (topology.ComponentId.array() < 0).count();
-  if (unused > 0)
-  {
-    throw InvalidInput("the surface has " + std::to_string(unused) +
-      (unused == 1 ? " point that no triangle uses" : " points that no triangle uses") +
-      "; remove unused points with Clean");
-  }
-}
 
 void RequireDistinctCones(const Mesh& surface, const std::vector<int>& cones)
 {
@@ -62,7 +38,7 @@ void RequireDistinctCones(const Mesh& surface, const std::vector<int>& cones)
 
 void RequireOrbifoldInput(const Surface& surface, const std::vector<int>& cones)
 {
-  RequireSphere(surface);
+  RequireSphereLike(surface, "an orbifold");
   RequireDistinctCones(surface, cones);
 }
 

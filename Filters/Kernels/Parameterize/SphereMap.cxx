@@ -5,8 +5,8 @@
 #include "Laplacian/CotangentWeights.h"
 #include "Linear/SparseSolve.h"
 #include "Mesh/Surface.h"
-#include "Mesh/Topology.h"
 #include "Parameterize/Private/MoebiusCentering.h"
+#include "Parameterize/Private/SphereLike.h"
 #include "Parameterize/Private/SphericalReinsertion.h"
 #include "Parameterize/SphericalRelaxation.h"
 #include "Parameterize/SphericalTriangles.h"
@@ -35,28 +35,7 @@ void Check(const Surface& surface, const SphereMapOptions& options)
       "of iterations must be positive, the tolerance must be less than 1, and no option may be "
       "negative");
   }
-  const Topology topology = RequireClosedSurface(surface, "the surface");
-  if (topology.Components > 1)
-  {
-    throw InvalidInput("the surface has " + std::to_string(topology.Components) +
-      " components; keep one with Connectivity / Extract Largest");
-  }
-  if (topology.EulerNumber != 2)
-  {
-    throw InvalidInput("the surface has Euler number " + std::to_string(topology.EulerNumber) +
-      " (genus " + std::to_string(1 - topology.EulerNumber / 2) +
-      "); a sphere map needs Euler number 2: cut each handle with Clip and close the "
-      "cuts with Shape Fill Holes");
-  }
-  const auto unused = (topology.ComponentId.array() < 0).count();
-  if (unused > 0)
-  {
-    const auto first = std::find(topology.ComponentId.begin(), topology.ComponentId.end(), -1) -
-      topology.ComponentId.begin();
-    throw InvalidInput("the surface has " + std::to_string(unused) +
-      " points that no triangle uses (first at point " + std::to_string(first) +
-      "); remove them with Clean");
-  }
+  RequireSphereLike(surface, "a sphere map");
 }
 
 /// Returns the surface scaled to area 1, with its centre at the origin.
