@@ -48,8 +48,8 @@ struct TracedSurface
     return { point, corner % 2 == 0 ? path[1] : path[path.size() - 2] };
   }
 
-  /// Returns the homology of the loop of a path and the tree, as far as it goes around handles that
-  /// have not been cut: its intersection numbers with the loops of the cuts are 0.
+  /// Returns the homology of the loop of a path and the tree, without its turns around handles that
+  /// have been cut: its intersection numbers with the loops of the cuts are 0.
   Eigen::VectorXi HomologyOf(const FormValues& forms) const
   {
     const Eigen::MatrixXi& linking = this->Basis.Linking;

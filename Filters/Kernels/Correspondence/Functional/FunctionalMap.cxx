@@ -66,7 +66,7 @@ Eigen::MatrixXd CurveDescriptors(
   return descriptors / std::max<double>(1.0, static_cast<double>(curve.size()));
 }
 
-/// The built-in descriptors, those of the curves, and the given ones, as far as they are used.
+/// The descriptors that are used, of the built-in ones, those of the curves, and the given ones.
 Eigen::MatrixXd Descriptors(const LaplaceEigenpairs& spectrum, const Landmarks& landmarks,
   int which, const FunctionalMapOptions& options)
 {

@@ -23,7 +23,7 @@ std::vector<int> BaseGraph::Corners() const
 }
 
 // The region to the left of a half-path lies, at its other end, clockwise from its opposite. The
-// boundary goes on along the half-path there.
+// boundary continues along the half-path there.
 int BaseGraph::NextAround(int halfPath) const
 {
   const int opposite = halfPath ^ 1;

@@ -244,7 +244,7 @@ HomologyBasis FindHomologyBasis(PathSurface& surface, const std::string& name)
   if (!isEmbedded)
   {
     throw InvalidInput(name +
-      " intersects itself, so its handles and tunnels cannot be told apart; remove the "
+      " intersects itself, so its handles and tunnels cannot be distinguished; remove the "
       "self-intersections with Shape Solidify");
   }
   return basis;

@@ -63,6 +63,7 @@ MapRelaxation::MapRelaxation(const PatchedSurface& from, ConeSurface& moved,
 void MapRelaxation::UpdateRest()
 {
   this->Inverses.resize(this->Moved.TriangleCount());
+  this->Forms.resize(this->Moved.TriangleCount());
   this->Areas.assign(this->Moved.TriangleCount(), 0.0);
   for (int t = 0; t < this->Moved.TriangleCount(); ++t)
   {
@@ -78,6 +79,7 @@ void MapRelaxation::UpdateRest()
                        .transpose();
     }
     const Eigen::Matrix2d form = edges.transpose() * edges;
+    this->Forms[t] = form;
     this->Inverses[t] = form.inverse();
     this->Areas[t] = 0.5 * std::sqrt(form.determinant());
   }
@@ -112,7 +114,8 @@ double MapRelaxation::EnergyOf(int triangle, Terms* terms, int corner) const
     return Infinite;
   }
   // With the forms G of the triangle and H of its image: tr(G^-1 H) + tr(H^-1 G).
-  const Eigen::Matrix2d back = image.inverse(), rest = inverse.inverse();
+  const Eigen::Matrix2d back = image.inverse();
+  const Eigen::Matrix2d& rest = this->Forms[triangle];
   if (terms != nullptr)
   {
     const Eigen::Matrix<double, 3, 2> slope =

@@ -18,7 +18,7 @@ namespace shape
  * surface, times their areas, of the squared singular values and their inverses, for the plane
  * triangle between the images of the corners. Points of paths move like all others, cones stay.
  *
- * Each point moves along the energy's gradient, one after another, as far as the energy falls and
+ * Each point moves along the energy's gradient, one after another, while the energy falls and
  * no triangle around it would be turned over, by exact predicates. So the map remains one to one.
  * Points that divided edges are removed where that turns no triangle over either.
  */
@@ -59,7 +59,8 @@ private:
   std::vector<ConePlace> Found;
   Eigen::MatrixXd Images;  ///< of the moved surface's points, scaled so that the areas are equal
   Eigen::MatrixXd Targets; ///< the fixed surface's points, scaled likewise
-  std::vector<Eigen::Matrix2d> Inverses; ///< of each triangle's first fundamental form
+  std::vector<Eigen::Matrix2d> Forms;    ///< first fundamental form of each triangle
+  std::vector<Eigen::Matrix2d> Inverses; ///< of the forms
   std::vector<double> Areas;
 };
 

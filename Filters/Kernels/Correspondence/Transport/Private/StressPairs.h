@@ -18,7 +18,7 @@ struct MetricSurface
 
   shape::Surface Shape;
   Eigen::MatrixXd Distances; ///< n x n
-  std::vector<int> Samples;  ///< all points, each as far as possible from those before
+  std::vector<int> Samples;  ///< all points, each the farthest from those before
   std::vector<std::vector<int>> TrianglesAt; ///< for each point
 };
 
