@@ -53,6 +53,22 @@ Eigen::Matrix2d Rotation(double angle)
   return (Eigen::Matrix2d() << c, -s, s, c).finished();
 }
 
+///@{
+/// The singular values of DecomposePositive, without its rotations.
+Eigen::Vector2d SingularValues(const Eigen::Matrix2d& matrix)
+{
+  const double first = 0.5 *
+    (std::hypot(matrix(0, 0) + matrix(1, 1), matrix(1, 0) - matrix(0, 1)) +
+      std::hypot(matrix(0, 0) - matrix(1, 1), matrix(1, 0) + matrix(0, 1)));
+  return { first, matrix.determinant() / first };
+}
+
+Eigen::Vector3d SingularValues(const Eigen::Matrix3d& matrix)
+{
+  return Eigen::JacobiSVD<Eigen::Matrix3d>(matrix).singularValues();
+}
+///@}
+
 /// The first t > 0 at which the edges at + t by have no size. Their determinant is a polynomial in
 /// t.
 double FirstFlip(const Eigen::Matrix2d& at, const Eigen::Matrix2d& by)
@@ -199,7 +215,7 @@ double SimplexElements<Dimension>::Energy(const Eigen::MatrixXd& points, Distort
         // The determinant of a nearly flat simplex may be rounded to either sign.
         values(t) =
           jacobian.determinant() > 0.0 && IsPositive(this->OwnCorners, t, points, jacobian)
-          ? EvaluateDistortion(distortion, exponent, DecomposePositive(jacobian).Singular).Value
+          ? EvaluateDistortion<Dimension>(distortion, exponent, SingularValues(jacobian)).Value
           : Infinity;
       }
     },
