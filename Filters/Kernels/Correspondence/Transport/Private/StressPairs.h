@@ -17,8 +17,8 @@ struct MetricSurface
   MetricSurface(const shape::Surface& surface, const Progress& progress);
 
   shape::Surface Shape;
-  Eigen::MatrixXd Distances; ///< n x n
-  std::vector<int> Samples;  ///< all points, each the farthest from those before
+  Eigen::MatrixXd Distances;                 ///< n x n
+  std::vector<int> Samples;                  ///< all points, each the farthest from those before
   std::vector<std::vector<int>> TrianglesAt; ///< for each point
 };
 
