@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the shapes that tests and examples use, with their maps as the point array TargetPosition.
+"""Writes the shapes that tests and examples use, with their maps as the point array TargetPosition, and a network.
 
     make_shapes.py OUTPUT_FOLDER [--large]
 
@@ -15,6 +15,7 @@ from shapes.charges import dented_sphere_charges
 from shapes.dented_sphere import dented_sphere
 from shapes.figures import figure_a, figure_b, skeleton_a, skeleton_b
 from shapes.files import write_charges, write_curves, write_solid, write_surface
+from shapes.networks import random_features
 from shapes.phantom import brain, head, skull
 from shapes.solids import ball, cube
 from shapes.two_torus import two_torus
@@ -39,6 +40,7 @@ SMALL = {
     "TwistedBarSmall.vtu": lambda: bar_solid(6, *BEND_AND_TWIST),
     "BallSmall.vtu": lambda: ball(12),
     "CubeSmall.vtu": lambda: cube(8, 0.55),
+    "RandomFeatures.onnx": random_features,
 }
 
 LARGE = {
@@ -63,7 +65,8 @@ LARGE = {
 
 def writer(name):
     """What writes a file of this name."""
-    for ending, write in (("Skeleton.vtp", write_curves), ("Charges.vtp", write_charges), (".vtp", write_surface)):
+    for ending, write in (("Skeleton.vtp", write_curves), ("Charges.vtp", write_charges), (".vtp", write_surface),
+                          (".onnx", pathlib.Path.write_bytes)):
         if name.endswith(ending):
             return write
     return write_solid

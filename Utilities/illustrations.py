@@ -224,6 +224,16 @@ def LaplaceSpectrum():
 
 
 @drawing
+def NetworkDescriptors():
+    network = os.path.join(ROOT, 'Data', 'RandomFeatures.onnx')
+    for figure, x in zip(figures(), (-0.65, 0.65)):
+        described = ShapeNetworkDescriptors(Input=figure, FileName=network)
+        one = Calculator(Input=described, ResultArrayName='Descriptor', Function='NetworkDescriptors_2')
+        show(one, (x, 0, 0), array='Descriptor', preset='Cool to Warm')
+    return FRONT
+
+
+@drawing
 def HarmonicVolumeMap():
     ball = shape('Ball.vtu')
     sphere = ShapeParameterize(Input=shape('DentedSphere10k.vtp'))

@@ -15,7 +15,8 @@ packages=(
   qtxmlpatterns5-dev-tools libqt5opengl5-dev libopenmpi-dev libdouble-conversion-dev libglew-dev
   # libraries
   libeigen3-dev libtbb-dev libopenblas-dev liblapacke-dev libhwy-dev libnanoflann-dev
-  libsuitesparse-dev libtet1.5-dev libocct-data-exchange-dev libboost-dev zlib1g-dev libxcb1-dev
+  libsuitesparse-dev libtet1.5-dev libocct-data-exchange-dev libopencv-dnn-dev
+  libprotobuf-dev libboost-dev zlib1g-dev libxcb1-dev
   # a display and real models
   xvfb xauth libcgal-demo
   # pages of the help and of the site

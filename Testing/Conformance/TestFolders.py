@@ -1,8 +1,8 @@
 """The order of the house. Plugin uses Filters/VTK, which uses Filters/Kernels. A room (a folder of
 kernels) includes only rooms before it, and files include each other without circles. A header in
 Private/ is included from its own room alone; one beside Private/ by another room, by the filters or
-by the room's own headers. Only the files named here include VTK, TetGen or OpenCASCADE. Every filter and writer
-has all its parts. Run with python3 TestFolders.py ROOT."""
+by the room's own headers. Only the files named here include VTK, TetGen, OpenCV or OpenCASCADE. Every filter and
+writer has all its parts. Run with python3 TestFolders.py ROOT."""
 import collections
 import os
 import re
@@ -10,7 +10,7 @@ import sys
 
 ORDER = [
     'Base', 'Linear', 'Mesh', 'Search', 'Geometry', 'Labels', 'Solids', 'Distance', 'Planar', 'Quality',
-    'Laplacian', 'Distortion', 'Geodesics', 'Spectrum', 'Remesh', 'Skeleton', 'Parameterize', 'ExponentialMap', 'Transfer', 'Materials',
+    'Laplacian', 'Distortion', 'Geodesics', 'Spectrum', 'Network', 'Remesh', 'Skeleton', 'Parameterize', 'ExponentialMap', 'Transfer', 'Materials',
     'Correspondence/Pair', 'Correspondence/Landmarks', 'Correspondence/Functional',
     'Correspondence/Transport', 'Correspondence/Conformal', 'Correspondence/CommonBase', 'Correspondence/Averages',
     'Correspondence/Reversible', 'Correspondence/Evaluate', 'Correspondence',
@@ -22,6 +22,7 @@ LIBRARIES = {'Base': [], 'Linear': ['Base'], 'Fmm': ['Base', 'Linear']}
 USE_VTK = ['Geometry/Private/QuadricSampling.cxx', 'Search/CellLocator.cxx', 'Search/Private/CellInterpolation.cxx',
            'Solids/IsoSurface.cxx']
 USE_TETGEN = ['Tetrahedra/Private/TetGen.cxx']
+USE_OPENCV = ['Kernels/Network/Private/NetworkLibrary.cxx']
 USE_OCCT = ['Kernels/IO/Private/CascadeFile.cxx', 'Kernels/IO/Private/CascadeFile.h',
             'Kernels/IO/Private/CascadeLibrary.cxx', 'Kernels/IO/TestCADReader.cxx']
 # No mathematics, or one line in the wrapper, which its header states: no kernel.
@@ -81,6 +82,8 @@ for part in ('Filters', 'Plugin', 'Testing'):
     for path, includes in sources(part):
         if ('tetgen.h' in includes) != (path in ['Kernels/' + use for use in USE_TETGEN]):
             faults.append('%s: %s, and no other file, includes tetgen.h' % (path, USE_TETGEN))
+        if ('opencv2/dnn.hpp' in includes) != (path in USE_OPENCV):
+            faults.append('%s: %s, and no other file, includes OpenCV' % (path, USE_OPENCV))
         if any(OCCT.match(include) for include in includes) != (path in USE_OCCT):
             faults.append('%s: %s, and no other file, includes OpenCASCADE' % (path, USE_OCCT))
 

@@ -25,6 +25,7 @@ OPTIONS = {
     'ShapeCorrespondence': {'CoarsePoints': 100},
     'ShapeImageValues': {'Density': '0.01 * Value'},
     'ShapeHexRemesh': {'Method': 2, 'CellsOnLongestSide': 4},
+    'ShapeNetworkDescriptors': {'FileName': shapetesting.data_file('RandomFeatures.onnx')},
     'ShapeLandmarks': {'PointsA': [0.0, 0.0, 1.0, 1.0, 0.0, 0.0]},
     # One stroke: Set, radius 0.3, strength 1, value 1, six points.
     'ShapePaintArray': {'Strokes': [(0, 0.3, 1.0, 1.0, 6)],

@@ -50,7 +50,7 @@ struct CorrespondenceResult
 };
 
 /**
- * Computes corresponding points of two surfaces, in both directions, by one of eight methods. The
+ * Computes corresponding points of two surfaces, in both directions, by one of ten methods. The
  * header of each method says for which surfaces it is suitable. If no landmarks are given,
  * FindLandmarks finds them; each surface must then have one component. Landmarks found in this way
  * are not pinned, and CommonOrbifold uses only the first four of them. No landmarks are found for

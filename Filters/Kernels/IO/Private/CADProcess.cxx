@@ -1,6 +1,6 @@
 #include "IO/Private/CADProcess.h"
 
-#include "Base/ChildProcess.h"
+#include "Base/ChildMessages.h"
 #include "Base/Errors.h"
 #include "IO/Private/CADFaces.h"
 
@@ -14,57 +14,6 @@ namespace shape
 namespace
 {
 
-/// Sends values through the pipe of a child process, or receives them, in the same order.
-struct Sender
-{
-  int Pipe;
-
-  template <class T>
-  void Move(std::vector<T>& values) const
-  {
-    const std::size_t count = values.size();
-    ChildProcess::Send(this->Pipe, &count, sizeof(count));
-    ChildProcess::Send(this->Pipe, values.data(), count * sizeof(T));
-  }
-};
-
-struct Receiver
-{
-  ChildProcess& Child;
-  const std::function<void()>& Waiting;
-
-  template <class T>
-  void Move(std::vector<T>& values) const
-  {
-    std::size_t count = 0;
-    this->Receive(&count, sizeof(count));
-    values.resize(count);
-    this->Receive(values.data(), count * sizeof(T));
-  }
-
-  void Receive(void* data, std::size_t size) const
-  {
-    if (size > 0 && !this->Child.Receive(data, size, this->Waiting))
-    {
-      const int number = this->Child.Signal();
-      throw SolveFailure(number == SIGKILL
-          ? std::string("the process that reads the file was killed, probably because memory ran "
-                        "out; use a larger Deflection")
-          : "OpenCASCADE crashed (" +
-            (number > 0 ? std::string(strsignal(number)) : "it ended without a result") +
-            "); export the file again, perhaps in another format");
-    }
-  }
-};
-
-template <class Mover>
-void MoveWords(const Mover& mover, std::string& words)
-{
-  std::vector<char> letters(words.begin(), words.end());
-  mover.Move(letters);
-  words.assign(letters.begin(), letters.end());
-}
-
 template <class Mover>
 void MoveNames(const Mover& mover, std::vector<std::string>& names)
 {
@@ -73,7 +22,7 @@ void MoveNames(const Mover& mover, std::vector<std::string>& names)
   names.resize(each.size());
   for (std::string& name : names)
   {
-    MoveWords(mover, name);
+    MoveText(mover, name);
   }
 }
 
@@ -107,7 +56,7 @@ void MoveModel(const Mover& mover, CADModel& model)
   }
   MoveNames(mover, model.PatchNames);
   MoveNames(mover, model.RegionNames);
-  MoveWords(mover, model.Unit);
+  MoveText(mover, model.Unit);
   std::vector<double> lengths{ model.Deflection, model.Distance };
   mover.Move(lengths);
   model.Deflection = lengths[0];
@@ -147,9 +96,9 @@ void RunInChild(CascadeReader read, std::string_view content, CADFormat format,
     outcome = { Outcome::SolveFailure };
     message = error.what();
   }
-  const Sender sender{ pipe };
+  const ChildSender sender{ pipe };
   sender.Move(outcome);
-  MoveWords(sender, message);
+  MoveText(sender, message);
   MoveModel(sender, model);
 }
 
@@ -169,11 +118,20 @@ CADModel RunCADProcess(std::string_view content, CADFormat format, const CADRead
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     progress(seconds.count() / (seconds.count() + usual));
   };
-  const Receiver receiver{ child, waiting };
+  const auto fail = [](int signal)
+  {
+    throw SolveFailure(signal == SIGKILL
+        ? std::string("the process that reads the file was killed, probably because memory ran "
+                      "out; use a larger Deflection")
+        : "OpenCASCADE crashed (" +
+          (signal > 0 ? std::string(strsignal(signal)) : "it ended without a result") +
+          "); export the file again, perhaps in another format");
+  };
+  const ChildReceiver receiver{ child, waiting, fail };
   std::vector<Outcome> outcome;
   std::string message;
   receiver.Move(outcome);
-  MoveWords(receiver, message);
+  MoveText(receiver, message);
   if (outcome.front() == Outcome::InvalidInput)
   {
     throw InvalidInput(message);

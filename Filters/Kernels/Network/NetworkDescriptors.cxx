@@ -1,0 +1,360 @@
+#include "Network/NetworkDescriptors.h"
+
+#include "Base/ChildMessages.h"
+#include "Base/Errors.h"
+#include "Geometry/VertexNormals.h"
+#include "Mesh/SoundTriangles.h"
+#include "Network/Private/OpenNetwork.h"
+#include "Spectrum/LaplaceEigenproblem.h"
+#include "Spectrum/SpectralSignatures.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <new>
+#include <numeric>
+#include <optional>
+
+namespace shape
+{
+namespace
+{
+
+using Options = NetworkDescriptorOptions;
+
+/// "n x 3", for messages.
+std::string Describe(const std::vector<int>& sizes)
+{
+  std::string text;
+  for (const int size : sizes)
+  {
+    text += (text.empty() ? "" : " x ") + (size > 0 ? std::to_string(size) : std::string("any"));
+  }
+  return text.empty() ? "a single number" : text;
+}
+
+/// The surface at the scale that the network expects.
+Surface Scaled(const Surface& surface, Options::ScaleType scale)
+{
+  if (scale == Options::ScaleType::Given)
+  {
+    return surface;
+  }
+  const Eigen::VectorXd areas = ComputePointAreas(surface);
+  const double area = areas.sum();
+  if (!(area > 0.0))
+  {
+    throw InvalidInput("the surface has no area; choose another one, or set Scale to Given");
+  }
+  const Eigen::RowVector3d centroid = areas.transpose() * surface.Points() / area;
+  Eigen::MatrixXd points = surface.Points().rowwise() - centroid;
+  double length = std::sqrt(area);
+  if (scale == Options::ScaleType::UnitRadius)
+  {
+    length = (areas.array() > 0.0).select(points.rowwise().norm(), 0.0).maxCoeff();
+  }
+  points /= length;
+  return surface.WithPoints(std::move(points));
+}
+
+/// Computes what a network's inputs hold.
+class InputMaker
+{
+public:
+  InputMaker(const Surface& surface, const Eigen::MatrixXd& arrays, const Options& options)
+    : Scaled(shape::Scaled(surface, options.Scale))
+    , Arrays(arrays)
+    , Eigenpairs(options.NumberOfEigenpairs)
+  {
+  }
+
+  std::vector<Tensor> Make(const std::vector<TensorShape>& inputs, const Progress& progress)
+  {
+    this->SolveIfNeeded(inputs, progress);
+    std::vector<Tensor> made;
+    for (const TensorShape& input : inputs)
+    {
+      made.push_back(this->Make(input));
+    }
+    progress(1.0);
+    return made;
+  }
+
+private:
+  /// The columns that an input declares: its last size, unless that is the one of the points.
+  static int ColumnsOf(const TensorShape& input)
+  {
+    return input.Sizes.size() < 2 ? 0 : input.Sizes.back();
+  }
+
+  void SolveIfNeeded(const std::vector<TensorShape>& inputs, const Progress& progress)
+  {
+    bool isNeeded = false;
+    for (const TensorShape& input : inputs)
+    {
+      const bool areValues = input.Name == "Eigenvalues";
+      if (areValues || input.Name == "Eigenfunctions")
+      {
+        const int declared = areValues && !input.Sizes.empty()
+          ? *std::max_element(input.Sizes.begin(), input.Sizes.end())
+          : ColumnsOf(input);
+        this->Eigenpairs = declared > 1 ? declared : this->Eigenpairs;
+      }
+      isNeeded = isNeeded || areValues || input.Name == "Eigenfunctions" ||
+        input.Name == "HeatKernelSignature" || input.Name == "WaveKernelSignature";
+    }
+    if (isNeeded)
+    {
+      this->Spectrum = SolveLaplaceEigenproblem(this->Scaled, this->Eigenpairs, progress);
+    }
+  }
+
+  /// The values of an input, a row for each point, or for each eigenvalue.
+  Eigen::MatrixXd ValuesOf(const TensorShape& input) const
+  {
+    constexpr int usual = 100; // columns of a signature, as in ComputeLaplaceSpectrum
+    const int columns = ColumnsOf(input) > 1 ? ColumnsOf(input) : usual;
+    if (input.Name == "Positions")
+    {
+      return this->Scaled.Points();
+    }
+    if (input.Name == "Normals")
+    {
+      return GetVertexNormals(this->Scaled);
+    }
+    if (input.Name == "Masses")
+    {
+      return ComputePointAreas(this->Scaled);
+    }
+    if (input.Name == "Eigenvalues")
+    {
+      return this->Spectrum->Eigenvalues;
+    }
+    if (input.Name == "Eigenfunctions")
+    {
+      return this->Spectrum->Eigenfunctions;
+    }
+    if (input.Name == "HeatKernelSignature")
+    {
+      return ComputeHeatKernelSignature(*this->Spectrum, columns);
+    }
+    if (input.Name == "WaveKernelSignature")
+    {
+      return ComputeWaveKernelSignature(*this->Spectrum, columns);
+    }
+    if (input.Name == "Arrays")
+    {
+      if (this->Arrays.cols() == 0)
+      {
+        throw InvalidInput("the network has the input 'Arrays', but no array is chosen; choose "
+                           "the arrays in Input Arrays");
+      }
+      return this->Arrays;
+    }
+    throw InvalidInput("the network has an input '" + input.Name +
+      "', which is none of Positions, Normals, Masses, Eigenvalues, Eigenfunctions, "
+      "HeatKernelSignature, WaveKernelSignature and Arrays; rename it when you export the network");
+  }
+
+  Tensor Make(const TensorShape& input) const
+  {
+    const Eigen::MatrixXd values = this->ValuesOf(input);
+    Tensor tensor{ input.Name, FitSizes(input, values.rows(), values.cols()), {} };
+    if (!input.IsFloat)
+    {
+      throw InvalidInput("the network's input '" + input.Name +
+        "' is not in single precision; export the network in single precision");
+    }
+    tensor.Values.resize(static_cast<std::size_t>(values.size()));
+    Eigen::Map<Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+      tensor.Values.data(), values.rows(), values.cols()) = values.cast<float>();
+    return tensor;
+  }
+
+  /// Returns the sizes that an input declares, with those of the values where it leaves them open.
+  /// A matrix fills the last two dimensions, a vector the first one that can hold it, and the
+  /// others have size 1. Throws InvalidInput if that is not what is declared.
+  static std::vector<int> FitSizes(
+    const TensorShape& input, Eigen::Index rows, Eigen::Index columns)
+  {
+    std::vector<int> wanted{ static_cast<int>(rows) };
+    if (columns > 1)
+    {
+      wanted.push_back(static_cast<int>(columns));
+    }
+    std::vector<int> sizes = input.Sizes;
+    const std::size_t rank = sizes.size();
+    std::size_t first = 0;
+    if (columns > 1)
+    {
+      first = rank - std::min(rank, wanted.size());
+    }
+    else
+    {
+      const auto holds = [&](int size) { return size == 0 || size == wanted.front(); };
+      first =
+        static_cast<std::size_t>(std::find_if(sizes.begin(), sizes.end(), holds) - sizes.begin());
+    }
+    bool fits = first + wanted.size() <= rank;
+    for (std::size_t i = 0; i < rank && fits; ++i)
+    {
+      const bool isFilled = i >= first && i < first + wanted.size();
+      const int size = isFilled ? wanted[i - first] : 1;
+      fits = sizes[i] == 0 || sizes[i] == size;
+      sizes[i] = size;
+    }
+    if (!fits)
+    {
+      throw InvalidInput("the network's input '" + input.Name + "' is " + Describe(input.Sizes) +
+        ", but its values are " + Describe(wanted) +
+        "; export the network for any number of points, and give as many columns as it expects");
+    }
+    return sizes;
+  }
+
+  Surface Scaled;
+  const Eigen::MatrixXd& Arrays;
+  int Eigenpairs;
+  std::optional<LaplaceEigenpairs> Spectrum;
+};
+
+/// The first message of the child: whether there is a result, and else the error.
+enum class Outcome : char
+{
+  Result,
+  InvalidInput,
+  SolveFailure
+};
+
+/// Evaluates a network in a child process: OpenCV cannot be interrupted, and may crash.
+Tensor EvaluateInChild(const NetworkLibrary& library, const std::string& network,
+  const std::vector<Tensor>& inputs, const Progress& progress)
+{
+  const auto move =
+    [](const auto& mover, std::vector<Outcome>& outcome, std::string& message, Tensor& result)
+  {
+    mover.Move(outcome);
+    MoveText(mover, message);
+    mover.Move(result.Sizes);
+    mover.Move(result.Values);
+  };
+  ChildProcess child(
+    [&](int pipe)
+    {
+      std::vector<Outcome> outcome{ Outcome::Result };
+      std::string message;
+      Tensor result;
+      try
+      {
+        result = library.Evaluate(network, inputs);
+      }
+      catch (const InvalidInput& error)
+      {
+        outcome = { Outcome::InvalidInput };
+        message = error.what();
+      }
+      catch (const std::bad_alloc&)
+      {
+        outcome = { Outcome::SolveFailure };
+        message = "out of memory; use a surface with fewer points, or a smaller network";
+      }
+      catch (const std::exception& error)
+      {
+        outcome = { Outcome::SolveFailure };
+        message = error.what();
+      }
+      move(ChildSender{ pipe }, outcome, message, result);
+    });
+  // OpenCV does not say how far it is: half of it is done after the time that is usual.
+  const double usual = 0.1 + 1e-7 * static_cast<double>(network.size());
+  const auto start = std::chrono::steady_clock::now();
+  const std::function<void()> waiting = [&]
+  {
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    progress(seconds.count() / (seconds.count() + usual));
+  };
+  const auto fail = [](int signal)
+  {
+    throw SolveFailure(signal == SIGKILL
+        ? std::string("the process that evaluates the network was killed, probably because memory "
+                      "ran out; use a surface with fewer points")
+        : "OpenCV crashed (" +
+          (signal > 0 ? std::string(strsignal(signal)) : "it ended without a result") +
+          "); export the network again");
+  };
+  std::vector<Outcome> outcome;
+  std::string message;
+  Tensor result;
+  move(ChildReceiver{ child, waiting, fail }, outcome, message, result);
+  if (outcome.front() == Outcome::InvalidInput)
+  {
+    throw InvalidInput(message);
+  }
+  if (outcome.front() == Outcome::SolveFailure)
+  {
+    throw SolveFailure(message);
+  }
+  return result;
+}
+
+/// The output as a matrix with a row for each of `rows` points.
+Eigen::MatrixXd ToRows(const Tensor& output, Eigen::Index rows)
+{
+  std::vector<int> sizes = output.Sizes;
+  while (sizes.size() > 1 && sizes.front() == 1 && rows != 1)
+  {
+    sizes.erase(sizes.begin());
+  }
+  const auto count = static_cast<Eigen::Index>(output.Values.size());
+  if (sizes.empty() || sizes.front() != rows || count == 0)
+  {
+    throw InvalidInput("the network's output is " + Describe(output.Sizes) +
+      ", not a row for each of " + std::to_string(rows) +
+      " points; export a network whose output has a row for each point");
+  }
+  using Rows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  return Eigen::Map<const Rows>(output.Values.data(), rows, count / rows).cast<double>();
+}
+
+} // namespace
+
+Eigen::MatrixXd ComputeNetworkDescriptors(const Surface& surface, const std::string& network,
+  const Eigen::MatrixXd& arrays, const NetworkDescriptorOptions& options, const Progress& progress)
+{
+  RequireOption(options.NumberOfEigenpairs >= 2, "NumberOfEigenpairs", options.NumberOfEigenpairs,
+    "at least 2");
+  RequireTriangles(surface, "the surface");
+  const NetworkLibrary library = LoadNetworkLibrary();
+  const NetworkInterface found = library.Read(network);
+  if (found.Outputs.size() != 1)
+  {
+    throw InvalidInput("the network has " + std::to_string(found.Outputs.size()) +
+      " outputs; export it with one, which has a row for each point");
+  }
+  const std::vector<Tensor> inputs =
+    InputMaker(surface, arrays, options)
+      .Make(found.Inputs, progress.Part(0.0, 0.7, "computing the network's inputs"));
+  const Tensor output =
+    EvaluateInChild(library, network, inputs, progress.Part(0.7, 1.0, "evaluating the network"));
+  Eigen::MatrixXd descriptors = ToRows(output, surface.Points().rows());
+  Eigen::VectorXi isUsed = Eigen::VectorXi::Zero(descriptors.rows());
+  isUsed(surface.Triangles().reshaped()).setOnes();
+  for (Eigen::Index point = 0; point < descriptors.rows(); ++point)
+  {
+    if (isUsed(point) == 0)
+    {
+      descriptors.row(point).setZero();
+    }
+  }
+  if (!descriptors.allFinite())
+  {
+    throw SolveFailure("the network's output is not finite; the shape may be unlike those on which "
+                       "it was trained: try another Scale");
+  }
+  progress(1.0);
+  return descriptors;
+}
+
+} // namespace shape
