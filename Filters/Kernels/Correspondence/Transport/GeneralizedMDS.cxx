@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -86,21 +87,55 @@ std::vector<Triple> FindTriples(
   return triples;
 }
 
-/// Adds the samples from firstA and firstB to `end`.
-void AddSamples(StressPairs& pairs, const MetricSurface& a, const MetricSurface& b, int firstA,
-  int firstB, int end)
+/// The samples of both surfaces in the order in which they are added: (side, point).
+std::vector<std::pair<int, int>> ListSamples(
+  const MetricSurface& a, const MetricSurface& b, int firstA, int firstB, int end)
 {
+  std::vector<std::pair<int, int>> samples;
   const auto add = [&](int side, const MetricSurface& surface, int first, int k)
   {
     if (k >= first && k < static_cast<int>(surface.Samples.size()))
     {
-      pairs.AddSample(side, surface.Samples[k]);
+      samples.emplace_back(side, surface.Samples[k]);
     }
   };
   for (int k = std::min(firstA, firstB); k < end; ++k)
   {
     add(0, a, firstA, k);
     add(1, b, firstB, k);
+  }
+  return samples;
+}
+
+void AddSamples(StressPairs& pairs, const std::vector<std::pair<int, int>>& samples)
+{
+  for (const auto& [side, point] : samples)
+  {
+    pairs.AddSample(side, point);
+  }
+}
+
+/// Adds samples as a symmetry would exchange them: the one whose two best images have the most
+/// similar stress gets the second one, and the samples after it follow.
+void AddSamplesExchanged(StressPairs& pairs, const std::vector<std::pair<int, int>>& samples)
+{
+  StressPairs usual = pairs;
+  double lowest = std::numeric_limits<double>::infinity();
+  std::pair<int, int> exchanged(-1, -1);
+  for (const auto& [side, point] : samples)
+  {
+    const double stress = usual.RivalStress(side, point);
+    if (stress < lowest)
+    {
+      lowest = stress;
+      exchanged = { side, point };
+    }
+    usual.AddSample(side, point);
+  }
+  for (const auto& sample : samples)
+  {
+    pairs.AddSample(sample.first, sample.second,
+      sample == exchanged ? StressPairs::ImageType::Rival : StressPairs::ImageType::Lowest);
   }
 }
 
@@ -137,7 +172,7 @@ std::vector<Candidate> FindStarts(const MetricSurface& a, const MetricSurface& b
   std::vector<Candidate> starts;
   if (landmarks.size() >= enough)
   {
-    AddSamples(known, a, b, 0, 0, FewSamples);
+    AddSamples(known, ListSamples(a, b, 0, 0, FewSamples));
     starts.push_back({ std::move(known) });
     return starts;
   }
@@ -164,6 +199,7 @@ std::vector<Candidate> FindStarts(const MetricSurface& a, const MetricSurface& b
       chosen.push_back(triple);
     }
   }
+  const std::vector<std::pair<int, int>> samples = ListSamples(a, b, 3, 0, FewSamples);
   for (std::size_t i = 0; i < chosen.size(); ++i)
   {
     StressPairs pairs = known;
@@ -171,9 +207,16 @@ std::vector<Candidate> FindStarts(const MetricSurface& a, const MetricSurface& b
     {
       pairs.Add(a.Samples[k], chosen[i].Images[k], 1);
     }
-    AddSamples(pairs, a, b, 3, 0, FewSamples);
+    StressPairs exchanged = pairs;
+    AddSamples(pairs, samples);
     starts.push_back({ std::move(pairs) });
     SetCost(starts.back());
+    if (starts.back().IsReversed)
+    {
+      AddSamplesExchanged(exchanged, samples);
+      starts.push_back({ std::move(exchanged) });
+      SetCost(starts.back());
+    }
     progress(static_cast<double>(i + 1) / static_cast<double>(chosen.size()));
   }
   SortByCost(starts);
@@ -255,8 +298,8 @@ GeneralizedMDSResult ComputeGeneralizedMDS(const Surface& a, const Surface& b,
     DropHalf(candidates);
     for (Candidate& candidate : candidates)
     {
-      AddSamples(
-        candidate.Pairs, onA, onB, samples, samples, std::min(2 * samples, options.Samples));
+      AddSamples(candidate.Pairs,
+        ListSamples(onA, onB, samples, samples, std::min(2 * samples, options.Samples)));
     }
   }
   const StressPairs& best = candidates.front().Pairs;

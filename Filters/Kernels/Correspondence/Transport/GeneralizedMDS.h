@@ -44,8 +44,10 @@ struct GeneralizedMDSResult
  * its distance.
  *
  * A reflection may change distances as little as the map that keeps orientation, as of a flat
- * figure whose front and back are alike. The best start that keeps orientation is never dropped,
- * but there may be none among the starts. Reversed says so; landmarks on one side help.
+ * figure whose front and back are alike. So a start that exchanges left and right has a second
+ * form: the sample that has two almost equally good images gets the other one, and all others
+ * follow. The best start that keeps orientation is never dropped. If none is good, Reversed says
+ * so; landmarks on one side help.
  *
  * a, b: surfaces that RequireConnected accepts. Each has n x n distances, whose time grows with the
  * cube of n: 2 x 600 points take about 5 seconds. Throws InvalidInput, SolveFailure, Aborted.

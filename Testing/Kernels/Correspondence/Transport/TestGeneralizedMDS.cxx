@@ -167,6 +167,39 @@ TEST(GeneralizedMDS, FindsTheSameSurfaceInOtherTriangles)
   EXPECT_LT(shapetest::MapErrors(found.Maps.BToA, a, onA).mean(), 0.02);
 }
 
+// The upper and the lower face of a flat shape are alike, so exchanging them changes no distance.
+// The outline has no symmetry: only that exchange is a reflection.
+TEST(GeneralizedMDS, KeepsTheOrientationOfFlatShapes)
+{
+  const auto flat = [](const Eigen::Matrix3d& turn, double bend)
+  {
+    shape::Mesh mesh = shapetest::Icosphere(2);
+    for (Eigen::Index i = 0; i < mesh.Points.rows(); ++i)
+    {
+      const Eigen::RowVector3d p = mesh.Points.row(i) * turn.transpose();
+      const auto lobe = [&](double x, double y)
+      { return std::exp(3.0 * (p.x() * x + p.y() * y - 1.0)); };
+      const double r = 1.0 + lobe(1.0, 0.0) + 0.5 * lobe(-0.6, 0.8);
+      const double x = r * p.x();
+      mesh.Points.row(i) << x, r * p.y(), 0.3 * p.z() + bend * x * x;
+    }
+    return mesh;
+  };
+  const auto turned = [](int k) {
+    return shapetest::Rotation(0.7 + 0.9 * k, { 3.0, -1.0 + k, 1.0 });
+  };
+  for (int k = 0; k < 8; ++k)
+  {
+    const shape::Mesh a = flat(turned(k), 0.0), b = flat(turned(k + 1), 0.15);
+    shape::GeneralizedMDSOptions options;
+    options.Samples = 24;
+    const auto found = shape::ComputeGeneralizedMDS(a, b, {}, options);
+    EXPECT_FALSE(found.Reversed) << k;
+    EXPECT_LT(shapetest::MapErrors(found.Maps.AToB, b, flat(turned(k), 0.15).Points).mean(), 0.1)
+      << k;
+  }
+}
+
 TEST(GeneralizedMDS, KeepsLandmarksAndNamesWhatIsWrong)
 {
   const shape::Mesh mesh = shapetest::BumpySphere(2, Eigen::Matrix3d::Identity());

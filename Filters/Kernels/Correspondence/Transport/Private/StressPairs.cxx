@@ -130,9 +130,22 @@ void StressPairs::Add(int pointOfA, int pointOfB, int moving)
   this->Append(this->AtPoint(0, pointOfA), this->AtPoint(1, pointOfB), moving);
 }
 
-void StressPairs::AddSample(int side, int point)
+void StressPairs::AddSample(int side, int point, ImageType type)
 {
-  const SurfacePoint own = this->AtPoint(side, point), image = this->FindImage(side, point);
+  const SurfacePoint own = this->AtPoint(side, point);
+  SurfacePoint image;
+  if (type == ImageType::Lowest)
+  {
+    image = this->FindImage(side, point);
+  }
+  else
+  {
+    const Eigen::RowVectorXd targets = this->DistancesOf(side, point);
+    const int other = 1 - side,
+              rival = this->FindRival(
+                other, this->StressAtPoints(other, targets, this->NearWeights(targets)));
+    image = rival < 0 ? this->FindImage(side, point) : this->AtPoint(other, rival);
+  }
   if (side == 0)
   {
     this->Append(own, image, 1);
@@ -150,22 +163,46 @@ Eigen::RowVectorXd StressPairs::NearWeights(const Eigen::RowVectorXd& targets) c
   return (targets.array().square() + near * near).inverse().matrix();
 }
 
-int StressPairs::FindPoint(
+Eigen::VectorXd StressPairs::StressAtPoints(
   int side, const Eigen::RowVectorXd& targets, const Eigen::RowVectorXd& weights) const
 {
-  int found = 0;
-  double lowest = std::numeric_limits<double>::infinity();
-  for (int v = 0; v < static_cast<int>(this->Fields[side].rows()); ++v)
+  Eigen::VectorXd stress(this->Fields[side].rows());
+  for (int v = 0; v < static_cast<int>(stress.size()); ++v)
   {
-    const double value =
-      ((this->DistancesOf(side, v) - targets).array().square() * weights.array()).sum();
-    if (value < lowest)
+    stress(v) = ((this->DistancesOf(side, v) - targets).array().square() * weights.array()).sum();
+  }
+  return stress;
+}
+
+/// Returns -1 if there is none.
+int StressPairs::FindRival(int side, const Eigen::VectorXd& stress) const
+{
+  constexpr double apart = 0.1; // of the root of the area; a nearer point is the same image
+  const MetricSurface& own = *this->Sides[side];
+  const Eigen::MatrixXi& triangles = own.Shape.Triangles();
+  Eigen::Index lowest = 0;
+  stress.minCoeff(&lowest);
+  int rival = -1;
+  for (int v = 0; v < static_cast<int>(stress.size()); ++v)
+  {
+    const auto isLowestIn = [&](int triangle)
+    { return stress(triangles.row(triangle)).minCoeff() >= stress(v); };
+    if (own.Distances(v, lowest) > apart && (rival < 0 || stress(v) < stress(rival)) &&
+      std::all_of(own.TrianglesAt[v].begin(), own.TrianglesAt[v].end(), isLowestIn))
     {
-      lowest = value;
-      found = v;
+      rival = v;
     }
   }
-  return found;
+  return rival;
+}
+
+double StressPairs::RivalStress(int side, int point) const
+{
+  const Eigen::RowVectorXd targets = this->DistancesOf(side, point);
+  const Eigen::VectorXd stress =
+    this->StressAtPoints(1 - side, targets, this->NearWeights(targets));
+  const int rival = this->FindRival(1 - side, stress);
+  return rival < 0 ? std::numeric_limits<double>::infinity() : stress(rival);
 }
 
 /// Bronstein et al., section "Numerical solution": the minimum in a triangle, then in those around.
@@ -227,8 +264,9 @@ SurfacePoint StressPairs::FindImage(int side, int point) const
   const int other = 1 - side;
   const Eigen::RowVectorXd targets = this->DistancesOf(side, point),
                            weights = this->NearWeights(targets);
-  return this->Descend(
-    other, this->AtPoint(other, this->FindPoint(other, targets, weights)), targets, weights);
+  int lowest = 0;
+  this->StressAtPoints(other, targets, weights).minCoeff(&lowest);
+  return this->Descend(other, this->AtPoint(other, lowest), targets, weights);
 }
 
 void StressPairs::Minimize(int sweeps, const Progress& progress)

@@ -41,9 +41,17 @@ public:
 
   /// Adds a pair of points. Later it moves on side `moving`; with -1, it does not move.
   void Add(int pointOfA, int pointOfB, int moving);
-  /// Adds a point of a side. Its image on the other side, which may move, is at first the point
-  /// with the smallest stress.
-  void AddSample(int side, int point);
+  /// Which image an added sample has at first.
+  enum class ImageType
+  {
+    Lowest, ///< at the point with the smallest stress
+    Rival   ///< at the lowest one of the other points where the stress has a local minimum
+  };
+  /// Adds a point of a side. Its image on the other side may move.
+  void AddSample(int side, int point, ImageType image = ImageType::Lowest);
+  /// Returns the stress at the Rival of a point, which is small if a symmetry exchanges the images.
+  /// Without a rival it is infinite.
+  double RivalStress(int side, int point) const;
   /// Returns the position on the side opposite to `side` for a point of `side`: first the point
   /// with the smallest stress, then the lowest position around. Pairs near the point count more.
   SurfacePoint FindImage(int side, int point) const;
@@ -61,8 +69,9 @@ private:
 
   Eigen::RowVectorXd DistancesFrom(int side, const SurfacePoint& position) const;
   Eigen::RowVectorXd NearWeights(const Eigen::RowVectorXd& targets) const;
-  int FindPoint(
+  Eigen::VectorXd StressAtPoints(
     int side, const Eigen::RowVectorXd& targets, const Eigen::RowVectorXd& weights) const;
+  int FindRival(int side, const Eigen::VectorXd& stress) const;
   SurfacePoint Descend(int side, SurfacePoint position, const Eigen::RowVectorXd& targets,
     const Eigen::RowVectorXd& weights) const;
   void Append(const SurfacePoint& onA, const SurfacePoint& onB, int moving);
