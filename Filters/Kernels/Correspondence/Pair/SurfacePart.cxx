@@ -61,9 +61,10 @@ std::vector<double> Ratios(
   }
   if (ratios.empty())
   {
-    throw InvalidInput("no two of the " + std::to_string(landmarks.size()) +
-      " landmarks are distinct points on both surfaces, so the part's scale is unknown; "
-      "give at least three");
+    throw InvalidInput((landmarks.empty() ? "there are no landmarks"
+                                          : "no two of the " + std::to_string(landmarks.size()) +
+                             " landmarks are distinct points on both surfaces") +
+      ", so the part's scale is unknown; give at least three");
   }
   return ratios;
 }
