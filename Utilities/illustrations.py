@@ -190,6 +190,17 @@ def Correspondence():
 
 
 @drawing
+def Coupling():
+    figure = shape('FigureA.vtp')
+    both = ShapeCoupling(ShapeA=figure, ShapeB=ShapeSkeleton(Input=figure))
+    onto = Calculator(Input=both, ResultArrayName='Height', Function='TargetPosition_Z')
+    itself = Calculator(Input=OutputPort(both, 1), ResultArrayName='Height', Function='coordsZ')
+    show(onto, (-0.65, 0, 0), array='Height', preset='Viridis (matplotlib)', limits=(0, 1))
+    show(Tube(Input=itself, Radius=0.012), (0.65, 0, 0), array='Height', preset='Viridis (matplotlib)', limits=(0, 1))
+    return FRONT
+
+
+@drawing
 def TransferFields():
     a, b = figures()
     height = Calculator(Input=b, ResultArrayName='Field', Function='sin(14*coordsZ)*cos(9*coordsX)')

@@ -23,6 +23,7 @@ OTHER_INPUTS = {
 # does not depend on them. The kernels' tests check the other methods.
 OPTIONS = {
     'ShapeCorrespondence': {'CoarsePoints': 100},
+    'ShapeCoupling': {'Samples': 20, 'Starts': 2},
     'ShapeImageValues': {'Density': '0.01 * Value'},
     'ShapeHexRemesh': {'Method': 2, 'CellsOnLongestSide': 4},
     'ShapeNetworkDescriptors': {'FileName': shapetesting.data_file('RandomFeatures.onnx')},
