@@ -13,6 +13,7 @@
 #include "Correspondence/Landmarks/LandmarkCells.h"
 #include "Correspondence/Pair/CoarsePair.h"
 #include "Correspondence/Pair/MatchingInput.h"
+#include "Correspondence/Private/CompactSurface.h"
 #include "Correspondence/Private/MethodInput.h"
 #include "Correspondence/Private/MethodOptions.h"
 #include "Correspondence/Reversible/ReversibleHarmonic.h"
@@ -34,64 +35,9 @@ namespace
 
 using Options = CorrespondenceOptions;
 
-/// A surface without the points that no triangle uses.
-struct Compact
-{
-  shape::Surface Surface;
-  std::vector<int> Points;    ///< their indices in the given surface
-  Eigen::VectorXi PositionOf; ///< n: the index of each point in Points, or -1
-};
-
-Compact Compacted(const Surface& surface, const std::string& name)
-{
-  const Topology topology = RequireManifold(surface, name);
-  const Eigen::Index points = surface.Points().rows();
-  Compact compact{ surface, {}, Eigen::VectorXi::Constant(points, -1) };
-  for (int i = 0; i < static_cast<int>(points); ++i)
-  {
-    if (topology.ComponentId(i) >= 0)
-    {
-      compact.PositionOf(i) = static_cast<int>(compact.Points.size());
-      compact.Points.push_back(i);
-    }
-  }
-  if (compact.Points.size() < static_cast<std::size_t>(points))
-  {
-    compact.Surface = { surface.Points()(compact.Points, Eigen::all),
-      surface.Triangles().unaryExpr([&](int point) { return compact.PositionOf(point); }) };
-  }
-  return compact;
-}
-
-bool HasFewer(const Compact& one, const Compact& other)
+bool HasFewer(const CompactSurface& one, const CompactSurface& other)
 {
   return one.Surface.Points().rows() < other.Surface.Points().rows();
-}
-
-/// The map of all points of the given surface. An unused point is mapped like the closest used one.
-SurfacePoints Expanded(const SurfacePoints& map, const Compact& from, const Surface& given)
-{
-  if (from.Surface.Points().rows() == given.Points().rows())
-  {
-    return map;
-  }
-  SurfacePoints all{ Eigen::VectorXi(given.Points().rows()),
-    Eigen::MatrixXd(given.Points().rows(), 3) };
-  const SurfaceLocator locator(from.Surface);
-  for (Eigen::Index i = 0; i < given.Points().rows(); ++i)
-  {
-    int position = from.PositionOf(i);
-    if (position < 0)
-    {
-      const ClosestPoint closest = locator.FindOne(given.Points().row(i));
-      Eigen::Index corner = 0;
-      closest.Barycentric.maxCoeff(&corner);
-      position = from.Surface.Triangles()(closest.Triangle, corner);
-    }
-    all.Triangles(i) = map.Triangles(position);
-    all.Barycentrics.row(i) = map.Barycentrics.row(position);
-  }
-  return all;
 }
 
 /// Of the landmarks that were found, only the first four are used: a wrong one does more harm than
@@ -327,6 +273,8 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
     {
       SphereCommonDomainResult common =
         MapThroughSphere(a, PointsOf(landmarks, 0), b, PointsOf(landmarks, 1), {}, progress);
+      result.SphereA = std::move(common.SphereA);
+      result.SphereB = std::move(common.SphereB);
       return { std::move(common.AToB), std::move(common.BToA) };
     }
     case Options::MethodType::CommonOrbifold:
@@ -342,11 +290,8 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
     }
     case Options::MethodType::CommonBase:
     {
-      CommonBaseMap common = MapThroughBase(a, b, landmarks, progress);
-      result.Patches = common.Patches;
-      result.Flipped = common.Flipped;
-      result.SymmetricDirichlet = common.Energy;
-      return std::move(common.Maps);
+      result.Base = MapThroughBase(a, b, landmarks, options.Base, progress);
+      return std::move(result.Base->Maps);
     }
     case Options::MethodType::ReversibleHarmonic:
       break;
@@ -383,7 +328,7 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
 {
   RequireMethodOptions(options);
   RequireMethodInput(a, b, landmarks, options);
-  const Compact one = Compacted(a, "SurfaceA"), two = Compacted(b, "SurfaceB");
+  const CompactSurface one(a, "SurfaceA"), two(b, "SurfaceB");
   CorrespondenceResult result;
   result.GenusOfA = ComputeGenus(a.Topology());
   result.GenusOfB = ComputeGenus(b.Topology());
@@ -402,6 +347,10 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
   const double found = find ? 0.15 : 0.0; // share of the time
   // A guide that is not used is not prepared either.
   Options used = options;
+  for (CurvePair& curve : used.Base.Curves)
+  {
+    curve = Renumber(curve, one.PositionOf, two.PositionOf);
+  }
   FunctionalGuide& guide = used.Functional.Guide;
   guide = options.UsesGuide() ? AtPoints(guide, one.Points, two.Points) : FunctionalGuide();
   if (guide.Matrix.size() > 0)
@@ -481,7 +430,14 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
     result.Distances = MeasureGromovHausdorff(one.Surface, two.Surface, maps, distances,
       progress.Part(mapped, 0.99, "comparing distances"));
   }
-  result.Maps = { Expanded(maps.AToB, one, a), Expanded(maps.BToA, two, b) };
+  result.Maps = { one.Expand(maps.AToB), two.Expand(maps.BToA) };
+  result.SphereA = one.Expand(result.SphereA);
+  result.SphereB = two.Expand(result.SphereB);
+  if (result.Base)
+  {
+    result.Base->PatchesOfA = one.Expand(result.Base->PatchesOfA.cast<double>()).cast<int>();
+    result.Base->PatchesOfB = two.Expand(result.Base->PatchesOfB.cast<double>()).cast<int>();
+  }
   if (options.FunctionalMatrix)
   {
     const std::size_t points = std::min(one.Points.size(), two.Points.size());

@@ -29,10 +29,12 @@ struct CorrespondenceResult
   int CoarsePoints = 0;
   /// ReversibleHarmonic: iterations on the coarse surfaces; 0 if it returned its initial maps.
   int Iterations = 0;
-  int Patches = 0; ///< CommonBase: the number of patches of the common base domain
-  int Flipped = 0; ///< CommonBase: see CommonBaseMap::Flipped
-  /// CommonBase: see CommonBaseMap::Energy; otherwise -1.
-  double SymmetricDirichlet = -1.0;
+  /// CommonBase: the base domain and the energies; its maps are moved to Maps.
+  std::optional<CommonBaseMap> Base;
+  ///@{
+  /// CommonSphere: see SphereCommonDomainResult::SphereA, SphereB; otherwise empty.
+  Eigen::MatrixXd SphereA, SphereB;
+  ///@}
   double CouplingDistortion = -1.0; ///< GromovWasserstein: see GromovWassersteinResult::Distortion
   double CouplingError = -1.0;      ///< GromovWasserstein: see GromovWassersteinResult::Error
   double FeatureCost = -1.0;        ///< GromovWasserstein: see GromovWassersteinResult::FeatureCost

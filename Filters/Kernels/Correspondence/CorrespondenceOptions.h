@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Correspondence/CommonBase/CommonBaseMap.h"
 #include "Correspondence/Conformal/BlendedIntrinsic.h"
 #include "Correspondence/Functional/FunctionalMap.h"
 #include "Correspondence/Functional/HeatKernelMap.h"
@@ -88,6 +89,7 @@ struct CorrespondenceOptions
   ReversibleHarmonicOptions Harmonic;
   HeatKernelMapOptions Heat;
   BlendedIntrinsicOptions Blended;
+  CommonBaseOptions Base;
   ///@}
 
   /// Whether the method computes a functional map that Functional.Guide guides: FunctionalMap, and

@@ -3,30 +3,31 @@
 #include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapeFunctionalMap.h"
+#include "vtkShapeGivenLandmarks.h"
 #include "vtkShapeList.h"
 #include "vtkShapeMapColors.h"
 #include "vtkShapeRepair.h"
 
 #include "Base/Errors.h"
-#include "Correspondence/Landmarks/LandmarkPairs.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 
-#include "vtkCell.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,131 +37,7 @@ vtkStandardNewMacro(vtkShapeCorrespondence);
 namespace
 {
 
-constexpr int MatrixPort = 3, CouplingPort = 4; // of the outputs
-
-/// Corresponding positions, one in each row.
-struct Partners
-{
-  std::vector<Eigen::RowVector3d> OnA, OnB;
-};
-
-double ComputeMeanEdgeLength(const shape::Mesh& mesh)
-{
-  double sum = 0.0;
-  for (int k = 0; k < 3; ++k)
-  {
-    sum += (mesh.Points(mesh.Triangles.col(k), Eigen::all) -
-      mesh.Points(mesh.Triangles.col((k + 1) % 3), Eigen::all))
-             .rowwise()
-             .norm()
-             .mean();
-  }
-  return sum / 3.0;
-}
-
-/// The landmarks as they are given: points, their positions on SurfaceB, and lines.
-struct GivenLandmarks
-{
-  vtkUnstructuredGrid* Grid;
-  Eigen::MatrixXd Positions, Targets;
-
-  GivenLandmarks(vtkUnstructuredGrid* grid, const Eigen::MatrixXd& targets)
-    : Grid(grid)
-    , Positions(vtkShapeConvert::ToPoints(grid))
-    , Targets(targets)
-  {
-    if (this->Positions.rows() != targets.rows())
-    {
-      throw shape::InvalidInput("Landmarks has " + std::to_string(this->Positions.rows()) +
-        " points, and TargetLandmarks has " + std::to_string(targets.rows()) +
-        "; connect equally many, because they are paired by order");
-    }
-  }
-
-  void AddPoint(vtkIdType point, Partners& partners) const
-  {
-    partners.OnA.emplace_back(this->Positions.row(point));
-    partners.OnB.emplace_back(this->Targets.row(point));
-  }
-
-  /// Adds positions between two points, at the distance `step` on SurfaceA.
-  void AddBetween(vtkIdType p, vtkIdType q, double step, Partners& partners) const
-  {
-    constexpr double maximum = 10000.0; // points on a segment
-    const int pieces = static_cast<int>(std::clamp(
-      std::ceil((this->Positions.row(q) - this->Positions.row(p)).norm() / step), 1.0, maximum));
-    for (int k = 1; k < pieces; ++k)
-    {
-      const double t = static_cast<double>(k) / pieces;
-      partners.OnA.emplace_back((1.0 - t) * this->Positions.row(p) + t * this->Positions.row(q));
-      partners.OnB.emplace_back((1.0 - t) * this->Targets.row(p) + t * this->Targets.row(q));
-    }
-  }
-
-  /// Calls `use` with the point indices of each line.
-  void ForEachLine(const std::function<void(vtkIdList*)>& use) const
-  {
-    for (vtkIdType cell = 0; cell < this->Grid->GetNumberOfCells(); ++cell)
-    {
-      if (this->Grid->GetCell(cell)->GetCellDimension() == 1)
-      {
-        use(this->Grid->GetCell(cell)->GetPointIds());
-      }
-    }
-  }
-};
-
-/// Returns the points of the landmarks, and positions between them along lines. Lines are sampled
-/// at the mean edge length of the surface. Coarser samples would leave points between them
-/// unconstrained, and finer samples would have the same nearest points.
-Partners ReadPartners(const GivenLandmarks& given, double step)
-{
-  Partners partners;
-  for (Eigen::Index i = 0; i < given.Positions.rows(); ++i)
-  {
-    given.AddPoint(i, partners);
-  }
-  given.ForEachLine(
-    [&](vtkIdList* points)
-    {
-      for (vtkIdType i = 1; i < points->GetNumberOfIds(); ++i)
-      {
-        given.AddBetween(points->GetId(i - 1), points->GetId(i), step, partners);
-      }
-    });
-  return partners;
-}
-
-/// Returns the positions along each line, in order, with the same step.
-std::vector<Partners> ReadCurves(const GivenLandmarks& given, double step)
-{
-  std::vector<Partners> curves;
-  given.ForEachLine(
-    [&](vtkIdList* points)
-    {
-      Partners curve;
-      for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
-      {
-        if (i > 0)
-        {
-          given.AddBetween(points->GetId(i - 1), points->GetId(i), step, curve);
-        }
-        given.AddPoint(points->GetId(i), curve);
-      }
-      curves.push_back(std::move(curve));
-    });
-  return curves;
-}
-
-Eigen::MatrixXd AsRows(const std::vector<Eigen::RowVector3d>& positions)
-{
-  Eigen::MatrixXd rows(positions.size(), 3);
-  for (std::size_t i = 0; i < positions.size(); ++i)
-  {
-    rows.row(static_cast<Eigen::Index>(i)) = positions[i];
-  }
-  return rows;
-}
+constexpr int MatrixPort = 3, CouplingPort = 4, BasePort = 5; // of the outputs
 
 /// Whether a list names an array.
 bool HasNames(const std::vector<std::string>& arrays)
@@ -175,6 +52,44 @@ vtkSmartPointer<vtkIdTypeArray> ToIds(const Eigen::VectorXi& values, const std::
   ids->SetNumberOfTuples(values.size());
   std::copy(values.begin(), values.end(), ids->GetPointer(0));
   return ids;
+}
+
+/// Writes a polyline for each path of the base domain.
+void WriteBase(const std::vector<shape::BasePath>& paths, vtkPolyData* output)
+{
+  Eigen::Index count = 0;
+  for (const shape::BasePath& path : paths)
+  {
+    count += path.OnA.rows();
+  }
+  Eigen::MatrixXd onA(count, 3), onB(count, 3);
+  Eigen::VectorXi left(paths.size()), right(paths.size()), isCurve(paths.size());
+  vtkNew<vtkCellArray> lines;
+  Eigen::Index first = 0;
+  for (std::size_t i = 0; i < paths.size(); ++i)
+  {
+    const Eigen::Index size = paths[i].OnA.rows();
+    onA.middleRows(first, size) = paths[i].OnA;
+    onB.middleRows(first, size) = paths[i].OnB;
+    lines->InsertNextCell(static_cast<int>(size));
+    for (Eigen::Index k = 0; k < size; ++k)
+    {
+      lines->InsertCellPoint(first + k);
+    }
+    const auto row = static_cast<Eigen::Index>(i);
+    left(row) = paths[i].Left;
+    right(row) = paths[i].Right;
+    isCurve(row) = paths[i].IsCurve ? 1 : 0;
+    first += size;
+  }
+  vtkNew<vtkPoints> points;
+  points->SetData(vtkShapeConvert::ToArray(onA, "Points"));
+  output->SetPoints(points);
+  output->SetLines(lines);
+  output->GetPointData()->AddArray(vtkShapeConvert::ToArray(onB, "TargetPosition"));
+  output->GetCellData()->AddArray(ToIds(left, "LeftPatch"));
+  output->GetCellData()->AddArray(ToIds(right, "RightPatch"));
+  output->GetCellData()->AddArray(ToIds(isCurve, "IsCurve"));
 }
 
 } // namespace
@@ -219,8 +134,9 @@ vtkShapeCorrespondence::vtkShapeCorrespondence()
   this->DeclareOutputLikeInput(0);
   this->DeclareOutputLikeInput(1);
   this->DeclareFacts();
-  this->DeclareOutput("vtkTable"); // MatrixPort
-  this->DeclareOutput("vtkTable"); // CouplingPort
+  this->DeclareOutput("vtkTable");    // MatrixPort
+  this->DeclareOutput("vtkTable");    // CouplingPort
+  this->DeclareOutput("vtkPolyData"); // BasePort
   this->DeclareShown(0, { "MapColors" });
   this->DeclareShown(1, { "MapColors" });
 }
@@ -247,20 +163,22 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
   if (hasLandmarks)
   {
     vtkUnstructuredGrid* grid = this->GetGatheredInput(2).Grid;
-    const GivenLandmarks given(grid,
+    const vtkShapeGivenLandmarks given(grid,
       hasTargets ? vtkShapeConvert::ToPoints(this->GetGatheredInput(3).Grid)
                  : vtkShapeConvert::ToPointArray(grid, "TargetPosition", 3, "the input Landmarks",
                      "make it with Shape Landmarks"));
-    const double step = ComputeMeanEdgeLength(a);
-    const auto paired = [&](const Partners& partners)
-    { return shape::PairLandmarks(a, AsRows(partners.OnA), b, AsRows(partners.OnB)); };
-    landmarks = paired(ReadPartners(given, step));
+    if (options.Method == shape::CorrespondenceOptions::MethodType::CommonBase)
+    {
+      landmarks = given.PairEnds(a, b);
+      options.Base.Curves = given.TraceCurves(a, b);
+    }
+    else
+    {
+      landmarks = given.PairAll(a, b);
+    }
     if (this->CurveDescriptors)
     {
-      for (const Partners& curve : ReadCurves(given, step))
-      {
-        guide.Curves.push_back(paired(curve));
-      }
+      guide.Curves = given.PairCurves(a, b);
     }
   }
   if (!options.UsesGuide() && (guide.HasDescriptors() || guide.Matrix.size() > 0))
@@ -316,6 +234,10 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
     vtkShapeFunctionalMap::WriteMatrix(
       result.Matrix, vtkTable::SafeDownCast(this->GetOutputDataObject(MatrixPort)));
   }
+  if (result.Base && isFirst)
+  {
+    WriteBase(result.Base->Paths, vtkPolyData::SafeDownCast(this->GetOutputDataObject(BasePort)));
+  }
   vtkShapeMapColors::Add(this->GetOutputDataObject(0), "TargetPosition", b);
   vtkShapeMapColors::Add(this->GetOutputDataObject(1), "", b);
   for (const int port : { 0, 1 })
@@ -353,9 +275,13 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
     add("GromovHausdorffLower", distances ? distances->Lower : -1.0);
     add("SamplingError", distances ? distances->SamplingError : -1.0);
     add("CoarsePoints", result.CoarsePoints);
-    add("Patches", result.Patches);
-    add("FlippedTriangles", result.Flipped);
-    add("SymmetricDirichlet", result.SymmetricDirichlet);
+    const auto& base = result.Base;
+    add("Patches", base ? base->Patches : 0);
+    add("FlippedTriangles", base ? base->Flipped : 0);
+    add("SymmetricDirichlet", base ? base->Energy : -1.0);
+    add("SymmetricDirichletBack", base ? base->EnergyBack : -1.0);
+    add("MeasureBefore", base ? base->MeasureBefore : -1.0);
+    add("MeasureAfter", base ? base->MeasureAfter : -1.0);
     add("GenusOfA", result.GenusOfA);
     add("GenusOfB", result.GenusOfB);
     add("Iterations", result.Iterations);
@@ -410,6 +336,16 @@ void vtkShapeCorrespondence::WriteMap(int port, const shape::CorrespondenceResul
     { "TargetCell", own(triangles.cast<double>().array() + before), true },
     { "TargetBarycentric", own(map.Barycentrics) }
   };
+  if (result.Base)
+  {
+    const Eigen::VectorXi& patches = port == 0 ? result.Base->PatchesOfA : result.Base->PatchesOfB;
+    fields.push_back({ "Patch", own(patches.cast<double>()), true });
+  }
+  const Eigen::MatrixXd& sphere = port == 0 ? result.SphereA : result.SphereB;
+  if (sphere.rows() > 0)
+  {
+    fields.push_back({ "SpherePosition", own(sphere) });
+  }
   for (const auto& [name, values] : more)
   {
     fields.push_back({ name, own(values) });

@@ -10,8 +10,11 @@
  * - Landmarks (optional): points and polylines on SurfaceA. Their point array `TargetPosition`
  *   gives the corresponding positions on SurfaceB. Each position is replaced by the nearest point
  *   of its surface. If two landmarks have the same point on a surface, only the first landmark is
- *   used. Polylines are sampled at the mean edge length of SurfaceA. Without this input, the filter
- *   finds landmarks itself (shape::FindLandmarks), which requires surfaces of one component.
+ *   used. Polylines are sampled at the mean edge length of SurfaceA. For CommonBase, they are
+ * curves instead: they follow the edges of both surfaces, and are mapped onto each other. Points of
+ * a polyline other than its ends are then no landmarks, unless they are vertex cells. Without this
+ * input, the filter finds landmarks itself (shape::FindLandmarks), which requires surfaces of one
+ * component.
  * - TargetLandmarks (optional): points on SurfaceB, paired with the points of Landmarks by order.
  *   They replace the array TargetPosition of Landmarks.
  * - FunctionalMap (optional): a table with a square matrix, a functional map from SurfaceA to
@@ -33,6 +36,10 @@
  * If ImageOfPoint is a point of SurfaceA, the output SurfaceB also has
  * - `ImageDistribution` (double): the density of this point's image. The sum over all points, times
  *   their areas (a third of the triangles around), is 1. See shape::ComputeImageDistribution.
+ *
+ * With CommonBase, both outputs also have `Patch` (vtkIdType): the patch of the common base domain,
+ * the same for corresponding points. With CommonSphere, `SpherePosition` (double, 3): the point on
+ * the unit sphere through which the map goes.
  *
  * `MapColors` (unsigned char, 3) are colours for the eye: corresponding points have the same one.
  * With OutputEigenfunctions, also
@@ -59,6 +66,11 @@
  * - `Mass` (double): the mass that goes from the first to the second. The total mass is 1. The sum
  *   over the rows of a sample is its SampleWeight, up to CouplingError + CouplingOmitted.
  * In parallel, the first process has the rows.
+ *
+ * BaseDomain: with CommonBase, a polyline on SurfaceA for each path of the base domain. It has the
+ * point array `TargetPosition` on SurfaceB, and the cell arrays `LeftPatch`, `RightPatch`
+ * (vtkIdType): the patches on both sides, looking along the path from outside. `IsCurve` is 1 for a
+ * piece of a given curve. Otherwise, the output is empty. In parallel, the first process has it.
  *
  * Facts, with the prefix Correspondence
  * - .Landmarks: number of landmarks used. .LandmarksFound: 1 if the filter found the landmarks
@@ -88,7 +100,8 @@
  * - .CoarsePoints: the method was run on two surfaces, coarser ones if the inputs are large. This
  *   is the number of points of the larger one.
  * - .Patches: with CommonBase, the number of patches of the common base domain; otherwise 0.
- *   .FlippedTriangles, .SymmetricDirichlet: only for CommonBase, see shape::CommonBaseMap.
+ *   .FlippedTriangles, .SymmetricDirichlet, .SymmetricDirichletBack (of SurfaceB),
+ *   .MeasureBefore, .MeasureAfter: only for CommonBase, see shape::CommonBaseMap.
  *   .GenusOfA, .GenusOfB: the number of handles of each surface.
  * - .Iterations: with ReversibleHarmonic, the number of its iterations; otherwise 0. If one surface
  *   is a part of the other, .Iterations is also 0. The result is then the initial functional map,
@@ -155,6 +168,9 @@ public:
   vtkShapeOptionOf(Options.Harmonic.Scaling, Dimensions, int);
   vtkShapeOptionAs(Options.Heat.Eigenpairs, HeatEigenpairs, int);
   vtkShapeOptionAs(Options.Heat.Times, HeatTimes, int);
+  vtkShapeEnumOptionAs(Options.Base.Measure, BaseMeasure, shape::Distortion,
+    shape::Distortion::SymmetricDirichlet, shape::Distortion::ARAP);
+  vtkShapeOptionAs(Options.Base.Exponent, BaseExponent, double);
   vtkShapeOptionOf(Options.Blended, Candidates, int);
   vtkShapeOptionOf(Options.Blended, Agreement, double);
   virtual void SetNumberOfDescriptorArrays(int count);

@@ -2,9 +2,10 @@
 
 #include "Base/Errors.h"
 #include "Correspondence/CommonBase/BaseGenus.h"
+#include "Correspondence/CommonBase/Private/BaseCurves.h"
 #include "Correspondence/CommonBase/Private/BaseGraph.h"
-#include "Correspondence/CommonBase/Private/HomologyBasis.h"
 #include "Correspondence/CommonBase/Private/StripPaths.h"
+#include "Correspondence/CommonBase/Private/TracedSurface.h"
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Mesh/Topology.h"
 
@@ -25,52 +26,6 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// One of the two surfaces while paths are traced on it.
-struct TracedSurface
-{
-  PathSurface Surface;
-  std::string Name;
-  std::vector<int> Nodes; ///< the landmarks
-  double Size;            ///< the root of the area
-  std::vector<std::vector<int>> Paths = {};
-  HomologyBasis Basis = {};
-  /// For each handle that has been cut, the homology of the loops of its two paths.
-  std::vector<std::array<Eigen::VectorXi, 2>> Cuts = {};
-
-  SurfaceGap GapOf(const BaseGraph& graph, int corner) const
-  {
-    const int point = this->Nodes[graph.NodeOfCorner(corner)];
-    if (corner < 0)
-    {
-      return { point, -1 };
-    }
-    const std::vector<int>& path = this->Paths[corner / 2];
-    return { point, corner % 2 == 0 ? path[1] : path[path.size() - 2] };
-  }
-
-  /// Returns the homology of the loop of a path and the tree, without its turns around handles that
-  /// have been cut: its intersection numbers with the loops of the cuts are 0.
-  Eigen::VectorXi HomologyOf(const FormValues& forms) const
-  {
-    const Eigen::MatrixXi& linking = this->Basis.Linking;
-    Eigen::VectorXi loop(linking.rows());
-    for (Eigen::Index i = 0; i < loop.size(); ++i)
-    {
-      loop(i) = forms[i];
-    }
-    // The difference of the linking numbers on both sides is the intersection number.
-    const Eigen::MatrixXi intersection = linking - linking.transpose();
-    for (const auto& [one, other] : this->Cuts)
-    {
-      const int sign = one.dot(intersection * other); // 1 or -1
-      const int alongOne = sign * loop.dot(intersection * other),
-                alongOther = -sign * loop.dot(intersection * one);
-      loop -= alongOne * one + alongOther * other;
-    }
-    return loop;
-  }
-};
-
 /// Two corners, and the lengths of the paths between them, divided by the surfaces' sizes.
 struct CornerPair
 {
@@ -90,11 +45,23 @@ public:
   {
   }
 
+  void AddCurves(const std::vector<CurvePair>& curves)
+  {
+    std::vector<CurvePiece> pieces =
+      DivideCurves(curves, { &this->Sides[0].Surface, &this->Sides[1].Surface },
+        { &this->Sides[0].Nodes, &this->Sides[1].Nodes });
+    this->Graph = BaseGraph(static_cast<int>(this->Sides[0].Nodes.size()));
+    for (CurvePiece& piece : pieces)
+    {
+      this->AddPiece(piece);
+    }
+  }
+
   void Connect(const Progress& progress)
   {
     const auto joins = [this](int from, int to)
     { return !this->Graph.AreConnected(this->NodeOf(from), this->NodeOf(to)); };
-    this->AddShortest(joins, static_cast<int>(this->Graph.Corners().size()) - 1, progress);
+    this->AddShortest(joins, this->Graph.ComponentCount() - 1, progress);
   }
 
   void CutHandles(const Progress& progress)
@@ -106,10 +73,18 @@ public:
     for (TracedSurface& side : this->Sides)
     {
       side.Surface.SplitChords();
-      side.Basis = FindHomologyBasis(side.Surface, side.Name);
+      side.Basis = FindHomologyBasis(side.Surface, this->IsClosing, side.Name);
     }
-    for (int handle = 0; handle < this->Genus; ++handle)
+    for (int path = 0; path < static_cast<int>(this->IsClosing.size()); ++path)
     {
+      if (this->IsClosing[path])
+      {
+        this->CutAcross(path, progress);
+      }
+    }
+    while (this->HandlesCut() < this->Genus)
+    {
+      const int handle = this->HandlesCut();
       const Progress part =
         progress.Part(static_cast<double>(handle) / this->Genus, (handle + 1.0) / this->Genus);
       const CornerPair inner = this->ShortestCut(true, true, part.Part(0.0, 0.3)),
@@ -131,8 +106,9 @@ public:
   void Triangulate(const Progress& progress)
   {
     // A disk with n sides needs n - 3 diagonals.
-    const int diagonals = 2 * this->Graph.PathCount() - 3;
-    std::vector<int> cycles, sizes;
+    std::vector<int> cycles = this->Graph.BoundaryCycles();
+    const int disks = *std::max_element(cycles.begin(), cycles.end()) + 1;
+    const int diagonals = 2 * this->Graph.PathCount() - 3 * disks;
     int known = -1;
     const auto divides = [&](int from, int to)
     {
@@ -151,6 +127,108 @@ public:
 
 private:
   int NodeOf(int corner) const { return this->Graph.NodeOfCorner(corner); }
+  int HandlesCut() const { return static_cast<int>(this->Sides[0].Cuts.size()); }
+
+  void AddPiece(CurvePiece& piece)
+  {
+    std::array<int, 2> corners;
+    for (int end = 0; end < 2; ++end)
+    {
+      std::array<int, 2> found;
+      for (int k = 0; k < 2; ++k)
+      {
+        const std::vector<int>& points = piece.Points[k];
+        found[k] = this->Sides[k].CornerBefore(
+          this->Graph, piece.Nodes[end], end == 0 ? points[1] : points[points.size() - 2]);
+      }
+      if (found[0] != found[1])
+      {
+        throw InvalidInput("curves leave landmark " + std::to_string(piece.Nodes[end]) +
+          " in different orders on SurfaceA and SurfaceB; leave one out");
+      }
+      corners[end] = found[0];
+    }
+    this->IsClosing.push_back(this->Graph.AreConnected(piece.Nodes[0], piece.Nodes[1]));
+    const int path = this->Graph.Add(corners[0], corners[1]);
+    for (int k = 0; k < 2; ++k)
+    {
+      TracedSurface& side = this->Sides[k];
+      for (std::size_t i = 1; i < piece.Points[k].size(); ++i)
+      {
+        side.Surface.Mark(side.Surface.Find(piece.Points[k][i - 1], piece.Points[k][i]), path);
+      }
+      side.Paths.push_back(std::move(piece.Points[k]));
+    }
+  }
+
+  using LoopPair = std::array<Eigen::VectorXi, 2>; ///< a loop of each surface
+
+  /// Returns the loops that a path closes with the tree.
+  LoopPair LoopsOf(int path) const
+  {
+    LoopPair loops;
+    for (int k = 0; k < 2; ++k)
+    {
+      loops[k] = this->Sides[k].HomologyOf(this->Sides[k].FormsAlong(path));
+    }
+    return loops;
+  }
+
+  /// Whether loops that go around handles bound on the same side of both surfaces.
+  bool DoBound(const LoopPair& loops, bool inside) const
+  {
+    return !loops[0].isZero() && !loops[1].isZero() && this->Sides[0].Bounds(loops[0], inside) &&
+      this->Sides[1].Bounds(loops[1], inside);
+  }
+
+  bool DoCross(const LoopPair& one, const LoopPair& other) const
+  {
+    return std::abs(this->Sides[0].Crossings(one[0], other[0])) == 1 &&
+      std::abs(this->Sides[1].Crossings(one[1], other[1])) == 1;
+  }
+
+  /// Finds the second path of a handle around which a curve closes a loop: another curve, or a new
+  /// path. Does nothing if the curve closes another loop.
+  void CutAcross(int path, const Progress& progress)
+  {
+    const LoopPair loops = this->LoopsOf(path);
+    if (loops[0].isZero() && loops[1].isZero())
+    {
+      return;
+    }
+    const bool isInner = this->DoBound(loops, true);
+    if (!isInner && !this->DoBound(loops, false))
+    {
+      throw InvalidInput("the curves with landmarks " +
+        std::to_string(this->Graph.NodeOf(2 * path)) + " and " +
+        std::to_string(this->Graph.NodeOf(2 * path + 1)) +
+        " close a loop that does not bound alike on both surfaces, inside or outside; leave one "
+        "out");
+    }
+    LoopPair second;
+    for (int other = path + 1; other < static_cast<int>(this->IsClosing.size()); ++other)
+    {
+      const LoopPair candidate = this->IsClosing[other] ? this->LoopsOf(other) : LoopPair();
+      if (this->IsClosing[other] && second[0].size() == 0 && this->DoBound(candidate, !isInner) &&
+        this->DoCross(candidate, loops))
+      {
+        second = candidate;
+      }
+    }
+    if (second[0].size() == 0)
+    {
+      const CornerPair across = this->ShortestCut(!isInner, false, progress, loops);
+      this->Add(across, this->HandlesCut());
+      for (int k = 0; k < 2; ++k)
+      {
+        second[k] = this->Sides[k].HomologyOf(across.Paths[k].Forms);
+      }
+    }
+    for (int k = 0; k < 2; ++k)
+    {
+      this->Sides[k].Cuts.push_back({ loops[k], second[k] });
+    }
+  }
 
   /// Finds the paths between a corner and others on both surfaces.
   /// longest: the lengths beyond which there is no search, divided by the surfaces' sizes.
@@ -284,18 +362,18 @@ private:
 
   /// Returns the shortest path that cuts a handle. isInner: whether its loop bounds inside the
   /// surface, and not outside. isOneCycle: whether it joins a boundary cycle with itself.
-  CornerPair ShortestCut(bool isInner, bool isOneCycle, const Progress& progress) const
+  /// across: if given, a loop of each surface that its loop crosses once.
+  CornerPair ShortestCut(
+    bool isInner, bool isOneCycle, const Progress& progress, const LoopPair& across = {}) const
   {
     std::array<AcceptForms, 2> accept;
     for (int k = 0; k < 2; ++k)
     {
-      // A loop bounds inside if it is not linked with any loop outside (BaseDomain.h).
-      const Eigen::MatrixXi& linking = this->Sides[k].Basis.Linking;
-      const Eigen::MatrixXi matrix = isInner ? Eigen::MatrixXi(linking.transpose()) : linking;
-      accept[k] = [matrix, &side = this->Sides[k]](const FormValues& forms)
+      accept[k] = [isInner, &crossed = across[k], &side = this->Sides[k]](const FormValues& forms)
       {
         const Eigen::VectorXi loop = side.HomologyOf(forms);
-        return !loop.isZero() && (matrix * loop).isZero();
+        return !loop.isZero() && side.Bounds(loop, isInner) &&
+          (crossed.size() == 0 || std::abs(side.Crossings(loop, crossed)) == 1);
       };
     }
     const std::vector<int> cycles = this->Graph.BoundaryCycles();
@@ -327,41 +405,10 @@ private:
   }
 
   BaseGraph Graph;
+  std::vector<bool> IsClosing; ///< whether each piece of a curve closes a loop with earlier ones
   int Genus;
   std::array<TracedSurface, 2> Sides;
 };
-
-/// The patch of each triangle: filled from the half-edges along the first side of each patch.
-Eigen::VectorXi FindPatches(
-  const TracedSurface& side, const std::vector<std::array<int, 3>>& patches)
-{
-  const PathSurface& surface = side.Surface;
-  Eigen::VectorXi patchOf = Eigen::VectorXi::Constant(surface.SideCount() / 3, -1);
-  for (std::size_t patch = 0; patch < patches.size(); ++patch)
-  {
-    const int first = patches[patch][0];
-    const std::vector<int>& path = side.Paths[first / 2];
-    std::vector<int> open{
-      (first % 2 == 0 ? surface.Find(path[0], path[1]) : surface.Find(path[1], path[0])) / 3
-    };
-    patchOf(open[0]) = static_cast<int>(patch);
-    while (!open.empty())
-    {
-      const int triangle = open.back();
-      open.pop_back();
-      for (int edge = 3 * triangle; edge < 3 * triangle + 3; ++edge)
-      {
-        const int next = surface.Twin(edge) / 3;
-        if (surface.PathOf(edge) < 0 && patchOf(next) < 0)
-        {
-          patchOf(next) = static_cast<int>(patch);
-          open.push_back(next);
-        }
-      }
-    }
-  }
-  return patchOf;
-}
 
 BaseDomain BaseTracing::Result()
 {
@@ -384,8 +431,9 @@ BaseDomain BaseTracing::Result()
     side.Surface.SplitChords();
     PatchedSurface& patched = &side == this->Sides.data() ? domain.A : domain.B;
     patched.Surface = side.Surface.ToMesh();
-    patched.Patches = FindPatches(side, domain.Patches);
+    patched.Patches = side.FindPatches(domain.Patches);
     patched.Paths = side.Paths;
+    patched.CurvePaths = static_cast<int>(this->IsClosing.size());
     patched.SplitEdges = side.Surface.SplitEdges();
     const Eigen::Index triangles = patched.Patches.size();
     patched.GivenTriangles.resize(triangles);
@@ -424,11 +472,12 @@ void RequirePair(const Surface& a, const Surface& b, const Landmarks& landmarks)
 
 } // namespace
 
-BaseDomain TraceBaseDomain(
-  const Surface& a, const Surface& b, const Landmarks& landmarks, const Progress& progress)
+BaseDomain TraceBaseDomain(const Surface& a, const Surface& b, const Landmarks& landmarks,
+  const std::vector<CurvePair>& curves, const Progress& progress)
 {
   RequirePair(a, b, landmarks);
   BaseTracing tracing(a, b, landmarks, ComputeGenus(a.Topology()));
+  tracing.AddCurves(curves);
   tracing.Connect(progress.Part(0.0, 0.3));
   tracing.CutHandles(progress.Part(0.3, 0.6));
   tracing.Triangulate(progress.Part(0.6, 1.0));

@@ -2,17 +2,18 @@
 
 #include "Correspondence/CommonBase/Private/BaseEmbedding.h"
 #include "Correspondence/CommonBase/Private/ConeSurface.h"
+#include "Correspondence/CommonBase/Private/MapPlaces.h"
 #include "Correspondence/CommonBase/Private/MapRelaxation.h"
 #include "Search/ClosestPoint.h"
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace shape
 {
 namespace
 {
-
-constexpr int Turns = 6; ///< of each surface
 
 /// Returns for each point of a divided surface the triangle of the other one with its position in
 /// the same patch.
@@ -47,13 +48,55 @@ int CountFlipped(const ConeSurface& surface)
   return flipped;
 }
 
+/// The paths as they were traced on A, and their images.
+std::vector<BasePath> PathsOf(
+  const BaseDomain& domain, const SurfacePieces& onA, const PositionMap& toB)
+{
+  std::vector<BasePath> paths(domain.Paths.size());
+  for (std::size_t patch = 0; patch < domain.Patches.size(); ++patch)
+  {
+    for (const int side : domain.Patches[patch])
+    {
+      BasePath& path = paths[side / 2];
+      (side % 2 == 0 ? path.Left : path.Right) = static_cast<int>(patch);
+    }
+  }
+  for (std::size_t i = 0; i < paths.size(); ++i)
+  {
+    const std::vector<int>& points = domain.A.Paths[i];
+    std::vector<int> found;
+    std::vector<Eigen::RowVector3d> images;
+    for (const int point : points)
+    {
+      const bool isEnd = point == points.front() || point == points.back();
+      const std::vector<int>& ends = domain.B.Paths[i];
+      const std::optional<Eigen::RowVector3d> image = isEnd
+        ? domain.B.Surface.Points.row(point == points.front() ? ends.front() : ends.back()).eval()
+        : toB.ImageOf(onA.PlaceOf(point));
+      if (image)
+      {
+        found.push_back(point);
+        images.push_back(*image);
+      }
+    }
+    paths[i].IsCurve = static_cast<int>(i) < domain.A.CurvePaths;
+    paths[i].OnA = domain.A.Surface.Points(found, Eigen::all);
+    paths[i].OnB.resize(static_cast<Eigen::Index>(images.size()), 3);
+    for (std::size_t k = 0; k < images.size(); ++k)
+    {
+      paths[i].OnB.row(static_cast<Eigen::Index>(k)) = images[k];
+    }
+  }
+  return paths;
+}
+
 } // namespace
 
-CommonBaseMap MapThroughBase(
-  const Surface& a, const Surface& b, const Landmarks& landmarks, const Progress& progress)
+CommonBaseMap MapThroughBase(const Surface& a, const Surface& b, const Landmarks& landmarks,
+  const CommonBaseOptions& options, const Progress& progress)
 {
-  const BaseDomain domain =
-    TraceBaseDomain(a, b, landmarks, progress.Part(0.0, 0.3, "tracing the base domain"));
+  const BaseDomain domain = TraceBaseDomain(
+    a, b, landmarks, options.Curves, progress.Part(0.0, 0.3, "tracing the base domain"));
   const BaseEmbedding planeA = EmbedPatches(
     domain, domain.A, "SurfaceA", progress.Part(0.3, 0.4, "flattening the patches of SurfaceA"));
   const BaseEmbedding planeB = EmbedPatches(
@@ -64,22 +107,47 @@ CommonBaseMap MapThroughBase(
   ConeSurface flatA(domain, domain.A, planeA), flatB(domain, domain.B, planeB);
   std::vector<ConePlace> onB = PlacesOf(domain.A, planeA, flatA, planeB);
   std::vector<ConePlace> onA = LocatePoints(flatB, flatA, onB);
-  // The surfaces take turns, since straight lines on the flat surface should be straight on both.
-  const Progress turns = progress.Part(0.5, 0.95, "reducing the distortion");
-  for (int turn = 0; turn < Turns; ++turn)
+  MapRelaxation relaxation(
+    { domain.A, flatA, std::move(onB) }, { domain.B, flatB, std::move(onA) });
+  const MapRelaxation::Goal dirichlet, goal{ options.Measure, options.Exponent };
+  const bool isDirichlet = options.Measure == Distortion::SymmetricDirichlet;
+  const auto measure = [&]
+  { return 0.5 * (relaxation.Energy(0, goal) + relaxation.Energy(1, goal)); };
+  const Progress part = progress.Part(0.5, 0.95, "reducing the distortion");
+  map.MeasureBefore = measure();
+  relaxation.Run(dirichlet, part.Part(0.0, isDirichlet ? 1.0 : 0.5));
+  if (!isDirichlet)
   {
-    const Progress part = turns.Part(static_cast<double>(turn) / Turns, (turn + 1.0) / Turns);
-    MapRelaxation back(domain.B, flatB, domain.A, flatA, std::move(onA));
-    back.Run(part.Part(0.0, 0.5));
-    onB = LocatePoints(flatA, flatB, back.Places());
-    MapRelaxation there(domain.A, flatA, domain.B, flatB, std::move(onB));
-    there.Run(part.Part(0.5, 1.0));
-    onB = there.Places();
-    onA = LocatePoints(flatB, flatA, onB);
-    map.Energy = there.Energy();
+    map.MeasureBefore = measure();
+    relaxation.Run(goal, part.Part(0.5, 1.0));
   }
-  map.Maps.AToB = GetImages(a.Points().rows(), domain.A, flatA, onB, domain.B, flatB);
-  map.Maps.BToA = GetImages(b.Points().rows(), domain.B, flatB, onA, domain.A, flatA);
+  map.MeasureAfter = measure();
+  map.Energy = relaxation.Energy(0, dirichlet);
+  map.EnergyBack = relaxation.Energy(1, dirichlet);
+  map.Maps.AToB =
+    GetImages(a.Points().rows(), domain.A, flatA, relaxation.Places(0), domain.B, flatB);
+  map.Maps.BToA =
+    GetImages(b.Points().rows(), domain.B, flatB, relaxation.Places(1), domain.A, flatA);
+  const SurfacePieces pieces(domain.A);
+  map.PatchesOfA.resize(a.Points().rows());
+  for (Eigen::Index t = 0; t < domain.A.Patches.size(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int point = domain.A.Surface.Triangles(t, k);
+      if (point < map.PatchesOfA.size())
+      {
+        map.PatchesOfA(point) = domain.A.Patches(t);
+      }
+    }
+  }
+  map.PatchesOfB.resize(b.Points().rows());
+  for (Eigen::Index point = 0; point < map.PatchesOfB.size(); ++point)
+  {
+    map.PatchesOfB(point) = domain.A.Patches(
+      pieces.Find({ map.Maps.BToA.Triangles(point), map.Maps.BToA.Barycentrics.row(point) }));
+  }
+  map.Paths = PathsOf(domain, pieces, PositionMap(flatA, relaxation.Places(0), flatB, domain.B));
   map.Flipped = CountFlipped(flatA) + CountFlipped(flatB);
   progress(1.0);
   return map;

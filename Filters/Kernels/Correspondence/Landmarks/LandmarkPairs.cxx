@@ -17,8 +17,9 @@ namespace
 /// The maximum distance of landmarks from the surface; a larger one means that the units differ.
 constexpr double MaximumDistanceShare = 0.5;
 
-/// Returns, for each position, the nearest corner of the closest triangle.
-Eigen::VectorXi NearestPoints(const Surface& surface, const Eigen::MatrixXd& positions,
+} // namespace
+
+Eigen::VectorXi FindNearestPoints(const Surface& surface, const Eigen::MatrixXd& positions,
   const std::string& name, const Progress& progress)
 {
   const ClosestPoints closest = SurfaceLocator(surface).Find(positions, progress);
@@ -35,15 +36,13 @@ Eigen::VectorXi NearestPoints(const Surface& surface, const Eigen::MatrixXd& pos
   return FindNearestCorners(closest, surface.Triangles());
 }
 
-} // namespace
-
 Landmarks PairLandmarks(const Surface& a, const Eigen::MatrixXd& positionsA, const Surface& b,
   const Eigen::MatrixXd& positionsB, const Progress& progress)
 {
   RequireFinite(positionsA, "the set of Landmarks");
   RequireFinite(positionsB, "TargetPosition of the Landmarks");
-  const Eigen::VectorXi onA = NearestPoints(a, positionsA, "SurfaceA", progress.Part(0.0, 0.5)),
-                        onB = NearestPoints(b, positionsB, "SurfaceB", progress.Part(0.5, 1.0));
+  const Eigen::VectorXi onA = FindNearestPoints(a, positionsA, "SurfaceA", progress.Part(0.0, 0.5)),
+                        onB = FindNearestPoints(b, positionsB, "SurfaceB", progress.Part(0.5, 1.0));
   Landmarks pairs;
   std::set<int> ofA, ofB;
   for (Eigen::Index i = 0; i < onA.size(); ++i)

@@ -6,8 +6,16 @@
 
 #include <Eigen/Core>
 
+#include <string>
+
 namespace shape
 {
+
+/// Returns, for each finite position (k x 3), the nearest corner of the closest triangle. name: of
+/// the surface, in messages. Throws InvalidInput if a position is farther from the surface than
+/// half the longest edge of its bounding box; Aborted.
+Eigen::VectorXi FindNearestPoints(const Surface& surface, const Eigen::MatrixXd& positions,
+  const std::string& name, const Progress& progress = {});
 
 /// Pairs points of two surfaces. Each pair consists of the points nearest to two corresponding
 /// positions (k x 3 each), in the order of the positions. The point nearest to a position is the

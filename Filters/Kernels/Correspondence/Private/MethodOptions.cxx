@@ -74,6 +74,7 @@ void RequireMethodOptions(const CorrespondenceOptions& options)
   RequireAtLeast(1, options.Heat.Times, "HeatTimes");
   RequireAtLeast(1, options.Blended.Candidates, "Candidates");
   RequirePositive(options.Blended.Agreement, "Agreement");
+  RequirePositive(options.Base.Exponent, "BaseExponent");
 }
 
 } // namespace shape

@@ -2,6 +2,7 @@
 #include "Correspondence/CommonBase/BaseDomain.h"
 #include "Correspondence/CommonBase/CommonBaseMap.h"
 #include "Correspondence/CommonBase/Private/BaseEmbedding.h"
+#include "Correspondence/CommonBase/SurfaceCurves.h"
 #include "Correspondence/Conformal/SphereCommonDomain.h"
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Geometry/Orientation.h"
@@ -12,8 +13,10 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -188,6 +191,76 @@ int TurnsAroundZ(const Eigen::MatrixXd& loop)
   return static_cast<int>(std::lround(sum / (2.0 * M_PI)));
 }
 
+/// The distance of a position from a polyline along points of a mesh.
+double DistanceToCurve(
+  const Eigen::RowVector3d& p, const shape::Mesh& mesh, const std::vector<int>& curve)
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < curve.size(); ++i)
+  {
+    const Eigen::RowVector3d a = mesh.Points.row(curve[i - 1]),
+                             edge = mesh.Points.row(curve[i]) - a;
+    const double t = std::clamp((p - a).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+    nearest = std::min(nearest, (p - a - t * edge).norm());
+  }
+  return nearest;
+}
+
+/// Checks that the map is one to one, and takes landmarks to landmarks and curves onto curves.
+void ExpectKept(const shape::Mesh& a, const shape::Mesh& b, const shape::Landmarks& landmarks,
+  const std::vector<shape::CurvePair>& curves)
+{
+  const shape::CommonBaseMap map = shape::MapThroughBase(a, b, landmarks, { curves });
+  EXPECT_EQ(map.Flipped, 0);
+  const Eigen::MatrixXd onB = PositionsOn(map.Maps.AToB, b), onA = PositionsOn(map.Maps.BToA, a);
+  for (const auto& [pointA, pointB] : landmarks)
+  {
+    EXPECT_EQ((onB.row(pointA) - b.Points.row(pointB)).norm(), 0.0);
+    EXPECT_EQ((onA.row(pointB) - a.Points.row(pointA)).norm(), 0.0);
+  }
+  for (const shape::CurvePair& curve : curves)
+  {
+    for (const int point : curve.OnA)
+    {
+      EXPECT_LT(DistanceToCurve(onB.row(point), b, curve.OnB), 1e-9);
+    }
+    for (const int point : curve.OnB)
+    {
+      EXPECT_LT(DistanceToCurve(onA.row(point), a, curve.OnA), 1e-9);
+    }
+  }
+}
+
+/// The curve through given positions, one in each row, of two meshes.
+shape::CurvePair CurveThrough(const shape::Mesh& a, const Eigen::MatrixXd& onA,
+  const shape::Mesh& b, const Eigen::MatrixXd& onB)
+{
+  return { shape::TraceEdgeCurve(a, onA, "A"), shape::TraceEdgeCurve(b, onB, "B") };
+}
+
+/// A circle about the z axis.
+Eigen::MatrixXd Circle(double radius, double height)
+{
+  constexpr int count = 60;
+  Eigen::MatrixXd circle(count + 1, 3);
+  for (int i = 0; i <= count; ++i)
+  {
+    const double angle = 2.0 * M_PI * i / count;
+    circle.row(i) << radius * std::cos(angle), radius * std::sin(angle), height;
+  }
+  circle.row(count) = circle.row(0);
+  return circle;
+}
+
+/// The rim of a rectangle with two opposite corners in a plane z = height.
+Eigen::MatrixXd Rim(double left, double bottom, double right, double top, double height)
+{
+  Eigen::MatrixXd rim(5, 3);
+  rim << left, bottom, height, right, bottom, height, right, top, height, left, top, height, left,
+    bottom, height;
+  return rim;
+}
+
 } // namespace
 
 TEST(CommonBase, ASurfaceAndItselfGiveTheIdentity)
@@ -280,6 +353,96 @@ TEST(CommonBase, HandleLoopsGoToHandleLoopsWhereTunnelLoopsAreShorter)
   EXPECT_EQ(TurnsAroundZ(images(handle, Eigen::all)), 0);
   EXPECT_EQ(
     TurnsAroundZ(images(tunnel, Eigen::all)), TurnsAroundZ(thin.Points(tunnel, Eigen::all)));
+}
+
+TEST(CommonBase, CurvesGoOntoCurvesOnSpheres)
+{
+  const shape::Mesh sphere = shapetest::Icosphere(2), pebble = shapetest::Pebble(sphere);
+  const shape::Landmarks landmarks = EveryNth(sphere, 7);
+  Eigen::MatrixXd arc(3, 3), meridian(2, 3);
+  arc << sphere.Points.row(landmarks[0][0]), 0.0, 0.0, 1.0, sphere.Points.row(landmarks[3][0]);
+  const std::vector<int> along = shape::TraceEdgeCurve(sphere, arc, "A");
+  // The two ends of a curve are landmarks; a circle has none.
+  const std::vector<int> circle = shape::TraceEdgeCurve(sphere, Circle(0.9, -0.4), "A");
+  ExpectKept(sphere, pebble, landmarks, { { along, along } });
+  ExpectKept(sphere, pebble, landmarks, { { circle, circle } });
+  // The images slide along the circle of another radius, on a mesh that is not that of A.
+  const shape::Mesh fine = shapetest::Icosphere(3);
+  shape::Landmarks pair;
+  for (const int point : { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11 })
+  {
+    pair.push_back({ point, point });
+  }
+  ExpectKept(sphere, fine, pair,
+    { CurveThrough(sphere, Circle(0.8, -0.2), fine, Circle(0.9, -0.4)),
+      CurveThrough(sphere, Circle(0.8, 0.6), fine, Circle(0.7, 0.7)) });
+}
+
+TEST(CommonBase, CurvesGoOntoCurvesAroundHandles)
+{
+  const shape::Mesh torus = shapetest::Torus(1.0, 0.4, 20, 12),
+                    thin = shapetest::Torus(1.0, 0.3, 20, 12);
+  // Around the hole outside and inside, and around the tube.
+  const auto across = [](double minor)
+  {
+    Eigen::MatrixXd circle(31, 3);
+    for (int i = 0; i <= 30; ++i)
+    {
+      const double angle = 2.0 * M_PI * i / 30;
+      circle.row(i) << 1.0 + minor * std::cos(angle), 0.0, minor * std::sin(angle);
+    }
+    circle.row(30) = circle.row(0);
+    return circle;
+  };
+  shape::Landmarks landmarks = EveryNth(torus, 5);
+  const shape::CurvePair outside = CurveThrough(torus, Circle(1.4, 0.0), thin, Circle(1.3, 0.0)),
+                         inside = CurveThrough(torus, Circle(0.6, 0.0), thin, Circle(0.7, 0.0)),
+                         tube = CurveThrough(torus, across(0.4), thin, across(0.3));
+  ExpectKept(torus, thin, landmarks, { outside });
+  ExpectKept(torus, thin, landmarks, { tube });
+  ExpectKept(torus, thin, landmarks, { outside, inside });
+  // These cross at a point, which must be a landmark: they begin there.
+  ExpectKept(torus, thin, landmarks, { outside, tube });
+  for (const int holes : { 1, 2, 3 })
+  {
+    const shape::Mesh plate = PlateWithHoles(holes, 2), bent = Bent(plate, 2.0);
+    std::vector<shape::CurvePair> rims;
+    for (const double height : { 0.0, 1.0 })
+    {
+      for (const Eigen::MatrixXd& rim :
+        { Rim(0.0, 0.0, 2.0 * holes + 1.0, 3.0, height), Rim(1.0, 1.0, 2.0, 2.0, height) })
+      {
+        const std::vector<int> curve = shape::TraceEdgeCurve(plate, rim, "A");
+        rims.push_back({ curve, curve });
+      }
+    }
+    ExpectKept(plate, bent, EveryNth(plate, 4 + 2 * holes), rims);
+  }
+}
+
+TEST(CommonBase, RefusesCurvesThatCannotBeKept)
+{
+  const shape::Mesh sphere = shapetest::Icosphere(3);
+  const shape::Landmarks landmarks = EveryNth(sphere, 7);
+  const auto curve = [&](const Eigen::MatrixXd& positions)
+  { return shape::TraceEdgeCurve(sphere, positions, "A"); };
+  Eigen::MatrixXd west(2, 3), south(2, 3);
+  west << -0.6, 0.0, 0.8, 0.6, 0.0, 0.8;
+  south << 0.0, -0.6, 0.8, 0.0, 0.6, 0.8;
+  const std::vector<int> one = curve(west), other = curve(south), circle = curve(Circle(0.9, -0.4));
+  const auto trace = [&](const std::vector<shape::CurvePair>& curves)
+  { return shape::TraceBaseDomain(sphere, sphere, landmarks, curves); };
+  EXPECT_REFUSED(trace({ { one, one }, { other, other } }), "curve 0 and curve 1 meet at point");
+  EXPECT_REFUSED(trace({ { one, one }, { one, one } }), "which a curve has passed");
+  EXPECT_REFUSED(trace({ { one, circle } }), "closed on one surface only");
+  EXPECT_REFUSED(trace({ { { 0, 1 }, one } }), "does not follow edges of SurfaceA");
+  // A torus on which one loop is a handle loop, and its partner a tunnel loop.
+  const shape::Mesh torus = shapetest::Torus(1.0, 0.4, 30, 16);
+  Eigen::MatrixXd tube(5, 3);
+  tube << 1.4, 0.0, 0.0, 1.0, 0.0, 0.4, 0.6, 0.0, 0.0, 1.0, 0.0, -0.4, 1.4, 0.0, 0.0;
+  EXPECT_REFUSED(shape::TraceBaseDomain(torus, torus, { { 37, 37 }, { 53, 53 } },
+                   { CurveThrough(torus, Circle(1.4, 0.0), torus, tube) }),
+    "does not bound alike on both surfaces");
 }
 
 TEST(CommonBase, RefusesWhatHasNoCommonBase)

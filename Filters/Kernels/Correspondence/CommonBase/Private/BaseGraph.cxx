@@ -58,6 +58,16 @@ void BaseGraph::Insert(int corner, int halfPath)
   around.insert(position == around.end() ? position : position + 1, halfPath);
 }
 
+int BaseGraph::ComponentCount()
+{
+  int count = 0;
+  for (int node = 0; node < static_cast<int>(this->Around.size()); ++node)
+  {
+    count += this->Sets.Find(node) == node ? 1 : 0;
+  }
+  return count;
+}
+
 int BaseGraph::Add(int from, int to)
 {
   const int path = this->PathCount();

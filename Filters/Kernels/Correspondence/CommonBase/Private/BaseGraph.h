@@ -32,6 +32,8 @@ public:
   std::vector<int> Corners() const;
   /// Whether a number is that of a corner: a node with paths has lost the corner that it had alone.
   bool IsCorner(int corner) const { return corner >= 0 || this->Around[-1 - corner].empty(); }
+  /// Returns the number of sets of connected nodes.
+  int ComponentCount();
   /// Whether paths connect two nodes.
   bool AreConnected(int node, int other) { return this->Sets.Find(node) == this->Sets.Find(other); }
 

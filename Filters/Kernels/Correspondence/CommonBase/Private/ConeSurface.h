@@ -7,6 +7,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace shape
@@ -86,6 +87,13 @@ public:
   SurfacePoint OnGiven(int triangle, const Eigen::RowVector3d& barycentric) const
   {
     return { this->Givens(triangle), barycentric * this->Barycentrics[triangle] };
+  }
+
+  /// Returns the given triangle that contains a triangle, and the barycentric coordinates of its
+  /// corners there, one per row.
+  std::pair<int, const Eigen::Matrix3d&> Given(int triangle) const
+  {
+    return { this->Givens(triangle), this->Barycentrics[triangle] };
   }
 
   /// Undoes the split of an edge, if both triangles are counter-clockwise then. ends: of the edge.

@@ -17,8 +17,20 @@ namespace shape
 namespace
 {
 
+/// Whether each half-edge is on a path of the tree.
+std::vector<bool> SidesOfTree(const PathSurface& surface, const std::vector<bool>& isClosing)
+{
+  std::vector<bool> isTree(surface.SideCount());
+  for (int side = 0; side < surface.SideCount(); ++side)
+  {
+    const int path = surface.PathOf(side);
+    isTree[side] = path >= static_cast<int>(isClosing.size()) || (path >= 0 && !isClosing[path]);
+  }
+  return isTree;
+}
+
 /// The half-edge by which each triangle was entered from the first one, or -1.
-std::vector<int> DualTree(const PathSurface& surface)
+std::vector<int> DualTree(const PathSurface& surface, const std::vector<bool>& isOnTree)
 {
   const int triangles = surface.SideCount() / 3;
   std::vector<int> entered(triangles, -1);
@@ -33,7 +45,7 @@ std::vector<int> DualTree(const PathSurface& surface)
     for (int side = 3 * triangle; side < 3 * triangle + 3; ++side)
     {
       const int twin = surface.Twin(side);
-      if (surface.PathOf(side) < 0 && !reached[twin / 3])
+      if (!isOnTree[side] && !reached[twin / 3])
       {
         reached[twin / 3] = true;
         entered[twin / 3] = twin;
@@ -51,7 +63,8 @@ struct PointTree
   std::vector<int> Left; ///< one half-edge of each edge in neither tree
 };
 
-PointTree TreeOfPoints(const PathSurface& surface, const std::vector<int>& dual)
+PointTree TreeOfPoints(
+  const PathSurface& surface, const std::vector<bool>& isOnTree, const std::vector<int>& dual)
 {
   const auto isCrossed = [&](int side)
   { return dual[side / 3] == side || dual[surface.Twin(side) / 3] == surface.Twin(side); };
@@ -64,7 +77,7 @@ PointTree TreeOfPoints(const PathSurface& surface, const std::vector<int>& dual)
     for (int side = 0; side < surface.SideCount(); ++side)
     {
       const int p = surface.Begin(side), q = surface.End(side);
-      if (side > surface.Twin(side) || isCrossed(side) || (surface.PathOf(side) >= 0) != onPath)
+      if (side > surface.Twin(side) || isCrossed(side) || isOnTree[side] != onPath)
       {
         continue;
       }
@@ -208,10 +221,12 @@ double ComputeLinkingNumber(const Eigen::MatrixXd& one, const Eigen::MatrixXd& o
   return sum / (4.0 * M_PI);
 }
 
-HomologyBasis FindHomologyBasis(PathSurface& surface, const std::string& name)
+HomologyBasis FindHomologyBasis(
+  PathSurface& surface, const std::vector<bool>& isClosing, const std::string& name)
 {
-  const std::vector<int> dual = DualTree(surface);
-  const PointTree tree = TreeOfPoints(surface, dual);
+  const std::vector<bool> isOnTree = SidesOfTree(surface, isClosing);
+  const std::vector<int> dual = DualTree(surface, isOnTree);
+  const PointTree tree = TreeOfPoints(surface, isOnTree, dual);
   HomologyBasis basis;
   const auto count = static_cast<int>(tree.Left.size());
   for (int form = 0; form < count; ++form)

@@ -20,18 +20,19 @@ struct HomologyBasis
 
 /**
  * Finds a basis of the homology of a closed connected surface, and sets the surface's forms so that
- * form i has the integral 1 over loop i, 0 over the other loops, and 0 along the marked paths,
- * which must be a tree.
+ * form i has the integral 1 over loop i, 0 over the other loops, and 0 along the marked paths of a
+ * tree. isClosing: for each path, whether it closes a loop with earlier ones; paths beyond are not.
  *
- * A spanning tree of the dual graph crosses no path, and a spanning tree of the points contains all
- * paths and crosses no edge of the former. 2 g edges are in neither. Each closes a loop with the
- * tree of points, and a dual loop with the dual tree, whose crossings with edges are the form
- * (Eppstein, "Dynamic generators of topologically embedded graphs", 2003).
+ * A spanning tree of the dual graph crosses no path of the tree, and a spanning tree of the points
+ * contains all of these and crosses no edge of the former. 2 g edges are in neither. Each closes a
+ * loop with the tree of points, and a dual loop with the dual tree, whose crossings with edges are
+ * the form (Eppstein, "Dynamic generators of topologically embedded graphs", 2003).
  *
  * The linking numbers are Gauss's integrals. Throws InvalidInput if they are not those of an
  * embedded surface, since then it intersects itself. name: of the surface, in the message.
  */
-HomologyBasis FindHomologyBasis(PathSurface& surface, const std::string& name);
+HomologyBasis FindHomologyBasis(
+  PathSurface& surface, const std::vector<bool>& isClosing, const std::string& name);
 
 /// Returns the linking number of two disjoint closed polylines (k x 3 each), up to rounding:
 /// Gauss's integral, which for two segments is the solid angle of the directions between them

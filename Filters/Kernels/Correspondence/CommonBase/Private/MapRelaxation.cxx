@@ -1,15 +1,15 @@
 #include "Correspondence/CommonBase/Private/MapRelaxation.h"
 
-#include "Base/Errors.h"
+#include "Correspondence/CommonBase/Private/MapPlaces.h"
+#include "Geometry/Orientation.h"
 #include "Mesh/HalfEdges.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
-#include <string>
 #include <utility>
 
 namespace shape
@@ -17,342 +17,451 @@ namespace shape
 namespace
 {
 
-constexpr double Infinite = std::numeric_limits<double>::infinity();
+using Edges = Eigen::Matrix<double, 3, 2>;
 
-/// Sets weights that differ from 0 by rounding only to 0.
-Eigen::RowVector3d Cleaned(Eigen::RowVector3d barycentric)
+/// The edges of a triangle from its first corner.
+Edges EdgesOf(const ConeSurface& surface, int triangle, const Eigen::MatrixXd& points)
 {
-  constexpr double minimum = 1e-12;
-  barycentric = (barycentric.array() < minimum).select(0.0, barycentric);
-  return barycentric / barycentric.sum();
+  Edges edges;
+  for (int k = 0; k < 2; ++k)
+  {
+    edges.col(k) = (points.row(surface.PointAt(3 * triangle + 1 + k)) -
+      points.row(surface.PointAt(3 * triangle)))
+                     .transpose();
+  }
+  return edges;
 }
 
-/// A cone's place on the other surface: the same cone.
-SurfacePoint AtCone(const ConeSurface& surface, int point)
+/// The derivative of positions in space by those on the flat surface, in the coordinates from which
+/// `motion` leads to the triangle's.
+Edges SpaceByFlat(const ConeSurface& surface, int triangle, const LatticeMotion& motion,
+  const Eigen::MatrixXd& points)
 {
-  const int side = surface.CornersAt(point).front();
-  return surface.OnGiven(side / 3, Eigen::RowVector3d::Unit(side % 3));
+  Eigen::Matrix2d plane, turn;
+  for (int k = 0; k < 2; ++k)
+  {
+    plane.col(k) =
+      (surface.PositionAt(3 * triangle + 1 + k) - surface.PositionAt(3 * triangle)).transpose();
+    turn.col(k) = motion.Rotate(Eigen::RowVector2d::Unit(k)).transpose();
+  }
+  return EdgesOf(surface, triangle, points) * plane.inverse() * turn;
+}
+
+bool IsCovered(const ConeSurface& surface, int triangle, const Eigen::RowVector2d& position)
+{
+  for (int side = 3 * triangle; side < 3 * triangle + 3; ++side)
+  {
+    if (EvaluateOrientation(
+          surface.PositionAt(side), surface.PositionAt(NextHalfEdge(side)), position) < 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+Eigen::MatrixXd ScaledPoints(const Mesh& mesh)
+{
+  return mesh.Points / std::sqrt(ComputeArea(mesh));
 }
 
 } // namespace
 
-MapRelaxation::MapRelaxation(const PatchedSurface& from, ConeSurface& moved,
-  const PatchedSurface& to, const ConeSurface& fixed, std::vector<ConePlace> places)
-  : From(from)
-  , Moved(moved)
-  , Fixed(fixed)
-  , Found(std::move(places))
-  , Images(Eigen::MatrixXd::Zero(moved.PointCount(), 3))
-  , Targets(to.Surface.Points * std::sqrt(ComputeArea(from.Surface) / ComputeArea(to.Surface)))
+MapRelaxation::MapRelaxation(Side a, Side b)
+  : Sides{ { { std::move(a) }, { std::move(b) } } }
 {
-  for (std::size_t path = 0; path < from.Paths.size(); ++path)
+  for (Relaxed& side : this->Sides)
   {
-    this->Images.row(from.Paths[path].front()) = this->Targets.row(to.Paths[path].front());
-    this->Images.row(from.Paths[path].back()) = this->Targets.row(to.Paths[path].back());
-  }
-  for (int point = 0; point < moved.PointCount(); ++point)
-  {
-    if (moved.IsUsed(point) && !moved.IsCone(point))
+    side.Points = ScaledPoints(side.Patched.Surface);
+    side.Next.assign(side.Flat.PointCount(), -1);
+    for (int path = 0; path < side.Patched.CurvePaths; ++path)
     {
-      this->Images.row(point) = this->ImageAt(point, this->Found[point]);
+      const std::vector<int>& points = side.Patched.Paths[path];
+      for (std::size_t i = 1; i + 1 < points.size(); ++i)
+      {
+        side.Next[points[i]] = points[i + 1];
+      }
     }
   }
-  this->UpdateRest();
+  for (Relaxed& side : this->Sides)
+  {
+    this->UpdateShapes(side);
+    this->UpdateImages(side);
+  }
+  this->UpdateHeld();
 }
 
-void MapRelaxation::UpdateRest()
+void MapRelaxation::UpdateShapes(Relaxed& side)
 {
-  this->Inverses.resize(this->Moved.TriangleCount());
-  this->Forms.resize(this->Moved.TriangleCount());
-  this->Areas.assign(this->Moved.TriangleCount(), 0.0);
-  for (int t = 0; t < this->Moved.TriangleCount(); ++t)
+  side.Shapes.resize(side.Flat.TriangleCount());
+  side.Areas.assign(side.Flat.TriangleCount(), 0.0);
+  for (int t = 0; t < side.Flat.TriangleCount(); ++t)
   {
-    if (this->Moved.PointAt(3 * t) < 0)
+    if (side.Flat.PointAt(3 * t) >= 0)
     {
-      continue;
+      const Edges edges = EdgesOf(side.Flat, t, side.Points);
+      const Eigen::Vector3d first = edges.col(0).normalized(),
+                            normal = edges.col(0).cross(edges.col(1));
+      Eigen::Matrix2d plane;
+      plane << edges.col(0).norm(), first.dot(edges.col(1)), 0.0,
+        normal.norm() / edges.col(0).norm();
+      side.Shapes[t] = plane.inverse();
+      side.Areas[t] = 0.5 * normal.norm();
     }
-    Eigen::Matrix<double, 3, 2> edges;
-    for (int k = 0; k < 2; ++k)
-    {
-      edges.col(k) = (this->From.Surface.Points.row(this->Moved.PointAt(3 * t + 1 + k)) -
-        this->From.Surface.Points.row(this->Moved.PointAt(3 * t)))
-                       .transpose();
-    }
-    const Eigen::Matrix2d form = edges.transpose() * edges;
-    this->Forms[t] = form;
-    this->Inverses[t] = form.inverse();
-    this->Areas[t] = 0.5 * std::sqrt(form.determinant());
   }
 }
 
-Eigen::RowVector3d MapRelaxation::ImageAt(int point, const ConePlace& place) const
+void MapRelaxation::UpdateImages(Relaxed& side)
 {
+  const Relaxed& other = this->OtherOf(side);
+  side.Images.setZero(side.Flat.PointCount(), 3);
+  for (std::size_t path = 0; path < side.Patched.Paths.size(); ++path)
+  {
+    const std::vector<int>&points = side.Patched.Paths[path], &partners = other.Patched.Paths[path];
+    side.Images.row(points.front()) = other.Points.row(partners.front());
+    side.Images.row(points.back()) = other.Points.row(partners.back());
+  }
+  for (int point = 0; point < side.Flat.PointCount(); ++point)
+  {
+    if (side.Flat.IsUsed(point) && !side.Flat.IsCone(point))
+    {
+      side.Images.row(point) = this->ImageAt(side, point);
+    }
+  }
+}
+
+void MapRelaxation::UpdateHeld()
+{
+  for (Relaxed& side : this->Sides)
+  {
+    side.Held.assign(side.Flat.TriangleCount(), {});
+    const Relaxed& other = this->OtherOf(side);
+    for (int point = 0; point < other.Flat.PointCount(); ++point)
+    {
+      if (other.Flat.IsUsed(point) && !other.Flat.IsCone(point))
+      {
+        side.Held[other.Places[point].Triangle].push_back(point);
+      }
+    }
+  }
+}
+
+void MapRelaxation::RemoveSplits(Relaxed& side)
+{
+  const std::vector<std::array<int, 2>>& ends = side.Patched.SplitEdges;
+  const int given = side.Flat.PointCount() - static_cast<int>(ends.size());
+  bool hasRemoved = false;
+  for (int point = side.Flat.PointCount() - 1; point >= given; --point)
+  {
+    if (side.Flat.IsUsed(point) && !side.Flat.IsCone(point))
+    {
+      hasRemoved = side.Flat.Remove(point, ends[point - given]) || hasRemoved;
+    }
+  }
+  if (hasRemoved)
+  {
+    Relaxed& other = this->OtherOf(side);
+    other.Places = LocatePoints(other.Flat, side.Flat, side.Places);
+    this->UpdateShapes(side);
+    this->UpdateImages(other);
+    this->UpdateHeld();
+  }
+}
+
+Eigen::RowVector3d MapRelaxation::ImageAt(const Relaxed& side, int point) const
+{
+  const Relaxed& other = this->OtherOf(side);
+  const ConePlace& place = side.Places[point];
   const Eigen::RowVector3d barycentric =
-    this->Fixed.BarycentricOf(place.Triangle, place.Motion(this->Moved.PositionOf(point)));
+    other.Flat.BarycentricOf(place.Triangle, place.Motion(side.Flat.PositionOf(point)));
   Eigen::RowVector3d position = Eigen::RowVector3d::Zero();
   for (int k = 0; k < 3; ++k)
   {
-    position += barycentric(k) * this->Targets.row(this->Fixed.PointAt(3 * place.Triangle + k));
+    position += barycentric(k) * other.Points.row(other.Flat.PointAt(3 * place.Triangle + k));
   }
   return position;
 }
 
-double MapRelaxation::EnergyOf(int triangle, Terms* terms, int corner) const
+void MapRelaxation::AddEnergy(
+  const Relaxed& side, int triangle, const Goal& goal, Total& total, Terms* terms, int corner)
 {
-  Eigen::Matrix<double, 3, 2> edges;
-  for (int k = 0; k < 2; ++k)
+  const Eigen::Matrix2d& shape = side.Shapes[triangle];
+  const Edges jacobian = EdgesOf(side.Flat, triangle, side.Images) * shape;
+  // The singular values are those of a symmetric matrix of two rows.
+  const Eigen::Matrix2d form = jacobian.transpose() * jacobian;
+  const double mean = 0.5 * form.trace(), half = 0.5 * (form(0, 0) - form(1, 1)),
+               apart = std::hypot(half, form(0, 1));
+  const double size = jacobian.col(0).cross(jacobian.col(1)).norm();
+  const double first = std::sqrt(mean + apart);
+  const Eigen::Vector2d singular(first, size / first);
+  if (!(singular(1) > 0.0))
   {
-    edges.col(k) = (this->Images.row(this->Moved.PointAt(3 * triangle + 1 + k)) -
-      this->Images.row(this->Moved.PointAt(3 * triangle)))
-                     .transpose();
+    ++total.Infinite;
+    return;
   }
-  const Eigen::Matrix2d image = edges.transpose() * edges;
-  const Eigen::Matrix2d& inverse = this->Inverses[triangle];
-  const double determinant = image.determinant();
-  if (!(determinant > 0.0))
+  const DistortionTerms<2> measured = EvaluateDistortion<2>(goal.Measure, goal.Exponent, singular);
+  if (!std::isfinite(measured.Value))
   {
-    return Infinite;
+    ++total.Infinite;
+    return;
   }
-  // With the forms G of the triangle and H of its image: tr(G^-1 H) + tr(H^-1 G).
-  const Eigen::Matrix2d back = image.inverse();
-  const Eigen::Matrix2d& rest = this->Forms[triangle];
-  if (terms != nullptr)
+  total.Sum += side.Areas[triangle] * measured.Value;
+  if (terms == nullptr)
   {
-    const Eigen::Matrix<double, 3, 2> slope =
-      2.0 * this->Areas[triangle] * edges * (inverse - back * rest * back);
-    const Eigen::Matrix2d curvature =
-      2.0 * this->Areas[triangle] * (inverse + 3.0 * back * rest * back);
-    terms->Slope += corner == 0 ? Eigen::Vector3d(-slope.rowwise().sum()) : slope.col(corner - 1);
-    terms->Curvature += corner == 0 ? curvature.sum() : curvature(corner - 1, corner - 1);
+    return;
   }
-  return this->Areas[triangle] * ((inverse * image).trace() + (back * rest).trace());
+  const double angle = 0.5 * std::atan2(form(0, 1), half);
+  Eigen::Matrix2d right;
+  right << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+  const Edges left = jacobian * right * singular.cwiseInverse().asDiagonal();
+  // The gradient of the corner's hat function.
+  const Eigen::RowVector2d hat = corner == 0 ? Eigen::RowVector2d(-shape.colwise().sum())
+                                             : Eigen::RowVector2d(shape.row(corner - 1));
+  const double area = side.Areas[triangle];
+  terms->Slope +=
+    area * left * measured.Gradient.asDiagonal() * right.transpose() * hat.transpose();
+  terms->Curvature +=
+    2.0 * area * hat.squaredNorm() * (left * measured.Weights.asDiagonal() * left.transpose());
 }
 
-double MapRelaxation::Energy() const
+MapRelaxation::Star MapRelaxation::StarOf(const Relaxed& side, int point) const
 {
-  double sum = 0.0, area = 0.0;
-  for (int t = 0; t < this->Moved.TriangleCount(); ++t)
+  const Relaxed& other = this->OtherOf(side);
+  Star star{ side.Flat.CornersAt(point), {}, {} };
+  for (const int corner : star.Corners)
   {
-    if (this->Moved.PointAt(3 * t) >= 0)
+    for (const int held : side.Held[corner / 3])
     {
-      sum += this->EnergyOf(t);
-      area += this->Areas[t];
+      const ConePlace& place = other.Places[held];
+      star.Held.push_back({ held, corner,
+        side.Flat.ChartAt(corner).Inverse()(place.Motion(other.Flat.PositionOf(held))), place,
+        other.Images.row(held) });
+      for (const int around : other.Flat.CornersAt(held))
+      {
+        star.Others.push_back(around / 3);
+      }
     }
   }
-  return sum / area;
+  std::sort(star.Others.begin(), star.Others.end());
+  star.Others.erase(std::unique(star.Others.begin(), star.Others.end()), star.Others.end());
+  return star;
 }
 
-bool MapRelaxation::Relax(int point)
+MapRelaxation::Total MapRelaxation::EnergyOf(const Relaxed& side, const Star& star) const
 {
-  const std::vector<int> corners = this->Moved.CornersAt(point);
-  double before = 0.0;
-  Terms terms;
-  for (const int side : corners)
+  Total total;
+  for (const int corner : star.Corners)
   {
-    before += this->EnergyOf(side / 3, &terms, side % 3);
+    AddEnergy(side, corner / 3, this->Lowered, total);
   }
-  const ConePlace place = this->Found[point];
-  const Eigen::RowVector2d position = this->Moved.PositionOf(point);
-  const Eigen::RowVector3d image = this->Images.row(point);
-  // The step in space, brought into the triangle of B and from there to the flat surface.
-  const int first = 3 * place.Triangle;
-  Eigen::Matrix<double, 3, 2> edges, flat;
-  Eigen::Matrix2d plane;
-  for (int k = 0; k < 2; ++k)
+  for (const int triangle : star.Others)
   {
-    edges.col(k) = (this->Targets.row(this->Fixed.PointAt(first + 1 + k)) -
-      this->Targets.row(this->Fixed.PointAt(first)))
-                     .transpose();
-    plane.col(k) =
-      (this->Fixed.PositionAt(first + 1 + k) - this->Fixed.PositionAt(first)).transpose();
+    AddEnergy(this->OtherOf(side), triangle, this->Lowered, total);
   }
-  Eigen::Vector3d step = -terms.Slope / terms.Curvature;
-  if (!std::isfinite(before))
+  return total;
+}
+
+Eigen::RowVector2d MapRelaxation::StepOf(const Relaxed& side, int point, const Star& star) const
+{
+  const Relaxed& other = this->OtherOf(side);
+  const ConePlace& place = side.Places[point];
+  const Edges spread = SpaceByFlat(other.Flat, place.Triangle, place.Motion, other.Points);
+  Total total;
+  Terms own;
+  for (const int corner : star.Corners)
   {
-    // A triangle whose image has no area: towards the centroid of the points around.
-    step.setZero();
-    for (const int side : corners)
+    AddEnergy(side, corner / 3, this->Lowered, total, &own, corner % 3);
+  }
+  Eigen::Vector2d slope = spread.transpose() * own.Slope;
+  Eigen::Matrix2d curvature = spread.transpose() * own.Curvature * spread;
+  for (const HeldPoint& held : star.Held)
+  {
+    Terms terms;
+    for (const int around : other.Flat.CornersAt(held.Point))
     {
-      step += (this->Images.row(this->Moved.PointAt(NextHalfEdge(side))) - image).transpose() /
-        static_cast<double>(corners.size());
+      AddEnergy(other, around / 3, this->Lowered, total, &terms, around % 3);
+    }
+    // At a fixed place, the image moves against the point, by the share of its corner.
+    const int triangle = held.Corner / 3;
+    const double share = side.Flat.BarycentricOf(
+      triangle, side.Flat.ChartAt(held.Corner)(held.Across))(held.Corner % 3);
+    const Edges back =
+      -share * SpaceByFlat(side.Flat, triangle, side.Flat.ChartAt(held.Corner), side.Points);
+    slope += back.transpose() * terms.Slope;
+    curvature += back.transpose() * terms.Curvature * back;
+  }
+  Eigen::RowVector2d step = -(curvature.inverse() * slope).transpose();
+  if (total.Infinite > 0)
+  {
+    // A triangle whose image has no size: towards the centroid of the points around.
+    Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+    for (const int corner : star.Corners)
+    {
+      centroid +=
+        (side.Images.row(side.Flat.PointAt(NextHalfEdge(corner))) - side.Images.row(point))
+          .transpose() /
+        static_cast<double>(star.Corners.size());
+    }
+    curvature = spread.transpose() * spread;
+    slope = -spread.transpose() * centroid;
+    step = -(curvature.inverse() * slope).transpose();
+  }
+  const std::optional<Eigen::RowVector2d> curve = this->CurveAt(side, point);
+  if (curve)
+  {
+    const Eigen::Vector2d along = curve->transpose();
+    step = -along.dot(slope) / along.dot(curvature * along) * *curve;
+  }
+  return step;
+}
+
+std::optional<Eigen::RowVector2d> MapRelaxation::CurveAt(const Relaxed& side, int point) const
+{
+  if (side.Next[point] < 0)
+  {
+    return std::nullopt;
+  }
+  for (const int corner : side.Flat.CornersAt(point))
+  {
+    const int next = NextHalfEdge(corner);
+    if (side.Flat.PointAt(next) == side.Next[point])
+    {
+      // A side of a patch has one of these directions in any coordinates, exactly.
+      const Eigen::RowVector2d along = side.Flat.ChartAt(corner).Inverse().Rotate(
+        side.Flat.PositionAt(next) - side.Flat.PositionAt(corner));
+      return along.unaryExpr([](double x) { return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : 0.0; }).eval();
     }
   }
-  const Eigen::Vector2d share = (edges.transpose() * edges).inverse() * (edges.transpose() * step);
-  const Eigen::RowVector2d move = place.Motion.Inverse().Rotate((plane * share).transpose());
-  if (!move.allFinite())
+  return std::nullopt;
+}
+
+bool MapRelaxation::Relocate(const Relaxed& side, Star& star)
+{
+  Relaxed& other = this->OtherOf(side);
+  for (HeldPoint& held : star.Held)
+  {
+    const auto found = std::find_if(star.Corners.begin(), star.Corners.end(),
+      [&](int corner)
+      { return IsCovered(side.Flat, corner / 3, side.Flat.ChartAt(corner)(held.Across)); });
+    if (found == star.Corners.end())
+    {
+      return false;
+    }
+    other.Places[held.Point] = { *found / 3,
+      Compose(side.Flat.ChartAt(*found),
+        Compose(side.Flat.ChartAt(held.Corner).Inverse(), held.Place.Motion)) };
+    other.Images.row(held.Point) = this->ImageAt(other, held.Point);
+  }
+  return true;
+}
+
+bool MapRelaxation::Relax(Relaxed& side, int point)
+{
+  Relaxed& other = this->OtherOf(side);
+  Star star = this->StarOf(side, point);
+  const Total before = this->EnergyOf(side, star);
+  const Eigen::RowVector2d step = this->StepOf(side, point, star);
+  if (!step.allFinite())
   {
     return false;
   }
+  const ConePlace place = side.Places[point];
+  const Eigen::RowVector2d position = side.Flat.PositionOf(point);
+  const Eigen::RowVector3d image = side.Images.row(point);
   constexpr int halvings = 10;
-  double factor = 2.0;
+  double factor = 1.0;
   for (int trial = 0; trial < halvings; ++trial, factor *= 0.5)
   {
     const Eigen::RowVector2d to =
-      ((position + factor * move) / BaseGridStep).array().round() * BaseGridStep;
-    this->Moved.MoveTo(point, to);
-    bool isBetter = true;
-    for (const int side : corners)
+      position + ((factor * step / BaseGridStep).array().round() * BaseGridStep).matrix();
+    side.Flat.MoveTo(point, to);
+    const bool isEmbedded = std::all_of(star.Corners.begin(), star.Corners.end(),
+      [&](int corner) { return side.Flat.IsCounterClockwise(corner / 3); });
+    const std::optional<ConePlace> found =
+      isEmbedded ? other.Flat.Walk(place, position, to) : std::nullopt;
+    if (found)
     {
-      isBetter = isBetter && this->Moved.IsCounterClockwise(side / 3);
-    }
-    if (isBetter)
-    {
-      const std::optional<ConePlace> found = this->Fixed.Walk(place, position, to);
-      isBetter = found.has_value();
-      if (isBetter)
+      side.Places[point] = *found;
+      side.Images.row(point) = this->ImageAt(side, point);
+      if (this->Relocate(side, star) && this->EnergyOf(side, star) < before)
       {
-        this->Images.row(point) = this->ImageAt(point, *found);
-        double after = 0.0;
-        for (const int side : corners)
+        const auto move = [](Relaxed& holder, int held, int from, int into)
         {
-          after += this->EnergyOf(side / 3);
-        }
-        if (after < before)
+          std::vector<int>& old = holder.Held[from];
+          old.erase(std::find(old.begin(), old.end(), held));
+          holder.Held[into].push_back(held);
+        };
+        move(other, point, place.Triangle, found->Triangle);
+        for (const HeldPoint& held : star.Held)
         {
-          this->Found[point] = *found;
-          return true;
+          move(side, held.Point, held.Place.Triangle, other.Places[held.Point].Triangle);
         }
+        return true;
       }
     }
-    this->Moved.MoveTo(point, position);
-    this->Images.row(point) = image;
+    side.Flat.MoveTo(point, position);
+    side.Places[point] = place;
+    side.Images.row(point) = image;
+    for (const HeldPoint& held : star.Held)
+    {
+      other.Places[held.Point] = held.Place;
+      other.Images.row(held.Point) = held.Image;
+    }
   }
   return false;
 }
 
-void MapRelaxation::RemoveSplits()
+double MapRelaxation::Energy(int side, const Goal& goal) const
 {
-  const std::vector<std::array<int, 2>>& ends = this->From.SplitEdges;
-  const int given = this->Moved.PointCount() - static_cast<int>(ends.size());
-  for (int point = this->Moved.PointCount() - 1; point >= given; --point)
+  Total total;
+  for (int t = 0; t < this->Sides[side].Flat.TriangleCount(); ++t)
   {
-    if (this->Moved.IsUsed(point))
+    if (this->Sides[side].Flat.PointAt(3 * t) >= 0)
     {
-      this->Moved.Remove(point, ends[point - given]);
+      AddEnergy(this->Sides[side], t, goal, total);
     }
   }
-  this->UpdateRest();
+  return total.Infinite > 0 ? std::numeric_limits<double>::infinity() : total.Sum;
 }
 
-void MapRelaxation::Run(const Progress& progress)
+void MapRelaxation::Run(const Goal& goal, const Progress& progress)
 {
-  constexpr int sweeps = 40, between = 5; // between attempts to remove points
-  constexpr int grain = 1024;             // points between reports
-  constexpr double enough = 1e-7;         // relative decrease in a sweep
-  double before = Infinite;
+  this->Lowered = goal;
+  constexpr int sweeps = 100, between = 5; // between attempts to remove points
+  constexpr int grain = 256;               // points between reports
+  constexpr double enough = 1e-6;          // relative decrease in a sweep
+  const auto both = [&] { return this->Energy(0, goal) + this->Energy(1, goal); };
+  double before = std::numeric_limits<double>::infinity();
   for (int sweep = 0; sweep < sweeps; ++sweep)
   {
     if (sweep % between == 0)
     {
-      this->RemoveSplits();
+      this->RemoveSplits(this->Sides[0]);
+      this->RemoveSplits(this->Sides[1]);
+      before = both(); // it may have risen
     }
     bool hasMoved = false;
-    for (int point = 0; point < this->Moved.PointCount(); ++point)
+    for (Relaxed& side : this->Sides)
     {
-      if (point % grain == 0)
+      for (int point = 0; point < side.Flat.PointCount(); ++point)
       {
-        progress(static_cast<double>(sweep) / sweeps);
-      }
-      if (this->Moved.IsUsed(point) && !this->Moved.IsCone(point))
-      {
-        hasMoved = this->Relax(point) || hasMoved;
+        if (point % grain == 0)
+        {
+          progress(static_cast<double>(sweep) / sweeps);
+        }
+        if (side.Flat.IsUsed(point) && !side.Flat.IsCone(point))
+        {
+          hasMoved = this->Relax(side, point) || hasMoved;
+        }
       }
     }
-    const double energy = this->Energy();
+    const double energy = both();
     if (!hasMoved || before - energy < enough * energy)
     {
       return;
     }
     before = energy;
   }
-}
-
-// From a point of the other surface in a triangle of this one, straight lines in the triangle lead
-// to its corners. From a point that has been located, its edges lead to others.
-std::vector<ConePlace> LocatePoints(
-  const ConeSurface& surface, const ConeSurface& other, const std::vector<ConePlace>& places)
-{
-  std::vector<ConePlace> found(surface.PointCount());
-  std::vector<int> open;
-  const auto locate = [&](
-                        int side, const LatticeMotion& back, const std::optional<ConePlace>& place)
-  {
-    if (place)
-    {
-      const int point = surface.PointAt(side);
-      found[point] = { place->Triangle,
-        Compose(place->Motion, Compose(back, surface.ChartAt(side))) };
-      open.push_back(point);
-    }
-  };
-  const auto isOpen = [&](int point)
-  { return !surface.IsCone(point) && found[point].Triangle < 0; };
-  for (int point = 0; point < other.PointCount(); ++point)
-  {
-    if (!other.IsUsed(point) || other.IsCone(point))
-    {
-      continue;
-    }
-    const int first = 3 * places[point].Triangle;
-    const LatticeMotion back = places[point].Motion.Inverse();
-    for (int side = first; side < first + 3; ++side)
-    {
-      if (isOpen(surface.PointAt(side)))
-      {
-        locate(side, back, other.WalkFrom(point, back(surface.PositionAt(side))));
-      }
-    }
-  }
-  for (std::size_t next = 0; next < open.size(); ++next)
-  {
-    const int from = open[next];
-    for (const int side : surface.CornersAt(from))
-    {
-      const int along = NextHalfEdge(side);
-      const LatticeMotion back = surface.ChartAt(side).Inverse();
-      if (isOpen(surface.PointAt(along)))
-      {
-        locate(along, back,
-          other.Walk(found[from], surface.PositionOf(from), back(surface.PositionAt(along))));
-      }
-    }
-  }
-  for (int point = 0; point < surface.PointCount(); ++point)
-  {
-    if (surface.IsUsed(point) && isOpen(point))
-    {
-      throw SolveFailure("point " + std::to_string(point) +
-        " has no place on the other surface within double precision; remesh the surfaces");
-    }
-  }
-  return found;
-}
-
-SurfacePoints GetImages(Eigen::Index points, const PatchedSurface& from, const ConeSurface& surface,
-  const std::vector<ConePlace>& places, const PatchedSurface& to, const ConeSurface& other)
-{
-  SurfacePoints images{ Eigen::VectorXi(points), Eigen::MatrixXd(points, 3) };
-  const auto set = [&](int point, const SurfacePoint& image)
-  {
-    images.Triangles(point) = image.Triangle;
-    images.Barycentrics.row(point) = Cleaned(image.Barycentric);
-  };
-  for (int point = 0; point < static_cast<int>(points); ++point)
-  {
-    if (!surface.IsCone(point))
-    {
-      const ConePlace& place = places[point];
-      set(point,
-        other.OnGiven(place.Triangle,
-          Cleaned(other.BarycentricOf(place.Triangle, place.Motion(surface.PositionOf(point))))));
-    }
-  }
-  for (std::size_t path = 0; path < from.Paths.size(); ++path)
-  {
-    set(from.Paths[path].front(), AtCone(other, to.Paths[path].front()));
-    set(from.Paths[path].back(), AtCone(other, to.Paths[path].back()));
-  }
-  return images;
 }
 
 } // namespace shape

@@ -35,6 +35,8 @@ public:
   int Leaving(int point) const { return this->Out[point]; }
   /// Returns the next half-edge, counter-clockwise, that begins at the same point.
   int TurnLeft(int side) const { return this->Twins[PreviousHalfEdge(side)]; }
+  /// Returns the next half-edge, clockwise, that begins at the same point.
+  int TurnRight(int side) const { return NextHalfEdge(this->Twins[side]); }
   /// Returns the half-edge from one point to another, or -1.
   int Find(int from, int to) const;
   int SideCount() const { return static_cast<int>(this->Corners.size()); }
