@@ -11,6 +11,8 @@ import sys
 import numpy
 from paraview.simple import *
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkCellCenters, vtkPolyDataNormals
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkIOImage import vtkPNGWriter
@@ -90,6 +92,38 @@ def MeditReader():
     return (0.2, -1.0, 0.3), (0, 0, 1)
 
 
+def CommonBase():
+    """The same patches on a two-holed torus and on a twisted one, and the paths between them."""
+    a = ShapeExample(Shape='Two-Holed Torus')
+    b = Calculator(Input=a, CoordinateResults=1, ResultArrayName='Twisted', Function=(
+        '1.1*coordsX*iHat+(coordsY*cos(0.5*coordsX)-coordsZ*sin(0.5*coordsX))*jHat'
+        '+(coordsY*sin(0.5*coordsX)+coordsZ*cos(0.5*coordsX))*kHat'))
+    for surface in (a, b):
+        surface.UpdatePipeline()
+    places, targets = (shapetesting.points(shapetesting.output(surface)) for surface in (a, b))
+    chosen = [int(places[:, 0].argmin())]
+    while len(chosen) < 8:
+        apart = [numpy.linalg.norm(places - places[point], axis=1) for point in chosen]
+        chosen.append(int(numpy.min(apart, axis=0).argmax()))
+    marks = vtkPolyData()
+    marks.SetPoints(vtkPoints())
+    shapetesting.set_points(marks, places[chosen])
+    shapetesting.add_array(marks, targets[chosen], 'TargetPosition')
+    landmarks = TrivialProducer()
+    landmarks.GetClientSideObject().SetOutput(marks)
+    both = ShapeCorrespondence(SurfaceA=a, SurfaceB=b, Landmarks=landmarks, Method='CommonBase')
+    paths = OutputPort(both, 5)
+    carried = Calculator(Input=paths, CoordinateResults=1, Function='TargetPosition')
+    half = 0.62 * numpy.ptp(places[:, 1])
+    for port, lines, y in ((0, paths, half), (1, carried, -half)):
+        # A triangle has the patch of most of its corners.
+        numbers = Calculator(Input=OutputPort(both, port), ResultArrayName='Number', Function='Patch')
+        patches = PointDatatoCellData(Input=numbers, CategoricalData=1)
+        show(patches, (0, y, 0), array='Number', kind='CELLS', preset='Turbo')
+        show(Tube(Input=lines, Radius=0.008 * numpy.ptp(places[:, 0]), NumberofSides=12), (0, y, 0))
+    return ABOVE
+
+
 def Example():
     show(ShapeExample(Shape='Two-Holed Torus'))
     return ABOVE
@@ -98,7 +132,7 @@ def Example():
 
 
 view = illustrations.open_view(SIZE)
-scenes = {scene.__name__: scene for scene in (Landmarks, LandmarksReader, OFFReader, MeditReader, Example)}
+scenes = {scene.__name__: scene for scene in (Landmarks, LandmarksReader, OFFReader, MeditReader, Example, CommonBase)}
 # The picture of what Shape Medit Reader and Shape Deck Reader read shows what the writer wrote, too. Others' programs read the files of
 # the other writers, or a test does. The web page of Shape HTML Writer
 # is tested in a browser.

@@ -357,7 +357,7 @@ TEST(CommonBase, HandleLoopsGoToHandleLoopsWhereTunnelLoopsAreShorter)
 
 TEST(CommonBase, CurvesGoOntoCurvesOnSpheres)
 {
-  const shape::Mesh sphere = shapetest::Icosphere(2), pebble = shapetest::Pebble(sphere);
+  const shape::Mesh sphere = shapetest::Icosphere(3), pebble = shapetest::Pebble(sphere);
   const shape::Landmarks landmarks = EveryNth(sphere, 7);
   Eigen::MatrixXd arc(3, 3), meridian(2, 3);
   arc << sphere.Points.row(landmarks[0][0]), 0.0, 0.0, 1.0, sphere.Points.row(landmarks[3][0]);
@@ -367,7 +367,7 @@ TEST(CommonBase, CurvesGoOntoCurvesOnSpheres)
   ExpectKept(sphere, pebble, landmarks, { { along, along } });
   ExpectKept(sphere, pebble, landmarks, { { circle, circle } });
   // The images slide along the circle of another radius, on a mesh that is not that of A.
-  const shape::Mesh fine = shapetest::Icosphere(3);
+  const shape::Mesh fine = shapetest::Icosphere(4);
   shape::Landmarks pair;
   for (const int point : { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11 })
   {
