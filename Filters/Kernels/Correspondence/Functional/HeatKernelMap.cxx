@@ -84,13 +84,68 @@ Eigen::MatrixXd Heat(
   return functions * weights;
 }
 
+/// At the first time, the highest eigenfunction has decayed to this.
+constexpr double Decay = 1e-4;
+
+/// n x (points * times): the logarithm of the heat received from each of `points` at each time,
+/// relative to the heat that the point itself keeps.
+Eigen::MatrixXd LogHeat(
+  const LaplaceEigenpairs& spectrum, const std::vector<int>& points, const Eigen::VectorXd& times)
+{
+  const Eigen::MatrixXd& functions = spectrum.Eigenfunctions;
+  Eigen::MatrixXd heat(functions.rows(), static_cast<Eigen::Index>(points.size()) * times.size());
+  Eigen::Index at = 0;
+  for (const int point : points)
+  {
+    for (const double time : times)
+    {
+      const Eigen::VectorXd own =
+        (-time * spectrum.Eigenvalues.array()).exp() * functions.row(point).transpose().array();
+      // The eigenfunctions that are not computed count for less than this.
+      heat.col(at) = functions * own;
+      heat.col(at) = (heat.col(at) / heat(point, at)).array().max(Decay).log();
+      ++at;
+    }
+  }
+  return heat;
+}
+
+/// Times from that at which the highest eigenfunction has decayed, to that at which even the lowest
+/// has. Earlier, the eigenfunctions beyond the last one would count; later, no heat is left. The
+/// times are common to both surfaces, so the rows can be compared.
+Eigen::VectorXd Times(
+  const std::array<double, 2>& rangeA, const std::array<double, 2>& rangeB, int count)
+{
+  const double decay = -std::log(Decay);
+  return Eigen::VectorXd::LinSpaced(count, std::log(decay / std::min(rangeA[0], rangeB[0])),
+    std::log(decay / std::max(rangeA[1], rangeB[1])))
+    .array()
+    .exp();
+}
+
+/// The points with the most similar heat, both ways.
+/// Ovsjanikov et al., equation 3: the image of x minimises the difference of heat at all times.
+SurfaceMaps Nearest(const Surface& a, const Eigen::MatrixXd& heatA, const Surface& b,
+  const Eigen::MatrixXd& heatB, const Progress& progress)
+{
+  return { FindNearestSurfacePoints(
+             heatA, b.Triangles(), heatB, progress.Part(0.0, 0.5, "finding the nearest points")),
+    FindNearestSurfacePoints(
+      heatB, a.Triangles(), heatA, progress.Part(0.5, 1.0, "finding the nearest points")) };
+}
+
+void RequireHeatOptions(const HeatKernelMapOptions& options)
+{
+  RequireOption(options.Eigenpairs >= 2, "Eigenpairs", options.Eigenpairs, "at least 2");
+  RequireOption(options.Times >= 1, "Times", options.Times, "at least 1");
+}
+
 } // namespace
 
 SurfaceMaps ComputeHeatKernelMap(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const HeatKernelMapOptions& options, const Progress& progress)
 {
-  RequireOption(options.Eigenpairs >= 2, "Eigenpairs", options.Eigenpairs, "at least 2");
-  RequireOption(options.Times >= 1, "Times", options.Times, "at least 1");
+  RequireHeatOptions(options);
   const Topology topologyA = RequireWhole(a, "surface A"), topologyB = RequireWhole(b, "surface B");
   RequireLandmarks(landmarks, a, b);
   const Landmarks used = landmarks.empty()
@@ -103,22 +158,39 @@ SurfaceMaps ComputeHeatKernelMap(const Surface& a, const Surface& b, const Landm
                             progress.Part(0.2, 0.5, "computing the eigenfunctions")),
                           spectrumB = UnitSpectrum(b, options.Eigenpairs,
                             progress.Part(0.5, 0.8, "computing the eigenfunctions"));
-  const auto [largestA, minimumA] = Range(spectrumA, "surface A");
-  const auto [largestB, minimumB] = Range(spectrumB, "surface B");
-  // At the first time the highest eigenfunction has decayed to 1e-4; at the last one even the
-  // lowest has. Earlier, the eigenfunctions beyond the last one would count; later, no heat is
-  // left. The times are common to both surfaces, so the rows can be compared.
-  const double decay = 4.0 * std::log(10.0);
-  const Eigen::VectorXd times = Eigen::VectorXd::LinSpaced(options.Times,
-    std::log(decay / std::min(largestA, largestB)), std::log(decay / std::max(minimumA, minimumB)))
-                                  .array()
-                                  .exp();
-  const Eigen::MatrixXd heatA = Heat(spectrumA, onA, times), heatB = Heat(spectrumB, onB, times);
-  // Ovsjanikov et al., equation 3: the image of x minimises the difference of heat at all times.
-  return { FindNearestSurfacePoints(
-             heatA, b.Triangles(), heatB, progress.Part(0.8, 0.9, "finding the nearest points")),
-    FindNearestSurfacePoints(
-      heatB, a.Triangles(), heatA, progress.Part(0.9, 1.0, "finding the nearest points")) };
+  const Eigen::VectorXd times =
+    Times(Range(spectrumA, "surface A"), Range(spectrumB, "surface B"), options.Times);
+  return Nearest(
+    a, Heat(spectrumA, onA, times), b, Heat(spectrumB, onB, times), progress.Part(0.8, 1.0));
+}
+
+SurfaceMaps ComputePartialHeatKernelMap(const Surface& part, const Surface& whole,
+  const Landmarks& landmarks, double scale, const HeatKernelMapOptions& options,
+  const Progress& progress)
+{
+  RequireHeatOptions(options);
+  RequireConnected(part, "the part");
+  const Topology topology = RequireWhole(whole, "the whole");
+  RequireLandmarks(landmarks, part, whole);
+  const std::vector<int> onPart = PointsOf(landmarks, 0), onWhole = PointsOf(landmarks, 1);
+  RequireReached(topology, onWhole, "the whole");
+  // One unit for both: eigenvalues are comparable only at one scale.
+  const double length = std::sqrt(ComputePointAreas(whole).sum());
+  const Surface one(part.Points() * (scale / length), part.Triangles()),
+    two(whole.Points() / length, whole.Triangles());
+  const auto spectrum = [&](const Surface& surface, const Progress& own)
+  {
+    return SolveLaplaceEigenproblem(
+      surface, std::min(options.Eigenpairs, static_cast<int>(surface.Points().rows())), own);
+  };
+  const LaplaceEigenpairs ofPart =
+                            spectrum(one, progress.Part(0.0, 0.4, "computing the eigenfunctions")),
+                          ofWhole =
+                            spectrum(two, progress.Part(0.4, 0.8, "computing the eigenfunctions"));
+  const Eigen::VectorXd times =
+    Times(Range(ofPart, "the part"), Range(ofWhole, "the whole"), options.Times);
+  return Nearest(one, LogHeat(ofPart, onPart, times), two, LogHeat(ofWhole, onWhole, times),
+    progress.Part(0.8, 1.0));
 }
 
 } // namespace shape

@@ -35,4 +35,27 @@ struct HeatKernelMapOptions
 SurfaceMaps ComputeHeatKernelMap(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const HeatKernelMapOptions& options = {}, const Progress& progress = {});
 
+/**
+ * Computes the map from a bent part of a surface to the full surface, and the map back, by heat
+ * (Ovsjanikov and others, section on partial matching).
+ *
+ * Both surfaces are brought to the same scale. Heat that has reached the cut differs between the
+ * two, and so do the total heat and norms over the surfaces. Compared is therefore the logarithm of
+ * the heat at x divided by that at the landmark, both with the constant function. For short times,
+ * it is -d^2 / (4 t), where d is the distance from the landmark (Varadhan, "On the behavior of the
+ * fundamental solution of the heat equation with variable coefficients", 1967), so it depends
+ * little on a far cut. Ratios below 1e-4 are raised to 1e-4: the first of the times is that at
+ * which the highest eigenfunction has decayed to this, so that further ones would change less.
+ *
+ * part: RequireConnected must accept it. whole: as above, with a landmark on each component.
+ * landmarks: {point of the part, point of the full surface}, at least one; several tell more, since
+ * far points receive little heat. scale: lengths on the full surface divided by those on the part.
+ * In the result, AToB maps the part to the full surface. Points of the full surface without a
+ * partner go to the part's point with the most similar heat. Throws InvalidInput, SolveFailure,
+ * Aborted.
+ */
+SurfaceMaps ComputePartialHeatKernelMap(const Surface& part, const Surface& whole,
+  const Landmarks& landmarks, double scale, const HeatKernelMapOptions& options = {},
+  const Progress& progress = {});
+
 } // namespace shape

@@ -1,10 +1,12 @@
 #include "Base/Errors.h"
 #include "Correspondence/Evaluate/SurfaceMapFacts.h"
 #include "Correspondence/Functional/FunctionalMap.h"
+#include "Correspondence/Functional/HeatKernelMap.h"
 #include "Correspondence/Functional/PartialFunctionalMap.h"
 #include "Correspondence/Pair/SurfacePart.h"
 #include "Spectrum/SpectralSignatures.h"
 #include "Support/MatchingShapes.h"
+#include "Support/SimpleSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -186,6 +188,34 @@ TEST(PartialFunctionalMap, FindsAPartInTheWholeAndWhatOfThatHasAPartner)
 
   EXPECT_THROW(shape::ComputePartialFunctionalMap(
                  pair.Part.Surface, pair.Whole, { pair.Pairs[0], pair.Pairs[1] }, 3.0),
+    shape::InvalidInput);
+}
+
+TEST(HeatKernelMap, FindsAPartInTheWhole)
+{
+  const PartAndWhole pair;
+  const double length = std::sqrt(shape::ComputePointAreas(pair.Whole).sum());
+  const auto error = [&](const shape::SurfaceMaps& maps)
+  { return shapetest::MapErrors(maps.AToB, pair.Whole, pair.Wanted()).mean() / length; };
+  const shape::SurfaceMaps maps =
+    shape::ComputePartialHeatKernelMap(pair.Part.Surface, pair.Whole, pair.Pairs, 3.0);
+  // Each of both taken with its own area as 1, and heat compared over all of it, far parts differ.
+  const shape::SurfaceMaps spread =
+    shape::ComputeHeatKernelMap(pair.Part.Surface, pair.Whole, pair.Pairs);
+  EXPECT_LT(error(maps), error(spread));
+  EXPECT_LT(error(maps), 0.01);
+  // The unit does not count.
+  shape::Mesh large = pair.Part.Surface;
+  large.Points *= 5.0;
+  const shape::SurfaceMaps scaled =
+    shape::ComputePartialHeatKernelMap(large, pair.Whole, pair.Pairs, 0.6);
+  EXPECT_LT((shapetest::PositionsOn(scaled.AToB, pair.Whole) -
+              shapetest::PositionsOn(maps.AToB, pair.Whole))
+              .cwiseAbs()
+              .maxCoeff(),
+    1e-6 * length);
+  EXPECT_THROW(shape::ComputePartialHeatKernelMap(
+                 shapetest::Twice(pair.Part.Surface), pair.Whole, pair.Pairs, 3.0),
     shape::InvalidInput);
 }
 
