@@ -26,6 +26,8 @@ RUNS = (
     ('HeatKernel', 5, ('isometric', 'noisy')),
     ('HeatKernel', 12, ('stretched',)),
     ('BlendedIntrinsic', 12, ('isometric', 'stretched')),
+    ('BlendedIntrinsic', 0, ('isometric', 'stretched')),
+    ('BlendedIntrinsicByVotes', 0, ('isometric', 'stretched')),
     ('CommonSphere', 12, ('isometric', 'stretched')),
     ('CommonOrbifold', 5, ('isometric', 'stretched')),
     ('CommonOrbifold', 12, ('isometric', 'stretched')),

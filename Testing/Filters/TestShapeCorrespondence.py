@@ -134,6 +134,31 @@ for method, most in ((HARMONIC, 0.02), (FUNCTIONAL, 0.02), (WASSERSTEIN, 0.05), 
     if method == HARMONIC:
         assert fact(there, 'Correspondence.RoundTrip') < 0.01
 
+# Landmarks found by votes, on a copy of a pebble without symmetry: the votes are a coupling, whose sums are the
+# weights of the samples.
+round_surface = read('DentedSphere600.vtp')
+x, y, z = (points(round_surface) / numpy.linalg.norm(points(round_surface), axis=1)[:, None]).T
+pebble = (1 + 0.2 * numpy.sin(3 * x + y) - 0.15 * numpy.cos(2 * z - x))[:, None] * numpy.stack([1.4 * x, y, z], 1)
+stones = numpy.random.default_rng(2).permutation(len(pebble))
+there = 3.0 * pebble @ turn.T
+voting = shapetesting.new(
+    shapemap.vtkShapeCorrespondence, surface_of(pebble, triangles(round_surface)),
+    surface_of(there[stones], numpy.argsort(stones)[triangles(round_surface)]), None, Method=FUNCTIONAL,
+    FindLandmarksBy=1)
+voted = shapetesting.outputs(voting)
+assert abs(array(voted[0], 'TargetPosition') - there).max() < 1e-3 * abs(there).max()
+assert fact(voted[0], 'Correspondence.LandmarksFound') == 1
+assert fact(voted[0], 'Correspondence.VotingMaps') >= 1 and fact(voted[0], 'Correspondence.Landmarks') == 12
+assert 0 < fact(voted[0], 'Correspondence.VotingConfidence') <= 1
+assert fact(voted[0], 'Correspondence.Distortion') == -1
+for side, name in ((0, 'SampleOfA'), (1, 'SampleOfB')):
+    weights = array(voted[side], 'SampleWeight')
+    sums = numpy.bincount(vtk_to_numpy(voted[4].GetColumnByName(name)),
+                          vtk_to_numpy(voted[4].GetColumnByName('Mass')), minlength=len(weights))
+    assert abs(weights.sum() - 1) < 1e-12 and abs(sums - weights).max() < 1e-6, name
+voting.SetPart(2)
+assert 'set FindLandmarksBy to Distances' in shapetesting.run(voting)[0]
+
 # Four of them through an orbifold in the plane, twelve through a hyperbolic one; two are too few.
 for count in (4, 12):
     few = marks(points(a)[chosen[:count]], wanted[chosen[:count]])

@@ -14,6 +14,7 @@
 #include "Correspondence/Pair/CoarsePair.h"
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Correspondence/Private/CompactSurface.h"
+#include "Correspondence/Private/LandmarkSearch.h"
 #include "Correspondence/Private/MethodInput.h"
 #include "Correspondence/Private/MethodOptions.h"
 #include "Correspondence/Reversible/ReversibleHarmonic.h"
@@ -70,62 +71,52 @@ bool NeedsLandmarks(const Landmarks& landmarks, const Options& options)
     options.Method != Options::MethodType::GeneralizedMDS;
 }
 
-/// Finds landmarks if result.Found is true, and decides which surface is a part of the other one.
-void Begin(const Surface& a, const Surface& b, Landmarks& landmarks, const Options& given,
-  CorrespondenceResult& result, const Progress& progress)
+/// The maps of a part and the full surface. map: takes the part, the other one, landmarks, scale.
+template <typename Map>
+SurfaceMaps MapPart(const Surface& a, const Surface& b, const Landmarks& landmarks,
+  const SurfacePart& part, const Map& map)
 {
-  using Part = Options::PartType;
-  using Which = SurfacePart::WhichType;
-  // Generalised scaling treats both surfaces as complete, and has no landmarks to find a part by.
-  const bool isScaling = given.Method == Options::MethodType::GeneralizedMDS;
-  const Part part = landmarks.empty() && isScaling ? Part::None : given.Part;
-  const bool isA = part == Part::SurfaceA, isB = part == Part::SurfaceB;
-  if (!result.Found)
+  if (part.Which == SurfacePart::WhichType::SurfaceA)
   {
-    result.Part = isA || isB
-      ? MeasurePart(a, b, landmarks, isA ? Which::SurfaceA : Which::SurfaceB, progress)
-      : FindPart(a, b, part == Part::None ? Landmarks() : landmarks, progress);
-    return;
+    return map(a, b, landmarks, part.Scale);
   }
-  AutomaticLandmarksOptions options;
-  options.BothWhole = !isA && !isB;
-  options.PartA = isA || part == Part::Automatic;
-  options.PartB = isB || part == Part::Automatic;
-  result.Start = FindLandmarks(a, b, options, progress);
-  landmarks = result.Start.Pairs;
-  const double share = result.Start.Share,
-               ratio = ComputePointAreas(b).sum() / ComputePointAreas(a).sum();
-  result.Part = { result.Start.Part,
-    std::sqrt(result.Start.Part == Which::SurfaceB ? ratio / share : ratio * share), share };
+  Landmarks turned;
+  for (const auto& [pointA, pointB] : landmarks)
+  {
+    turned.push_back({ pointB, pointA });
+  }
+  SurfaceMaps maps = map(b, a, turned, 1.0 / part.Scale);
+  return { std::move(maps.BToA), std::move(maps.AToB) };
 }
 
 /// The functional map of two surfaces, one of which may be a part of the other one.
 SurfaceMaps Functional(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const Options& options, const SurfacePart& part, const Progress& progress)
 {
-  PartialFunctionalMapOptions partial;
-  partial.Eigenpairs = options.NumberOfEigenpairs;
-  switch (part.Which)
+  if (part.Which != SurfacePart::WhichType::None)
   {
-    case SurfacePart::WhichType::SurfaceA:
-      return ComputePartialFunctionalMap(a, b, landmarks, part.Scale, partial, progress);
-    case SurfacePart::WhichType::SurfaceB:
-    {
-      Landmarks turned;
-      for (const auto& [pointA, pointB] : landmarks)
-      {
-        turned.push_back({ pointB, pointA });
-      }
-      SurfaceMaps maps =
-        ComputePartialFunctionalMap(b, a, turned, 1.0 / part.Scale, partial, progress);
-      return { std::move(maps.BToA), std::move(maps.AToB) };
-    }
-    case SurfacePart::WhichType::None:
-      break;
+    PartialFunctionalMapOptions partial;
+    partial.Eigenpairs = options.NumberOfEigenpairs;
+    return MapPart(a, b, landmarks, part,
+      [&](const Surface& own, const Surface& full, const Landmarks& pairs, double scale)
+      { return ComputePartialFunctionalMap(own, full, pairs, scale, partial, progress); });
   }
   FunctionalMapOptions whole = options.Functional;
   whole.Refinement.Last = options.NumberOfEigenpairs;
   return ComputeFunctionalMap(a, b, landmarks, whole, progress);
+}
+
+/// The same for the heat kernel map.
+SurfaceMaps HeatKernel(const Surface& a, const Surface& b, const Landmarks& landmarks,
+  const Options& options, const SurfacePart& part, const Progress& progress)
+{
+  if (part.Which == SurfacePart::WhichType::None)
+  {
+    return ComputeHeatKernelMap(a, b, landmarks, options.Heat, progress);
+  }
+  return MapPart(a, b, landmarks, part,
+    [&](const Surface& own, const Surface& full, const Landmarks& pairs, double scale)
+    { return ComputePartialHeatKernelMap(own, full, pairs, scale, options.Heat, progress); });
 }
 
 /// A part is located by landmarks alone.
@@ -189,6 +180,18 @@ std::vector<Landmarks> CouplingStarts(
   return starts;
 }
 
+void SetOnFine(const CoarsePair& pair, SampledCoupling& coupling)
+{
+  for (int& sample : coupling.SamplesOfA)
+  {
+    sample = pair.FinePointOfA(sample);
+  }
+  for (int& sample : coupling.SamplesOfB)
+  {
+    sample = pair.FinePointOfB(sample);
+  }
+}
+
 void RequireRows(const Eigen::MatrixXd& features, const Surface& surface, const std::string& name)
 {
   if (features.rows() != surface.Points().rows())
@@ -250,14 +253,7 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
       result.CouplingError = coupled.Error;
       result.FeatureCost = coupled.FeatureCost;
       result.Coupling = std::move(coupled.Coupling);
-      for (int& sample : result.Coupling.SamplesOfA)
-      {
-        sample = pair.FinePointOfA(sample);
-      }
-      for (int& sample : result.Coupling.SamplesOfB)
-      {
-        sample = pair.FinePointOfB(sample);
-      }
+      SetOnFine(pair, result.Coupling);
       if (result.Found)
       {
         landmarks = coupled.Start;
@@ -265,7 +261,7 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
       return pair.OnFine(coupled.Maps, lift);
     }
     case Options::MethodType::HeatKernel:
-      return pair.OnFine(ComputeHeatKernelMap(a, b, landmarks, options.Heat, progress), lift);
+      return pair.OnFine(HeatKernel(a, b, landmarks, options, result.Part, progress), lift);
     case Options::MethodType::BlendedIntrinsic:
       return pair.OnFine(
         ComputeBlendedIntrinsicMap(a, b, landmarks, options.Blended, progress), lift);
@@ -320,7 +316,8 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
 // 1. Remove the points that no triangle uses.
 // 2. Without landmarks, find some on coarse versions of the surfaces.
 // 3. Coarsen both surfaces to the size that the method needs, and keep the landmarks as points.
-// 4. With given landmarks, decide whether one surface is a part of the other one (Begin).
+// 4. With given landmarks, decide whether one surface is a part of the other one
+// (SearchLandmarks).
 // 5. Compute the maps by the method, and bring them to the given surfaces (Find).
 // 6. Evaluate the maps, and number everything as given.
 CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
@@ -361,11 +358,17 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
   {
     const CoarsePair pair(one.Surface, two.Surface, {}, options.CoarsePoints,
       progress.Part(0.0, 0.05, "coarsening the surfaces"));
-    Begin(
-      pair.A(), pair.B(), own, options, result, progress.Part(0.05, found, "finding landmarks"));
-    own = pair.OnFine(own);
+    LandmarkSearch search = SearchLandmarks(
+      pair.A(), pair.B(), own, find, options, progress.Part(0.05, found, "finding landmarks"));
+    own = pair.OnFine(search.Pairs);
+    result.Start = std::move(search.Start);
+    result.Part = search.Part;
+    result.VotingMaps = search.VotingMaps;
+    result.VotingConfidence = search.VotingConfidence;
+    result.Coupling = std::move(search.Votes);
     result.Start.Pairs = pair.OnFine(result.Start.Pairs);
     result.Start.Rival = pair.OnFine(result.Start.Rival);
+    SetOnFine(pair, result.Coupling);
   }
   Landmarks kept = own;
   kept.insert(kept.end(), result.Start.Rival.begin(), result.Start.Rival.end());
@@ -384,8 +387,9 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
   result.Start.Rival = pair.OnCoarse(result.Start.Rival);
   if (!find)
   {
-    Begin(pair.A(), pair.B(), own, options, result,
-      progress.Part(found + 0.05, found + 0.1, "comparing the landmarks"));
+    result.Part = SearchLandmarks(pair.A(), pair.B(), own, find, options,
+      progress.Part(found + 0.05, found + 0.1, "comparing the landmarks"))
+                    .Part;
   }
   RequireNoGuide(result.Part, options);
   guide = OnCoarse(guide, pair);

@@ -21,9 +21,13 @@ struct CorrespondenceResult
   /// A row for each point. A point that no triangle uses is mapped like the nearest corner of the
   /// closest triangle.
   SurfaceMaps Maps;
-  Landmarks Used;                 ///< the given landmarks, or those found automatically
-  bool Found = false;             ///< whether the landmarks were found automatically
-  AutomaticLandmarksResult Start; ///< the result of FindLandmarks, if Found is true
+  Landmarks Used;     ///< the given landmarks, or those found automatically
+  bool Found = false; ///< whether the landmarks were found automatically
+  /// The result of FindLandmarks, if Found is true and FindLandmarksBy is Distances.
+  AutomaticLandmarksResult Start;
+  int VotingMaps = 0; ///< MoebiusVotes: see MoebiusVotes::Maps; otherwise 0
+  /// MoebiusVotes: the mean confidence of the landmarks; otherwise -1.
+  double VotingConfidence = -1.0;
   SurfacePart Part; ///< which surface is a part of the other one, and the scale between them
   /// Number of points of the larger one of the two surfaces on which the method ran.
   int CoarsePoints = 0;
@@ -38,7 +42,9 @@ struct CorrespondenceResult
   double CouplingDistortion = -1.0; ///< GromovWasserstein: see GromovWassersteinResult::Distortion
   double CouplingError = -1.0;      ///< GromovWasserstein: see GromovWassersteinResult::Error
   double FeatureCost = -1.0;        ///< GromovWasserstein: see GromovWassersteinResult::FeatureCost
-  SampledCoupling Coupling;         ///< GromovWasserstein: of points of the given surfaces
+  /// GromovWasserstein: of points of the given surfaces. Of other methods with landmarks found by
+  /// MoebiusVotes: the votes, and each sample's share of them, which may be 0.
+  SampledCoupling Coupling;
   SurfaceMapFacts Facts;
   /// The matrix of Maps.BToA in the bases of a and b, with as many eigenfunctions as
   /// NumberOfEigenpairs and the points allow; empty unless CorrespondenceOptions::FunctionalMatrix.
@@ -54,10 +60,10 @@ struct CorrespondenceResult
 /**
  * Computes corresponding points of two surfaces, in both directions, by one of ten methods. The
  * header of each method says for which surfaces it is suitable. If no landmarks are given,
- * FindLandmarks finds them; each surface must then have one component. Landmarks found in this way
- * are not pinned, and CommonOrbifold uses only the first four of them. No landmarks are found for
- * GeneralizedMDS, which needs none, nor if options.Functional.Guide has descriptors or a matrix,
- * which take their place (CorrespondenceOptions::IsGuided).
+ * FindLandmarks or VoteByMoebiusMaps finds them; each surface must then have one component.
+ * Landmarks found in this way are not pinned, and CommonOrbifold uses only the first four of them.
+ * No landmarks are found for GeneralizedMDS, which needs none, nor if options.Functional.Guide has
+ * descriptors or a matrix, which take their place (CorrespondenceOptions::IsGuided).
  *
  * The guide has a row for each point of a and b. Its matrix refers to SolveLaplaceEigenproblem's
  * bases of a and b, as FunctionalMatrix does; its bases are not used.

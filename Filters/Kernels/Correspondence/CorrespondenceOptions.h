@@ -2,6 +2,7 @@
 
 #include "Correspondence/CommonBase/CommonBaseMap.h"
 #include "Correspondence/Conformal/BlendedIntrinsic.h"
+#include "Correspondence/Conformal/MoebiusVoting.h"
 #include "Correspondence/Functional/FunctionalMap.h"
 #include "Correspondence/Functional/HeatKernelMap.h"
 #include "Correspondence/Reversible/ReversibleHarmonic.h"
@@ -37,6 +38,13 @@ struct CorrespondenceOptions
   StartType Start = StartType::FunctionalMap;
   /// ReversibleHarmonic: whether each given landmark is mapped exactly to its partner.
   bool PinLandmarks = true;
+  /// How landmarks are found if none are given.
+  enum class FinderType
+  {
+    Distances = 0,   ///< FindLandmarks: distances between the tips of extremities; any genus
+    MoebiusVotes = 1 ///< VoteByMoebiusMaps: up to 12 pairs of samples; genus 0, complete
+  };
+  FinderType FindLandmarksBy = FinderType::Distances;
   int MaximumIterations = 100;  ///< ReversibleHarmonic: maximum number of iterations; >= 1
   int NumberOfEigenpairs = 120; ///< FunctionalMap: maximum number for each surface; >= 10
   int Samples = 500;            ///< GromovWasserstein: samples of each surface; >= 10
@@ -59,10 +67,10 @@ struct CorrespondenceOptions
   /// is always done for GeneralizedMDS.
   bool CompareDistances = false;
   int DistanceSamples = 50; ///< CompareDistances: samples of each surface; >= 2
-  /// Which surface is a part of the other one. FunctionalMap maps the part into the other surface.
-  /// If ReversibleHarmonic starts from this map, it returns the map unchanged. Iterations would
-  /// spread the part over the whole other surface. The other methods treat both surfaces as
-  /// complete.
+  /// Which surface is a part of the other one. FunctionalMap and HeatKernel map the part into the
+  /// other surface. If ReversibleHarmonic starts from this map, it returns the map unchanged.
+  /// Iterations would spread the part over the whole other surface. The other methods treat both
+  /// surfaces as complete.
   enum class PartType
   {
     Automatic = 0, ///< decided by FindPart if landmarks are given, else by FindLandmarks
@@ -90,6 +98,7 @@ struct CorrespondenceOptions
   HeatKernelMapOptions Heat;
   BlendedIntrinsicOptions Blended;
   CommonBaseOptions Base;
+  MoebiusVotingOptions Voting;
   ///@}
 
   /// Whether the method computes a functional map that Functional.Guide guides: FunctionalMap, and

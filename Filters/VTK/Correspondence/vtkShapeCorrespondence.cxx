@@ -251,10 +251,13 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
       vtkShapeConvert::AddFact(this->GetOutputDataObject(port), "Correspondence.LandmarkTargets",
         hasTargets ? "TargetLandmarks" : "TargetPosition");
     }
-    add("Distortion", result.Found ? result.Start.Distortion : -1.0);
-    add("MirroredDistortion", result.Found ? result.Start.MirroredDistortion : -1.0);
-    add("MirrorImage", !result.Found ? -1.0 : result.Start.MirrorImage ? 1.0 : 0.0);
-    add("Confidence", result.Found ? result.Start.Confidence : -1.0);
+    const bool byDistances = result.Found && result.VotingMaps == 0;
+    add("Distortion", byDistances ? result.Start.Distortion : -1.0);
+    add("MirroredDistortion", byDistances ? result.Start.MirroredDistortion : -1.0);
+    add("MirrorImage", !byDistances ? -1.0 : result.Start.MirrorImage ? 1.0 : 0.0);
+    add("Confidence", byDistances ? result.Start.Confidence : -1.0);
+    add("VotingMaps", result.VotingMaps);
+    add("VotingConfidence", result.VotingConfidence);
     add("DirichletEnergy", result.Facts.DirichletEnergy);
     add("RoundTrip", result.Facts.RoundTrip);
     add("ReversedArea", result.Facts.ReversedArea);

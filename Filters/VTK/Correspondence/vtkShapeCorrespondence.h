@@ -13,8 +13,8 @@
  *   used. Polylines are sampled at the mean edge length of SurfaceA. For CommonBase, they are
  * curves instead: they follow the edges of both surfaces, and are mapped onto each other. Points of
  * a polyline other than its ends are then no landmarks, unless they are vertex cells. Without this
- * input, the filter finds landmarks itself (shape::FindLandmarks), which requires surfaces of one
- * component.
+ * input, the filter finds landmarks itself (shape::FindLandmarks or shape::VoteByMoebiusMaps),
+ * which requires surfaces of one component.
  * - TargetLandmarks (optional): points on SurfaceB, paired with the points of Landmarks by order.
  *   They replace the array TargetPosition of Landmarks.
  * - FunctionalMap (optional): a table with a square matrix, a functional map from SurfaceA to
@@ -31,8 +31,9 @@
  *   polygons of the other surface are triangles and it has no strips. Otherwise, polygons and
  *   strips are cut into triangles, which are numbered in order after vertices and lines.
  * - `TargetBarycentric` (double, 3): the barycentric coordinates, in the order of the corners.
- * With GromovWasserstein, both outputs also have
- * - `SampleWeight` (double): the weight of each sample, and 0 at all other points. The sum is 1.
+ * With GromovWasserstein, or landmarks found by MoebiusVotes, both outputs also have
+ * - `SampleWeight` (double): the weight of each sample or its share of the votes, and 0 at all
+ *   other points. The sum is 1.
  * If ImageOfPoint is a point of SurfaceA, the output SurfaceB also has
  * - `ImageDistribution` (double): the density of this point's image. The sum over all points, times
  *   their areas (a third of the triangles around), is 1. See shape::ComputeImageDistribution.
@@ -59,8 +60,9 @@
  * ScaleOfA, ScaleOfB, the roots of the areas: C times ScaleOfA / ScaleOfB is the matrix of the
  * surfaces scaled to area 1. Otherwise, the table is empty. In parallel, the first process has it.
  *
- * Coupling: a vtkTable, empty except with GromovWasserstein. A row for each entry of the coupling
- * that is greater than SmallestMass:
+ * Coupling: a vtkTable, empty except with GromovWasserstein, or if landmarks were found by
+ * MoebiusVotes: then the masses are shares of the votes (shape::MoebiusVotes). A row for each entry
+ * of the coupling that is greater than SmallestMass:
  * - `SampleOfA`, `SampleOfB` (vtkIdType): points of the inputs. Points of several blocks or pieces
  *   are numbered as joined.
  * - `Mass` (double): the mass that goes from the first to the second. The total mass is 1. The sum
@@ -77,7 +79,10 @@
  *   itself, otherwise 0. .LandmarkTargets: where the positions on SurfaceB come from,
  *   "TargetPosition" or "TargetLandmarks"; only with Landmarks.
  * - .Distortion, .MirroredDistortion, .MirrorImage, .Confidence: see
- *   shape::AutomaticLandmarksResult. They are -1 if landmarks are given.
+ *   shape::AutomaticLandmarksResult. They are -1 unless landmarks were found by Distances.
+ * - .VotingMaps, .VotingConfidence: with landmarks found by MoebiusVotes, the number of Moebius
+ * maps that voted, and the mean confidence of the landmarks (shape::MoebiusVotes); otherwise 0 and
+ * -1.
  * - .DirichletEnergy, .RoundTrip, .ReversedArea: see shape::SurfaceMapFacts.
  * - .Part: 1 if SurfaceA is treated as a part of SurfaceB, 2 if SurfaceB is treated as a part of
  *   SurfaceA, otherwise 0. .Scale: lengths on SurfaceB divided by those on SurfaceA. .PartShare:
@@ -171,6 +176,15 @@ public:
   vtkShapeEnumOptionAs(Options.Base.Measure, BaseMeasure, shape::Distortion,
     shape::Distortion::SymmetricDirichlet, shape::Distortion::ARAP);
   vtkShapeOptionAs(Options.Base.Exponent, BaseExponent, double);
+  vtkShapeEnumOption(FindLandmarksBy, shape::CorrespondenceOptions::FinderType,
+    shape::CorrespondenceOptions::FinderType::Distances,
+    shape::CorrespondenceOptions::FinderType::MoebiusVotes);
+  vtkShapeOptionAs(Options.Voting.Samples, VotingSamples, int);
+  vtkShapeOptionAs(Options.Voting.Generators, VotingGenerators, int);
+  vtkShapeOptionAs(Options.Voting.Triples, VotingTriples, int);
+  vtkShapeOptionAs(Options.Voting.Tolerance, TripleTolerance, double);
+  vtkShapeOptionAs(Options.Voting.Share, VotingShare, double);
+  vtkShapeOptionAs(Options.Voting.Energy, VotingEnergy, double);
   vtkShapeOptionOf(Options.Blended, Candidates, int);
   vtkShapeOptionOf(Options.Blended, Agreement, double);
   virtual void SetNumberOfDescriptorArrays(int count);

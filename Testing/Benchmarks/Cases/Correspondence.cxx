@@ -26,7 +26,8 @@ LANDMARKS  which of its files of landmarks, such as landmarks5.txt; none: withou
            as mirrored:landmarks12.txt: B is mirrored, so that landmarks are on the wrong sides
 METHOD     FunctionalMap, ReversibleHarmonic, ReversibleHarmonicFromCells, GromovWasserstein,
            GromovWasserstein1000 (of so many samples), HeatKernel, BlendedIntrinsic, CommonSphere,
-           CommonOrbifold, WeightedAverages, LandmarkCells; or Given: FILE is read, a position on B for each point of A,
+           CommonOrbifold, WeightedAverages, LandmarkCells; FunctionalMap or BlendedIntrinsic with
+           ByVotes behind: landmarks found by MoebiusVotes; or Given: FILE is read, a position on B for each point of A,
            and measured
 FILE       else it is written: where each point of A goes; none: nothing is
 
@@ -89,6 +90,12 @@ shape::CorrespondenceResult Find(const std::string& method, const shape::Mesh& a
   using Options = shape::CorrespondenceOptions;
   Options manySamples{ Options::MethodType::GromovWasserstein };
   manySamples.Samples = 1000;
+  const auto byVotes = [](Options::MethodType name)
+  {
+    Options options{ name };
+    options.FindLandmarksBy = Options::FinderType::MoebiusVotes;
+    return options;
+  };
   const std::map<std::string, Options> known = {
     { "ReversibleHarmonic", {} },
     { "ReversibleHarmonicFromCells",
@@ -98,6 +105,8 @@ shape::CorrespondenceResult Find(const std::string& method, const shape::Mesh& a
     { "GromovWasserstein1000", manySamples },
     { "HeatKernel", { Options::MethodType::HeatKernel } },
     { "BlendedIntrinsic", { Options::MethodType::BlendedIntrinsic } },
+    { "BlendedIntrinsicByVotes", byVotes(Options::MethodType::BlendedIntrinsic) },
+    { "FunctionalMapByVotes", byVotes(Options::MethodType::FunctionalMap) },
     { "CommonSphere", { Options::MethodType::CommonSphere } },
     { "CommonOrbifold", { Options::MethodType::CommonOrbifold } },
     { "WeightedAverages", { Options::MethodType::WeightedAverages } },

@@ -1,9 +1,9 @@
 #include "Correspondence/Landmarks/AutomaticLandmarks.h"
 
 #include "Base/Errors.h"
+#include "Correspondence/Landmarks/FeaturedSurface.h"
 #include "Correspondence/Landmarks/LandmarkEmbedding.h"
 #include "Correspondence/Landmarks/Private/FeatureAssignment.h"
-#include "Correspondence/Landmarks/Private/FeaturedSurface.h"
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Search/NearestSurfacePoints.h"
 

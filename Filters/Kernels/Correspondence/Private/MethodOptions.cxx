@@ -75,6 +75,15 @@ void RequireMethodOptions(const CorrespondenceOptions& options)
   RequireAtLeast(1, options.Blended.Candidates, "Candidates");
   RequirePositive(options.Blended.Agreement, "Agreement");
   RequirePositive(options.Base.Exponent, "BaseExponent");
+
+  const MoebiusVotingOptions& voting = options.Voting;
+  RequireAtLeast(10, voting.Samples, "VotingSamples");
+  RequireAtLeast(3, voting.Generators, "VotingGenerators");
+  RequireAtLeast(1, voting.Triples, "VotingTriples");
+  RequirePositive(voting.Tolerance, "TripleTolerance");
+  RequireOption(
+    voting.Share > 0.0 && voting.Share <= 1.0, "VotingShare", voting.Share, "above 0, at most 1");
+  RequirePositive(voting.Energy, "VotingEnergy");
 }
 
 } // namespace shape

@@ -1,4 +1,4 @@
-#include "Correspondence/Landmarks/Private/FeaturedSurface.h"
+#include "Correspondence/Landmarks/FeaturedSurface.h"
 
 #include "Correspondence/Landmarks/LandmarkEmbedding.h"
 #include "Correspondence/Landmarks/Private/PersistentMaxima.h"
