@@ -237,6 +237,10 @@ found = outputs(a, b, line, CurveDescriptors=True, Descriptors=GIVEN)
 assert errors(found[0]).mean() < 0.01, errors(found[0]).mean()
 assert (array(outputs(a, b, line, CurveDescriptors=True)[0], 'TargetPosition') !=
         array(outputs(a, b, line)[0], 'TargetPosition')).any()
+# Their operators count, too.
+assert (array(outputs(a, b, line, CurveDescriptors=True, CurveWeight=10)[0], 'TargetPosition') !=
+        array(outputs(a, b, line, CurveDescriptors=True)[0], 'TargetPosition')).any()
+assert 'CurveWeight is -1' in refusal(a, b, line, CurveWeight=-1)
 
 # Blocks keep the arrays.
 blocks = vtkMultiBlockDataSet()

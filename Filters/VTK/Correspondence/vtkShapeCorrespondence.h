@@ -158,6 +158,7 @@ public:
   vtkShapeOptionOf(Options.Functional.Fit, LaplacianWeight, double);
   vtkShapeOptionOf(Options.Functional.Fit, DescriptorWeight, double);
   vtkShapeOptionOf(Options.Functional.Fit, OrientationWeight, double);
+  vtkShapeOptionOf(Options.Functional.Fit, CurveWeight, double);
   vtkShapeOptionOf(Options.Functional.Fit, OrthonormalityWeight, double);
   vtkShapeOptionOf(Options.Functional.Fit, InverseWeight, double);
   vtkShapeEnumOptionOf(Options.Functional.Fit, Mask, shape::FunctionalMapFitOptions::MaskType,

@@ -1,6 +1,7 @@
 #include "Correspondence/Functional/FunctionalMap.h"
 
 #include "Base/Errors.h"
+#include "Correspondence/Pair/MatchingInput.h"
 #include "Geodesics/FarthestPoints.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
@@ -25,6 +26,7 @@ struct Side
   Eigen::MatrixXd Descriptors;
   Eigen::Index Given = 0; ///< the number of descriptors that are given, the last ones
   std::vector<int> Samples;
+  std::vector<std::vector<int>> Curves;
 
   SampledSpectrum Sampled() const
   {
@@ -32,7 +34,7 @@ struct Side
   }
   SurfaceDescriptors Described() const
   {
-    return { this->Surface, this->Spectrum, this->Descriptors, this->Given };
+    return { this->Surface, this->Spectrum, this->Descriptors, this->Given, this->Curves };
   }
 };
 
@@ -104,7 +106,7 @@ Side Prepare(const Surface& surface, int pairs, const Landmarks& landmarks, int 
 {
   Side side{ { surface.Points() / std::sqrt(ComputePointAreas(surface).sum()),
                surface.Triangles() },
-    {}, {}, 0, {} };
+    {}, {}, 0, {}, {} };
   constexpr double tolerance = 1e-6; // smaller ones give no better maps, but take longer
   side.Spectrum = SolveLaplaceEigenproblem(
     side.Surface, pairs, progress.Part(0.0, 0.7, "computing the eigenfunctions"), tolerance);
@@ -114,6 +116,10 @@ Side Prepare(const Surface& surface, int pairs, const Landmarks& landmarks, int 
     side.Given = options.Use == FunctionalMapOptions::DescriptorType::BuiltIn
       ? 0
       : options.Guide.DescriptorsOfA.cols();
+  }
+  for (const Landmarks& curve : options.Guide.Curves)
+  {
+    side.Curves.push_back(PointsOf(curve, which));
   }
   side.Samples = SampleFarthestPoints(side.Surface, options.Samples, progress.Part(0.8, 1.0));
   return side;

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "Base/Progress.h"
+#include "Correspondence/Functional/FunctionalMapFitOptions.h"
 #include "Correspondence/Functional/ZoomOut.h"
-#include "Mesh/Surface.h"
-#include "Spectrum/LaplaceEigenproblem.h"
 
 #include <Eigen/Core>
 
@@ -13,44 +12,12 @@
 namespace shape
 {
 
-struct FunctionalMapFitOptions
-{
-  /// The penalty w_L of coefficients between eigenfunctions of different eigenvalues.
-  enum class MaskType
-  {
-    Laplacian = 0, ///< commutativity with the Laplacians, which is strict for large eigenvalues
-    Resolvent = 1  ///< commutativity with their resolvents, which treats all eigenvalues alike
-  };
-  MaskType Mask = MaskType::Laplacian;
-  int Size = 30;                  ///< eigenfunctions of each surface; >= 1
-  double LaplacianWeight = 1e-2;  ///< w_L: commutativity with the Laplacians; >= 0
-  double DescriptorWeight = 1e-1; ///< w_D: commutativity with multiplication by descriptors; >= 0
-  /// w_O: commutativity with the descriptors' rotated gradients; >= 0.
-  double OrientationWeight = 1e-2;
-  /// w_C: how strongly each of the two maps preserves inner products; >= 0.
-  double OrthonormalityWeight = 0.0;
-  /// w_I: how strongly the two maps are inverse to each other; >= 0.
-  double InverseWeight = 0.0;
-  /// A number n >= 1: only every n-th computed descriptor gives operators, since consecutive ones
-  /// are similar. Each given descriptor does.
-  int OperatorStride = 5;
-};
-
-/// A surface, its spectrum, and functions of its points that are invariant under bending.
-struct SurfaceDescriptors
-{
-  shape::Surface Surface;
-  const LaplaceEigenpairs& Spectrum;
-  const Eigen::MatrixXd& Descriptors; ///< n x q
-  /// How many of the descriptors, the last ones, are given and not computed.
-  Eigen::Index Given = 0;
-};
-
 /**
  * Computes the functional map that takes the descriptors of one surface to those of another one.
  * Its matrix C, in the bases of the first eigenfunctions of both surfaces, minimises
  *
  *   E(C) = |C A - B|^2 + w_L |C L1 - L2 C|^2 + w_D sum |C P1 - P2 C|^2 + w_O sum |C O1 - O2 C|^2
+ *     + w_K sum |C K1 - K2 C|^2
  *
  * by conjugate gradients. Here
  *
@@ -65,14 +32,18 @@ struct SurfaceDescriptors
  *   preservation via commutativity for shape matching", 2017);
  * - O1 and O2 take f to <normal, grad(descriptor) x grad(f)>, which distinguishes a map from its
  *   mirror image (Ren, Poulenard, Wonka and Ovsjanikov, "Continuous and orientation-preserving
- *   correspondences via functional maps", 2018, section 4).
+ *   correspondences via functional maps", 2018, section 4);
+ * - K1 and K2 multiply a function by a curve: the inner product of K f and g is the mean of f g
+ * over the curve's points. A matched curve gives a pair of such operators (the idea of Gehre,
+ * Bronstein, Kobbelt and Solomon, "Interactive curve constrained functional maps", 2018).
  *
  * Each descriptor is divided by its norm. In |C A - B|^2, the given descriptors together have the
  * weight of the computed ones, since few of them say as much. Each sum over operators is divided by
  * their number and by the mean of their squared norms.
  *
- * a, b: surfaces of area 1, each with q descriptors. Returns the Size x Size matrix C, which takes
- * coefficients on a to coefficients on b. w_C and w_I are not used. Throws Aborted.
+ * a, b: surfaces of area 1, each with q descriptors and equally many curves. Returns the Size x
+ * Size matrix C, which takes coefficients on a to coefficients on b. w_C and w_I are not used.
+ * Throws Aborted.
  */
 Eigen::MatrixXd FitFunctionalMap(const SurfaceDescriptors& a, const SurfaceDescriptors& b,
   const FunctionalMapFitOptions& options = {}, const Progress& progress = {});

@@ -49,6 +49,7 @@ void RequireMethodOptions(const CorrespondenceOptions& options)
   RequireWeight(functional.Fit.LaplacianWeight, "LaplacianWeight");
   RequireWeight(functional.Fit.DescriptorWeight, "DescriptorWeight");
   RequireWeight(functional.Fit.OrientationWeight, "OrientationWeight");
+  RequireWeight(functional.Fit.CurveWeight, "CurveWeight");
   RequireWeight(functional.Fit.OrthonormalityWeight, "OrthonormalityWeight");
   RequireWeight(functional.Fit.InverseWeight, "InverseWeight");
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -18,9 +19,11 @@ struct Described
   shape::Mesh Unit;
   shape::LaplaceEigenpairs Spectrum;
   Eigen::MatrixXd Descriptors;
+  std::vector<std::vector<int>> Curves;
 
   Described(shape::Mesh mesh, int landmark)
     : Unit(std::move(mesh))
+    , Curves{ { landmark, landmark + 3, landmark + 11 }, { 4 * landmark, 200 } }
   {
     this->Unit.Points /= std::sqrt(shape::ComputePointAreas(this->Unit).sum());
     this->Spectrum = shape::SolveLaplaceEigenproblem(this->Unit, 12);
@@ -30,7 +33,7 @@ struct Described
   }
   shape::SurfaceDescriptors Surface() const
   {
-    return { this->Unit, this->Spectrum, this->Descriptors };
+    return { this->Unit, this->Spectrum, this->Descriptors, 0, this->Curves };
   }
 };
 
@@ -63,6 +66,7 @@ TEST(FunctionalMapEnergy, HasTheGradientAndThePolynomialOfItsValue)
     shape::FunctionalMapFitOptions options = Options();
     options.Mask = mask;
     options.LaplacianWeight = 0.7;
+    options.CurveWeight = 0.6;
     options.OrthonormalityWeight = 0.4;
     options.InverseWeight = 0.3;
     const shape::FunctionalMapEnergy energy(pair.A.Surface(), pair.B.Surface(), options);
@@ -92,6 +96,37 @@ TEST(FunctionalMapEnergy, HasTheGradientAndThePolynomialOfItsValue)
 double Off(const Eigen::MatrixXd& product)
 {
   return (product - Eigen::MatrixXd::Identity(product.rows(), product.cols())).squaredNorm();
+}
+
+// A minimum of f + w g has a smaller g for a larger w. g is the difference of two energies.
+TEST(FitFunctionalMap, HasSmallerCommutatorsForLargerWeights)
+{
+  using Options = shape::FunctionalMapFitOptions;
+  const Pair pair;
+  for (double Options::*const weight : { &Options::LaplacianWeight, &Options::DescriptorWeight,
+         &Options::OrientationWeight, &Options::CurveWeight })
+  {
+    Options without = ::Options(), with = without;
+    without.*weight = 0.0;
+    with.*weight = 1.0;
+    const shape::FunctionalMapEnergy rest(pair.A.Surface(), pair.B.Surface(), without),
+      all(pair.A.Surface(), pair.B.Surface(), with);
+    double before = 0.0;
+    for (const double value : { 0.0, 0.03, 0.3, 3.0 })
+    {
+      Options options = without;
+      options.*weight = value;
+      const shape::FunctionalMaps maps =
+        shape::FunctionalMapEnergy(pair.A.Surface(), pair.B.Surface(), options).Start();
+      const double term = all.Value(maps) - rest.Value(maps);
+      EXPECT_GT(term, 0.0);
+      if (value > 0.0)
+      {
+        EXPECT_LT(term, 0.999 * before) << value;
+      }
+      before = term;
+    }
+  }
 }
 
 // A minimum of f + w g has a smaller g for a larger w.
