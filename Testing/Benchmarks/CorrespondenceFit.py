@@ -6,13 +6,15 @@ FOLDER has the pairs already. For each setting, without and with ZoomOut: the me
 space over the root of the area, times 1000; the share of the area that has a partner; the Dirichlet energy.
 Five landmarks. The rows with curves have, besides, the shortest path of edges from each landmark to the next;
 those with regions, the cells of the landmarks. Prints a table of means over the pairs, and claims nothing: the
-defaults were not chosen here. With --rows, only rows whose names have the word."""
+defaults were not chosen here. With --rows, only rows whose names have the word.
+A second table is of coupled bases: how much of the map's matrix is on the diagonal."""
 import argparse
 import os
 import time
 
 import numpy
 import shapemap
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersModeling import vtkDijkstraGraphGeodesicPath
 
 import PairDeformation
@@ -29,6 +31,9 @@ SETTINGS = [('none', '', {})] + [
     ('curves as landmarks', 'curves', {}), ('curves as descriptors', 'curves', {'CurveDescriptors': 1})] + [
     ('the same, curves %g' % weight, 'curves', {'CurveDescriptors': 1, 'CurveWeight': weight})
     for weight in (0.01, 0.1, 1.0)]
+
+
+COUPLED = 20  # functions of each coupled basis
 
 
 def path(points, triangles, start, end):
@@ -77,6 +82,20 @@ def measured(pair, known, settings):
     return 1e3 * errors.mean(), facts['CoverageOfA'], facts['DirichletEnergy'], spent
 
 
+def diagonal(matrix):
+    return numpy.sum(numpy.diag(matrix)**2) / numpy.sum(matrix**2)
+
+
+def coupled(pair):
+    """The share of the map's matrix that is on the diagonal: in eigenfunctions, and in coupled bases."""
+    algorithm = shapetesting.new(shapemap.vtkShapeCorrespondence, pair.a, pair.b, pair.known[''], Method=1,
+                                 CoupledBasisSize=COUPLED)
+    start = time.process_time()
+    table = shapetesting.outputs(algorithm)[3]
+    matrix = numpy.stack([vtk_to_numpy(table.GetColumn(k)) for k in range(COUPLED)], axis=1)[:COUPLED]
+    return diagonal(matrix), shapemap.facts(algorithm)['CoupledDiagonal'], time.process_time() - start
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('folder')
@@ -92,6 +111,11 @@ def main():
         fit, refined = (numpy.mean([measured(pair, known, dict(settings, **more)) for pair in pairs], axis=0)
                         for more in ({'ZoomOutStep': 0}, {}))
         print('| %s | %.1f | %.2f | %.2f | %.1f | %.2f | %.2f | %.1f |' % (name, *fit[:3], *refined), flush=True)
+    if options.rows in 'coupled bases':
+        print('| pair | on the diagonal: of %d eigenfunctions | of coupled bases | CPU s |' % COUPLED)
+        print('|---|---|---|---|')
+        for name, pair in zip(names, pairs):
+            print('| %s | %.2f | %.2f | %.1f |' % (name, *coupled(pair)), flush=True)
 
 
 main()

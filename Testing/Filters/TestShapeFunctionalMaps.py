@@ -242,6 +242,20 @@ assert (array(outputs(a, b, line, CurveDescriptors=True, CurveWeight=10)[0], 'Ta
         array(outputs(a, b, line, CurveDescriptors=True)[0], 'TargetPosition')).any()
 assert 'CurveWeight is -1' in refusal(a, b, line, CurveWeight=-1)
 
+# Coupled bases: orthonormal, equal at corresponding points of a copy, and the map is diagonal in them.
+both = new(a, b, line, CoupledBasisSize=15)
+coupled = shapetesting.outputs(both)
+functions = [array(side, 'CoupledEigenfunctions') for side in coupled[:2]]
+for side, own in zip((a, b), functions):
+    corners = points(side)[triangles(side)]
+    areas = numpy.linalg.norm(numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 6
+    masses = numpy.bincount(triangles(side).ravel(), numpy.repeat(areas, 3), len(own))
+    assert abs(own.T @ (masses[:, None] * own) - numpy.eye(15)).max() < 1e-9
+assert fact(coupled[0], 'Correspondence.CoupledDiagonal') > 0.999
+assert fact(outputs(a, b, line)[0], 'Correspondence.CoupledDiagonal') == -1
+assert 'from 1 to NumberOfEigenpairs' in refusal(a, b, line, CoupledBasisSize=200)
+assert 'no functions of the surfaces' in refusal(a, b, matrix=table_of(exact), CoupledBasisSize=5)
+
 # Blocks keep the arrays.
 blocks = vtkMultiBlockDataSet()
 blocks.SetBlock(0, b)

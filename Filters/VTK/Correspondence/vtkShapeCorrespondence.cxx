@@ -156,7 +156,10 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
     throw shape::InvalidInput("there are TargetLandmarks without Landmarks; connect both");
   }
   shape::CorrespondenceOptions options = this->Options;
-  options.FunctionalMatrix = this->OutputEigenfunctions || HasNames(this->TransferArrays);
+  shape::RequireOption(
+    this->Coupled.Size >= 0, "CoupledBasisSize", this->Coupled.Size, "at least 0");
+  const bool couple = this->Coupled.Size > 0;
+  options.FunctionalMatrix = this->OutputEigenfunctions || couple || HasNames(this->TransferArrays);
   shape::FunctionalGuide& guide = options.Functional.Guide;
   guide = this->ReadGuide(a, b);
   shape::Landmarks landmarks;
@@ -208,13 +211,13 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
       std::to_string(result.GenusOfB) +
       ": no continuous one-to-one map exists; expect folds, or map surfaces of equal genus");
   }
-  std::map<std::string, Eigen::VectorXd> onA, onB;
+  std::map<std::string, Eigen::MatrixXd> onA, onB;
   if (!result.Coupling.SamplesOfA.empty())
   {
-    onA["SampleWeight"] = Eigen::VectorXd::Zero(a.Points().rows());
-    onA["SampleWeight"](result.Coupling.SamplesOfA) = result.Coupling.WeightsOfA;
-    onB["SampleWeight"] = Eigen::VectorXd::Zero(b.Points().rows());
-    onB["SampleWeight"](result.Coupling.SamplesOfB) = result.Coupling.WeightsOfB;
+    onA["SampleWeight"] = Eigen::MatrixXd::Zero(a.Points().rows(), 1);
+    onA["SampleWeight"](result.Coupling.SamplesOfA, 0) = result.Coupling.WeightsOfA;
+    onB["SampleWeight"] = Eigen::MatrixXd::Zero(b.Points().rows(), 1);
+    onB["SampleWeight"](result.Coupling.SamplesOfB, 0) = result.Coupling.WeightsOfB;
   }
   if (this->ImageOfPoint >= 0)
   {
@@ -224,6 +227,15 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
       found == points.end() ? this->ImageOfPoint : static_cast<int>(found - points.begin());
     onB["ImageDistribution"] =
       shape::ComputeImageDistribution(a, b, result.Coupling, point, progress.Part(0.95, 1.0));
+  }
+  double diagonal = -1.0;
+  if (couple)
+  {
+    const shape::CoupledFunctions bases = shape::CoupleEigenfunctions(result.Matrix, result.Used,
+      guide.DescriptorsOfA, guide.DescriptorsOfB, this->Coupled, progress.Part(0.95, 1.0));
+    onA["CoupledEigenfunctions"] = bases.OfA;
+    onB["CoupledEigenfunctions"] = bases.OfB;
+    diagonal = bases.DiagonalShare;
   }
   this->WriteMap(0, result, b, onA);
   this->WriteMap(1, result, a, onB);
@@ -288,6 +300,7 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
     add("GenusOfA", result.GenusOfA);
     add("GenusOfB", result.GenusOfB);
     add("Iterations", result.Iterations);
+    add("CoupledDiagonal", diagonal);
     add("FunctionalMapSize", static_cast<double>(result.Matrix.Matrix.rows()));
   }
 }
@@ -323,7 +336,7 @@ shape::FunctionalGuide vtkShapeCorrespondence::ReadGuide(
 }
 
 void vtkShapeCorrespondence::WriteMap(int port, const shape::CorrespondenceResult& result,
-  const shape::Mesh& other, const std::map<std::string, Eigen::VectorXd>& more)
+  const shape::Mesh& other, const std::map<std::string, Eigen::MatrixXd>& more)
 {
   const GatheredInput& whole = this->GetGatheredInput(port);
   const GatheredInput& target = this->GetGatheredInput(1 - port);

@@ -49,8 +49,10 @@
  * which the method ran.
  * - `Masses` (double): the area around each point, in which the eigenfunctions are orthonormal.
  * - Field data `Eigenvalues` (double, k), ascending, in 1 / length^2.
- * SurfaceB has, for each name X of TransferArrays, the point array `XFromA`: Phi_B C Phi_A' M_A X,
- * where Phi are the eigenfunctions, M the masses and C the matrix.
+ * With CoupledBasisSize k > 0, `CoupledEigenfunctions` (double, k): bases of both surfaces, in
+ * which the matrix of the map is nearly diagonal. See shape::CoupleEigenfunctions. SurfaceB has,
+ * for each name X of TransferArrays, the point array `XFromA`: Phi_B C Phi_A' M_A X, where Phi are
+ * the eigenfunctions, M the masses and C the matrix.
  *
  * Output FunctionalMap, after Facts: with OutputEigenfunctions or TransferArrays, and any method,
  * the matrix C of the map from SurfaceB to SurfaceA (shape::FunctionalMatrix). It takes
@@ -111,6 +113,8 @@
  * - .Iterations: with ReversibleHarmonic, the number of its iterations; otherwise 0. If one surface
  *   is a part of the other, .Iterations is also 0. The result is then the initial functional map,
  *   because iterations would spread the part over the other surface.
+ * - .CoupledDiagonal: the share of the squared entries of the map's matrix in the coupled bases
+ * that is on the diagonal; -1 without them.
  * - .FunctionalMapSize: rows and columns of the output FunctionalMap; 0 if it is empty.
  *
  * The mathematics: shape::ComputeCorrespondence.
@@ -120,7 +124,8 @@
 
 #include "vtkShapeAlgorithm.h"
 
-#include "Correspondence/Correspondence.h" // for the options
+#include "Correspondence/Correspondence.h"          // for the options
+#include "Correspondence/Functional/CoupledBases.h" // for the options
 
 #include <string> // for names of arrays
 #include <vector> // for names of arrays
@@ -195,6 +200,8 @@ public:
   vtkGetCharFromStdStringMacro(RegionArray);
   vtkShapeOptionAs(CurveDescriptors, CurveDescriptors, bool);
   vtkShapeOptionAs(OutputEigenfunctions, OutputEigenfunctions, bool);
+  vtkShapeOptionAs(Coupled.Size, CoupledBasisSize, int);
+  vtkShapeOptionAs(Coupled.Weight, CoupledBasisWeight, double);
   virtual void SetNumberOfTransferArrays(int count);
   virtual void SetTransferArrays(int index, const std::string& name);
   virtual std::vector<std::string> GetTransferArrays() { return this->TransferArrays; }
@@ -236,7 +243,7 @@ private:
   /// arrays, whose rows are those of the gathered surface, its eigenfunctions if they are wanted,
   /// and what is transferred to it.
   void WriteMap(int port, const shape::CorrespondenceResult& result, const shape::Mesh& other,
-    const std::map<std::string, Eigen::VectorXd>& more);
+    const std::map<std::string, Eigen::MatrixXd>& more);
   /// Fills the output Coupling. Returns the mass that the table omits, or -1 if there is no
   /// coupling.
   double WriteCoupling(const shape::SampledCoupling& coupling);
@@ -245,6 +252,7 @@ private:
   std::string RegionArray = "None";
   bool CurveDescriptors = false, OutputEigenfunctions = false;
   shape::CorrespondenceOptions Options;
+  shape::CoupledBasesOptions Coupled = { 0 }; // no bases by default
   double SmallestMass = 1e-9;
   int ImageOfPoint = -1;
 };

@@ -1,6 +1,7 @@
 #include "Correspondence/Functional/FunctionalMap.h"
 
 #include "Base/Errors.h"
+#include "Correspondence/Functional/LandmarkKernels.h"
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Geodesics/FarthestPoints.h"
 #include "Mesh/Surface.h"
@@ -42,17 +43,10 @@ struct Side
 Eigen::MatrixXd BuiltInDescriptors(
   const LaplaceEigenpairs& spectrum, const Landmarks& landmarks, int which, int count)
 {
-  // Landmarks along curves are many: a few of them, in order, contain as much information.
-  constexpr std::size_t maximum = 12;
-  const std::size_t each = std::min(landmarks.size(), maximum);
-  Eigen::MatrixXd descriptors(spectrum.Masses.size(), count * (2 + each));
-  descriptors.leftCols(count) = ComputeWaveKernelSignature(spectrum, count);
-  descriptors.middleCols(count, count) = ComputeHeatKernelSignature(spectrum, count);
-  for (std::size_t i = 0; i < each; ++i)
-  {
-    descriptors.middleCols(count * (2 + i), count) =
-      ComputeWaveKernelFrom(spectrum, landmarks[i * landmarks.size() / each][which], count);
-  }
+  const Eigen::MatrixXd kernels = ComputeLandmarkKernels(spectrum, landmarks, which, count);
+  Eigen::MatrixXd descriptors(spectrum.Masses.size(), 2 * count + kernels.cols());
+  descriptors << ComputeWaveKernelSignature(spectrum, count),
+    ComputeHeatKernelSignature(spectrum, count), kernels;
   return descriptors;
 }
 
