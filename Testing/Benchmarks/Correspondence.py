@@ -17,6 +17,9 @@ RUNS = (
     ('FunctionalMap', 5, ('isometric', 'stretched', 'noisy')),
     ('FunctionalMap', 12, WHOLE),
     ('FunctionalMap', -12, WHOLE),
+    ('FunctionalMap', 5, ('unseen',)),
+    ('FunctionalMap', 12, ('unseen',)),
+    ('FunctionalMap', -12, ('unseen',)),
     ('FunctionalMap', 0, ('partial',)),
     ('FunctionalMap', 5, ('partial',)),
     ('ReversibleHarmonic', 0, ('stretched',)),
@@ -68,14 +71,20 @@ def check(claims, rows):
             '%.1f (%s)' % (row['mean'], 'yes' if row['part'] == 1 else 'no') for row in parts),
             len(parts) == 2 and all(row['mean'] <= most and row['part'] == 1 for row in parts),
             'two, at most %g, all known' % most)
-    wrong = [row for name, count, _, row in rows if name == 'FunctionalMap' and count < 0]
-    others = [row for name, count, kind, row in rows
-              if name == 'FunctionalMap' and count >= 0 and kind in WHOLE]
-    claims.check('functional map', 'called mirrored: from landmarks on the wrong sides, others',
-                 '%d of %d, %d of %d' % (sum(row['turned'] for row in wrong), len(wrong),
-                                         sum(row['turned'] for row in others), len(others)),
-                 len(wrong) == 18 and all(row['turned'] for row in wrong)
-                 and not any(row['turned'] for row in others), '18 of 18, none')
+    def mirrored(*kinds):
+        own = [(marks, row) for name, marks, kind, row in rows if name == 'FunctionalMap' and kind in kinds]
+        return ([row['turned'] for marks, row in own if marks < 0],
+                [row['turned'] for marks, row in own if marks >= 0])
+
+    subject = 'called mirrored: from landmarks on the wrong sides, others'
+    wrong, others = mirrored(*WHOLE)
+    claims.check('functional map', subject, '%d of %d, %d of %d' % (sum(wrong), len(wrong), sum(others), len(others)),
+                 len(wrong) == 18 and all(wrong) and not any(others), '18 of 18, none')
+    # The threshold was chosen on these 18. On other models, it calls no right map mirrored, but misses a thin
+    # cactus, whose two sides are alike.
+    wrong, others = mirrored('unseen')
+    claims.check('functional map, unseen pairs', subject, '%d of %d, %d of %d' % (
+        sum(wrong), len(wrong), sum(others), len(others)), len(others) == 8 and not any(others), 'none of the others')
     for number, what in (('trip', 'round trip'), ('dirichlet', 'Dirichlet energy')):
         own = mean(rows, 'ReversibleHarmonic', 12, 'stretched', number)
         others = {name: mean(rows, name, 12, 'stretched', number) for name in

@@ -27,6 +27,9 @@ SETTINGS = [('none', '', {})] + [
     ('orthonormality 1, inverse 1', '', {'OrthonormalityWeight': 1.0, 'InverseWeight': 1.0}),
     ('resolvent', '', {'Mask': 1}), ('resolvent, weight 0.1', '', {'Mask': 1, 'LaplacianWeight': 0.1}),
     ('Laplacian, weight 0.1', '', {'LaplacianWeight': 0.1}),
+    *[('displacement %g, weight %g' % (far, weight), '', {'DisplacementWeight': weight, 'Displacement': far})
+      for far in (0.0, 0.01) for weight in (0.01, 0.1)],
+    *[('%g samples per eigenfunction' % count, '', {'SamplesPerEigenfunction': count}) for count in (2.0, 4.0)],
     ('regions', 'regions', {'RegionArray': 'Region'}),
     ('curves as landmarks', 'curves', {}), ('curves as descriptors', 'curves', {'CurveDescriptors': 1})] + [
     ('the same, curves %g' % weight, 'curves', {'CurveDescriptors': 1, 'CurveWeight': weight})

@@ -60,6 +60,11 @@ DINO_TURNS = ([('turn', (.25, .01, .95), .3, .55, X, 80),
                ('turn', (.23, .91, .33), .1, .45, Z, 100)]
               + limbs('turn', DINO_FEET, .3, .5, X, (90, 90)))
 
+def ends(one, other, middle):
+    """Two tips turned, and the surroundings of a place swollen."""
+    return [('turn', one, .1, .35, Y, 60), ('turn', other, .1, .35, X, 50), ('swell', middle, .1, .4, X, 1.3)]
+
+
 # name: group, model, mirror axis or None, whether the shape has an intrinsic mirror image, changes,
 # and what is done to one side: ('cut', axis, share of the box that goes) to A, ('noise', share of
 # an edge) to B
@@ -112,6 +117,11 @@ PAIRS = {
     'cow-front': ('partial', 'cow', Z, True, COW_KNEELS, ('cut', X, .4)),
     'homer-noisy': ('noisy', 'homer', X, True, HOMER_SITS, ('noise', .25)),
     'dino-noisy': ('noisy', 'dino', X, True, DINO_TURNS, ('noise', .25)),
+    # No threshold was chosen on these: those that were chosen on the others are asserted on them.
+    'bull-turns': ('unseen', 'bull', None, True, ends((.92, .68, .65), (.02, .61, .69), (.5, .4, .4)), None),
+    'elk-turns': ('unseen', 'elk', None, True, ends((.36, .91, .06), (.58, .27, .95), (.38, .11, .06)), None),
+    'hand-turns': ('unseen', 'hand', None, False, ends((.34, .24, .72), (.7, .66, .77), (.54, .67, .06)), None),
+    'cactus-turns': ('unseen', 'cactus', None, True, ends((.59, .93, .07), (.03, .96, .11), (.21, .0, .11)), None),
 }
 
 

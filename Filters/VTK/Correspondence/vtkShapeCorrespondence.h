@@ -17,7 +17,7 @@
  * which requires surfaces of one component.
  * - TargetLandmarks (optional): points on SurfaceB, paired with the points of Landmarks by order.
  *   They replace the array TargetPosition of Landmarks.
- * - FunctionalMap (optional): a table with a square matrix, a functional map from SurfaceA to
+ * - FunctionalMap (optional): a table with a matrix, a functional map from SurfaceA to
  *   SurfaceB. It has the bases of the output FunctionalMap, and replaces the fit to descriptors. In
  *   parallel, the table of the first process is used.
  *
@@ -164,6 +164,10 @@ public:
   vtkShapeOptionOf(Options.Functional.Fit, DescriptorWeight, double);
   vtkShapeOptionOf(Options.Functional.Fit, OrientationWeight, double);
   vtkShapeOptionOf(Options.Functional.Fit, CurveWeight, double);
+  vtkShapeOptionOf(Options.Functional.Fit, DisplacementWeight, double);
+  vtkShapeOptionOf(Options.Functional.Fit, Displacement, double);
+  vtkShapeOptionAs(
+    Options.Functional.Refinement.SamplesPerFunction, SamplesPerEigenfunction, double);
   vtkShapeOptionOf(Options.Functional.Fit, OrthonormalityWeight, double);
   vtkShapeOptionOf(Options.Functional.Fit, InverseWeight, double);
   vtkShapeEnumOptionOf(Options.Functional.Fit, Mask, shape::FunctionalMapFitOptions::MaskType,

@@ -2,7 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Base/Parallel.h"
-#include "Correspondence/Functional/LandmarkKernels.h"
+#include "Correspondence/Functional/Private/LandmarkKernels.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>

@@ -41,15 +41,16 @@ UnitBasis UnitBasisOf(const Surface& surface, int size, const Progress& progress
   return { pairs.Eigenfunctions * length, length };
 }
 
-void RequireBasis(Eigen::Index size, const Surface& surface, const std::string& name)
+void RequireBasis(
+  Eigen::Index size, const std::string& sides, const Surface& surface, const std::string& name)
 {
   const Topology topology = RequireManifold(surface, name);
   const auto points = (topology.ComponentId.array() >= 0).count();
   if (size > points)
   {
-    throw InvalidInput("the matrix FunctionalMap has " + std::to_string(size) + " rows, but " +
-      name + " has only " + std::to_string(points) +
-      " eigenfunctions, one for each point; remove the last rows and columns");
+    throw InvalidInput("the matrix FunctionalMap has " + std::to_string(size) + " " + sides +
+      ", but " + name + " has only " + std::to_string(points) +
+      " eigenfunctions, one for each point; remove the last " + sides);
   }
 }
 
@@ -98,11 +99,11 @@ Eigen::MatrixXd Indicators(
 
 void RequireFunctionalMap(const Eigen::MatrixXd& matrix)
 {
-  if (matrix.rows() != matrix.cols() || matrix.rows() == 0)
+  if (matrix.size() == 0)
   {
     throw InvalidInput("the matrix FunctionalMap has " + std::to_string(matrix.rows()) +
       " rows and " + std::to_string(matrix.cols()) +
-      " columns; give a square one, with a row for each eigenfunction of SurfaceB and a column for "
+      " columns; give one with a row for each eigenfunction of SurfaceB and a column for "
       "each one of SurfaceA");
   }
   if (!matrix.allFinite())
@@ -116,12 +117,13 @@ FunctionalGuide WithEigenbases(
   FunctionalGuide guide, const Surface& a, const Surface& b, const Progress& progress)
 {
   RequireFunctionalMap(guide.Matrix);
-  RequireBasis(guide.Matrix.rows(), a, "SurfaceA");
-  RequireBasis(guide.Matrix.rows(), b, "SurfaceB");
-  const auto size = static_cast<int>(guide.Matrix.rows());
-  const UnitBasis ofA = UnitBasisOf(a, size,
+  RequireBasis(guide.Matrix.cols(), "columns", a, "SurfaceA");
+  RequireBasis(guide.Matrix.rows(), "rows", b, "SurfaceB");
+  const auto sizeOfA = static_cast<int>(guide.Matrix.cols()),
+             sizeOfB = static_cast<int>(guide.Matrix.rows());
+  const UnitBasis ofA = UnitBasisOf(a, sizeOfA,
                     progress.Part(0.0, 0.5, "computing the bases of the given functional map")),
-                  ofB = UnitBasisOf(b, size, progress.Part(0.5, 1.0));
+                  ofB = UnitBasisOf(b, sizeOfB, progress.Part(0.5, 1.0));
   guide.Matrix *= ofA.Length / ofB.Length;
   guide.BasisOfA = ofA.Functions;
   guide.BasisOfB = ofB.Functions;

@@ -22,24 +22,24 @@ struct FunctionalGuide
   ///@}
   /// Corresponding curves, each as the pairs of its points.
   std::vector<Landmarks> Curves;
-  /// An initial functional map from A to B, k x k; empty: it is fitted.
+  /// An initial functional map from A to B, k_B x k_A; empty: it is fitted.
   Eigen::MatrixXd Matrix;
   ///@{
-  /// The bases of Matrix: functions of the points, n_A x k and n_B x k, orthonormal if each surface
-  /// is scaled to area 1.
+  /// The bases of Matrix: functions of the points, n_A x k_A and n_B x k_B, orthonormal if each
+  /// surface is scaled to area 1.
   Eigen::MatrixXd BasisOfA, BasisOfB;
   ///@}
 
   bool HasDescriptors() const { return this->DescriptorsOfA.cols() > 0 || !this->Curves.empty(); }
 };
 
-/// Throws InvalidInput unless the matrix is square, finite and not empty.
+/// Throws InvalidInput unless the matrix is finite and not empty.
 void RequireFunctionalMap(const Eigen::MatrixXd& matrix);
 
 /// Sets the bases to the first eigenfunctions of the surfaces, and divides Matrix by the ratio of
 /// their lengths: on input, it refers to SolveLaplaceEigenproblem's bases of the given surfaces, as
 /// FunctionalMatrix does. Throws InvalidInput if RequireFunctionalMap does or if Matrix has more
-/// rows than a surface has points that triangles use; SolveFailure; Aborted.
+/// rows than B has points that triangles use, or more columns than A; SolveFailure; Aborted.
 FunctionalGuide WithEigenbases(
   FunctionalGuide guide, const Surface& a, const Surface& b, const Progress& progress = {});
 

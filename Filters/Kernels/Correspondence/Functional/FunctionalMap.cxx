@@ -1,7 +1,7 @@
 #include "Correspondence/Functional/FunctionalMap.h"
 
 #include "Base/Errors.h"
-#include "Correspondence/Functional/LandmarkKernels.h"
+#include "Correspondence/Functional/Private/LandmarkKernels.h"
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Geodesics/FarthestPoints.h"
 #include "Mesh/Surface.h"
@@ -125,7 +125,7 @@ Eigen::MatrixXd GivenMap(const FunctionalGuide& guide, const Side& one, const Si
 {
   const auto change = [&](const Side& side, const Eigen::MatrixXd& basis)
   {
-    const Eigen::Index size = std::min(guide.Matrix.rows(), side.Spectrum.Eigenvalues.size());
+    const Eigen::Index size = std::min(basis.cols(), side.Spectrum.Eigenvalues.size());
     return Eigen::MatrixXd(side.Spectrum.Eigenfunctions.leftCols(size).transpose() *
       (side.Spectrum.Masses.asDiagonal() * basis));
   };
@@ -154,7 +154,9 @@ SurfaceMaps ComputeFunctionalMap(const Surface& a, const Surface& b, const Landm
                        "RegionArray, or set Descriptors to BuiltIn");
   }
   const int points = std::min(CountUsedPoints(a, "SurfaceA"), CountUsedPoints(b, "SurfaceB"));
-  const auto given = static_cast<int>(options.Guide.Matrix.rows());
+  const Eigen::MatrixXd& matrix = options.Guide.Matrix;
+  const int given =
+    matrix.size() == 0 ? 0 : static_cast<int>(std::max(matrix.rows(), matrix.cols()));
   const int pairs = std::min(std::max(options.Refinement.Last, given), points);
   FunctionalMapFitOptions fit = options.Fit;
   fit.Size = std::min(fit.Size, pairs);
@@ -172,12 +174,12 @@ SurfaceMaps ComputeFunctionalMap(const Surface& a, const Surface& b, const Landm
                         &functionsB = two.Spectrum.Eigenfunctions;
   // The row of a point's image: with C from B to A, phi_A(x) = C phi_B(image of x), for all
   // eigenfunctions of the map together.
-  const Eigen::Index size = maps.AToB.rows();
-  return { FindNearestSurfacePoints(functionsA.leftCols(size), b.Triangles(),
-             functionsB.leftCols(size) * maps.BToA.transpose(),
+  const Eigen::Index ofA = maps.AToB.cols(), ofB = maps.AToB.rows();
+  return { FindNearestSurfacePoints(functionsA.leftCols(ofA), b.Triangles(),
+             functionsB.leftCols(ofB) * maps.BToA.transpose(),
              progress.Part(0.9, 0.95, "finding the nearest points")),
-    FindNearestSurfacePoints(functionsB.leftCols(size), a.Triangles(),
-      functionsA.leftCols(size) * maps.AToB.transpose(),
+    FindNearestSurfacePoints(functionsB.leftCols(ofB), a.Triangles(),
+      functionsA.leftCols(ofA) * maps.AToB.transpose(),
       progress.Part(0.95, 1.0, "finding the nearest points")) };
 }
 

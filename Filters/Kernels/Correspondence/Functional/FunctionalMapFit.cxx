@@ -102,6 +102,7 @@ public:
     : Gap(Gaps(valuesA, valuesB, options))
     , Products(ofA.Products, ofB.Products, options.DescriptorWeight, options.Size)
     , Turns(ofA.Turns, ofB.Turns, options.OrientationWeight, options.Size)
+    , Displacements(ofA.Displacements, ofB.Displacements, options.DisplacementWeight, options.Size)
     , Curves(ofA.Curves, ofB.Curves, options.CurveWeight, options.Size)
   {
     const double count = std::max<double>(1.0, static_cast<double>(ofA.Coefficients.cols()));
@@ -116,6 +117,7 @@ public:
     Eigen::MatrixXd result = c * this->Squares + this->Gap.cwiseProduct(c);
     this->Products.AddGradient(c, result);
     this->Turns.AddGradient(c, result);
+    this->Displacements.AddGradient(c, result);
     this->Curves.AddGradient(c, result);
     return result;
   }
@@ -151,7 +153,7 @@ public:
 
 private:
   Eigen::MatrixXd Squares, Gap;
-  Commutators Products, Turns, Curves;
+  Commutators Products, Turns, Displacements, Curves;
 };
 
 double Dot(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y)

@@ -17,7 +17,7 @@ namespace shape
  * Its matrix C, in the bases of the first eigenfunctions of both surfaces, minimises
  *
  *   E(C) = |C A - B|^2 + w_L |C L1 - L2 C|^2 + w_D sum |C P1 - P2 C|^2 + w_O sum |C O1 - O2 C|^2
- *     + w_K sum |C K1 - K2 C|^2
+ *     + w_K sum |C K1 - K2 C|^2 + w_N |C N1 - N2 C|^2
  *
  * by conjugate gradients. Here
  *
@@ -35,7 +35,12 @@ namespace shape
  *   correspondences via functional maps", 2018, section 4);
  * - K1 and K2 multiply a function by a curve: the inner product of K f and g is the mean of f g
  * over the curve's points. A matched curve gives a pair of such operators (the idea of Gehre,
- * Bronstein, Kobbelt and Solomon, "Interactive curve constrained functional maps", 2018).
+ * Bronstein, Kobbelt and Solomon, "Interactive curve constrained functional maps", 2018);
+ * - N1 and N2 are the changes of the Laplacians if the surfaces are displaced along their normals
+ * by the distance h = Displacement (Corman, Solomon, Ben-Chen, Guibas and Ovsjanikov, "Functional
+ *   characterization of intrinsic and extrinsic geometry", 2017), divided by h; for h = 0, the
+ *   limit of this quotient (Corman and Ovsjanikov, "Functional characterization of deformation
+ *   fields", 2018). They depend on the curvatures, which the Laplacians do not.
  *
  * Each descriptor is divided by its norm. In |C A - B|^2, the given descriptors together have the
  * weight of the computed ones, since few of them say as much. Each sum over operators is divided by

@@ -25,6 +25,11 @@ struct FunctionalMapFitOptions
   /// w_O: commutativity with the descriptors' rotated gradients; >= 0.
   double OrientationWeight = 1e-2;
   double CurveWeight = 0.0; ///< w_K: commutativity with multiplication by curves; >= 0
+  /// w_N: commutativity with the change of the Laplacians under a displacement along the normals;
+  /// >= 0.
+  double DisplacementWeight = 0.0;
+  /// The displacement, of surfaces of area 1; 0: the rate of change; >= 0.
+  double Displacement = 0.0;
   /// w_C: how strongly each of the two maps preserves inner products; >= 0.
   double OrthonormalityWeight = 0.0;
   /// w_I: how strongly the two maps are inverse to each other; >= 0.

@@ -59,26 +59,38 @@ FunctionalMaps RefineByZoomOut(const SampledSpectrum& a, const SampledSpectrum& 
   {
     return maps;
   }
-  const Eigen::Index first = start.AToB.rows(), last = std::max<Eigen::Index>(first, options.Last);
+  const Eigen::Index first = std::max(start.AToB.rows(), start.AToB.cols()),
+                     last = std::max<Eigen::Index>(first, options.Last);
+  const auto samplesAt = [&](Eigen::Index size, Eigen::Index all)
+  {
+    return options.SamplesPerFunction > 0.0
+      ? std::min(
+          all, static_cast<Eigen::Index>(options.SamplesPerFunction * static_cast<double>(size)))
+      : all;
+  };
   // The first pass has the size of the given map and repairs it; each later pass adds Step
   // functions.
   for (Eigen::Index size = first;; size = std::min<Eigen::Index>(size + options.Step, last))
   {
     progress(last > first ? static_cast<double>(size - first) / (last - first) : 1.0);
-    const Eigen::Index now = maps.AToB.rows();
+    const Eigen::Index knownA = maps.AToB.cols(), knownB = maps.AToB.rows(),
+                       samplesA = samplesAt(size, functionsA.rows()),
+                       samplesB = samplesAt(size, functionsB.rows());
     // From functional maps to point maps (Melzi et al.): nearest rows, here on triangles instead of
     // at vertices. A point's row of eigenfunctions on b is its image's row on a times the map's
     // transpose.
-    const SurfacePoints onA = FindNearestSurfacePoints(functionsB.leftCols(now), a.Triangles,
-                          a.Spectrum.Eigenfunctions.leftCols(now) * maps.AToB.transpose()),
-                        onB = FindNearestSurfacePoints(functionsA.leftCols(now), b.Triangles,
-                          b.Spectrum.Eigenfunctions.leftCols(now) * maps.BToA.transpose());
+    const SurfacePoints onA = FindNearestSurfacePoints(functionsB.topLeftCorner(samplesB, knownB),
+                          a.Triangles,
+                          a.Spectrum.Eigenfunctions.leftCols(knownA) * maps.AToB.transpose()),
+                        onB = FindNearestSurfacePoints(functionsA.topLeftCorner(samplesA, knownA),
+                          b.Triangles,
+                          b.Spectrum.Eigenfunctions.leftCols(knownB) * maps.BToA.transpose());
     // From point maps to functional maps of the next size. Both point maps and the landmarks enter
     // both fits (MapTree, section 5).
-    Pairs pairs{ functionsA.leftCols(size),
+    Pairs pairs{ functionsA.topLeftCorner(samplesA, size),
       PullBack(onB, b.Triangles, b.Spectrum.Eigenfunctions.leftCols(size)) };
     pairs.Append(PullBack(onA, a.Triangles, a.Spectrum.Eigenfunctions.leftCols(size)),
-      functionsB.leftCols(size));
+      functionsB.topLeftCorner(samplesB, size));
     pairs.Append(landmarksA.leftCols(size), landmarksB.leftCols(size));
     maps.AToB = FitCoefficients(pairs.OfA, pairs.OfB);
     maps.BToA = FitCoefficients(pairs.OfB, pairs.OfA);

@@ -15,6 +15,9 @@ struct ZoomOutOptions
 {
   int Last = 120; ///< eigenfunctions of each surface at the end; at most its number of eigenpairs
   int Step = 6;   ///< eigenfunctions added in each step; 0: the given map is not refined
+  /// Samples used in a step, the first ones, for each of its eigenfunctions: few samples for coarse
+  /// maps, more for finer ones. 0: all samples in every step; otherwise >= 1.
+  double SamplesPerFunction = 0.0;
 };
 
 /// The spectrum of a surface, and samples of its points.
@@ -22,7 +25,7 @@ struct SampledSpectrum
 {
   const Eigen::MatrixXi& Triangles;
   const LaplaceEigenpairs& Spectrum;
-  const std::vector<int>& Samples; ///< indices of points
+  const std::vector<int>& Samples; ///< indices of points, coarse ones first
 };
 
 /**
@@ -37,7 +40,7 @@ Eigen::MatrixXd FitCoefficients(const Eigen::MatrixXd& from, const Eigen::Matrix
 /// coefficients of the function's image on the other surface.
 struct FunctionalMaps
 {
-  Eigen::MatrixXd AToB, BToA; ///< k x k
+  Eigen::MatrixXd AToB, BToA; ///< k_B x k_A, k_A x k_B
 };
 
 /// The functional map of an isometry is orthogonal, so its transpose is the first guess of the
@@ -57,9 +60,10 @@ inline FunctionalMaps WithTranspose(const Eigen::MatrixXd& map)
  * (Ren, Melzi, Ovsjanikov and Wonka, "MapTree: recovering multiple solutions in the space of maps",
  * 2020, section 5).
  *
- * map: the initial functional map from a to b (k x k), for surfaces scaled to area 1. Without
- * steps, the result is this map and its transpose. landmarks: each pair has the weight of a
- * thousandth of all samples in the fits. Throws Aborted.
+ * start: the initial functional maps, for surfaces scaled to area 1. They may have different
+ * numbers of rows and columns; the first step begins with the larger one. Without steps, the result
+ * is start. landmarks: each pair has the weight of a thousandth of all samples in the fits. Throws
+ * Aborted.
  */
 FunctionalMaps RefineByZoomOut(const SampledSpectrum& a, const SampledSpectrum& b,
   const FunctionalMaps& start, const Landmarks& landmarks, const ZoomOutOptions& options = {},

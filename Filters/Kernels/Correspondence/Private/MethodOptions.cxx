@@ -50,6 +50,11 @@ void RequireMethodOptions(const CorrespondenceOptions& options)
   RequireWeight(functional.Fit.DescriptorWeight, "DescriptorWeight");
   RequireWeight(functional.Fit.OrientationWeight, "OrientationWeight");
   RequireWeight(functional.Fit.CurveWeight, "CurveWeight");
+  RequireWeight(functional.Fit.DisplacementWeight, "DisplacementWeight");
+  RequireWeight(functional.Fit.Displacement, "Displacement");
+  RequireOption(functional.Refinement.SamplesPerFunction == 0.0 ||
+      functional.Refinement.SamplesPerFunction >= 1.0,
+    "SamplesPerEigenfunction", functional.Refinement.SamplesPerFunction, "0 or at least 1");
   RequireWeight(functional.Fit.OrthonormalityWeight, "OrthonormalityWeight");
   RequireWeight(functional.Fit.InverseWeight, "InverseWeight");
 

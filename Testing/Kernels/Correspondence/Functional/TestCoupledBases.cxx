@@ -1,6 +1,6 @@
 #include "Base/Errors.h"
 #include "Correspondence/Functional/CoupledBases.h"
-#include "Correspondence/Functional/LandmarkKernels.h"
+#include "Correspondence/Functional/Private/LandmarkKernels.h"
 #include "Support/MatchingShapes.h"
 
 #include <gtest/gtest.h>

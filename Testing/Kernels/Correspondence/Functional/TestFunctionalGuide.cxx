@@ -227,7 +227,7 @@ TEST(FunctionalGuide, RefusesMatricesThatDoNotFitAndPartsThatItCannotLocate)
     options.Functional.Guide.Matrix = matrix;
     EXPECT_THROW(shape::ComputeCorrespondence(mesh, mesh, {}, options), shape::InvalidInput);
   };
-  refused(Eigen::MatrixXd::Identity(20, 21));
+  refused(Eigen::MatrixXd::Identity(20, mesh.Points.rows() + 1));
   refused(Eigen::MatrixXd::Identity(mesh.Points.rows() + 1, mesh.Points.rows() + 1));
   Eigen::MatrixXd broken = Eigen::MatrixXd::Identity(20, 20);
   broken(3, 4) = std::numeric_limits<double>::quiet_NaN();

@@ -67,6 +67,7 @@ TEST(FunctionalMapEnergy, HasTheGradientAndThePolynomialOfItsValue)
     options.Mask = mask;
     options.LaplacianWeight = 0.7;
     options.CurveWeight = 0.6;
+    options.DisplacementWeight = 0.2;
     options.OrthonormalityWeight = 0.4;
     options.InverseWeight = 0.3;
     const shape::FunctionalMapEnergy energy(pair.A.Surface(), pair.B.Surface(), options);
@@ -93,6 +94,24 @@ TEST(FunctionalMapEnergy, HasTheGradientAndThePolynomialOfItsValue)
   }
 }
 
+// The rate of change is the limit of the quotient, so the energies converge, linearly.
+TEST(FunctionalMapEnergy, OfADisplacementConvergesToThatOfItsRate)
+{
+  const Pair pair;
+  const shape::FunctionalMaps maps = Random(1);
+  const auto value = [&](double displacement)
+  {
+    shape::FunctionalMapFitOptions options = Options();
+    options.DisplacementWeight = 1.0;
+    options.Displacement = displacement;
+    return shape::FunctionalMapEnergy(pair.A.Surface(), pair.B.Surface(), options).Value(maps);
+  };
+  const double limit = value(0.0), coarse = std::abs(value(1e-3) - limit),
+               fine = std::abs(value(1e-4) - limit);
+  EXPECT_GT(coarse, 0.0);
+  EXPECT_NEAR(fine / coarse, 0.1, 0.02);
+}
+
 double Off(const Eigen::MatrixXd& product)
 {
   return (product - Eigen::MatrixXd::Identity(product.rows(), product.cols())).squaredNorm();
@@ -104,7 +123,7 @@ TEST(FitFunctionalMap, HasSmallerCommutatorsForLargerWeights)
   using Options = shape::FunctionalMapFitOptions;
   const Pair pair;
   for (double Options::*const weight : { &Options::LaplacianWeight, &Options::DescriptorWeight,
-         &Options::OrientationWeight, &Options::CurveWeight })
+         &Options::OrientationWeight, &Options::CurveWeight, &Options::DisplacementWeight })
   {
     Options without = ::Options(), with = without;
     without.*weight = 0.0;

@@ -45,6 +45,19 @@ public:
   {
     Eigen::MatrixXd X, Y; ///< m x k
   };
+  const Eigen::VectorXd& TriangleAreas() const { return this->Areas; }
+
+  /// The derivatives of positions (n x 3) in the plane of a triangle (3 x 2).
+  Eigen::Matrix<double, 3, 2> DerivativeOf(const Eigen::MatrixXd& positions, Eigen::Index t) const
+  {
+    const Eigen::Vector3d first = positions.row(this->Triangles(t, 0)),
+                          one = positions.row(this->Triangles(t, 1)).transpose() - first,
+                          two = positions.row(this->Triangles(t, 2)).transpose() - first;
+    Eigen::Matrix<double, 3, 2> result;
+    result.col(0) = one / this->Positions(t, 0);
+    result.col(1) = (two - result.col(0) * this->Positions(t, 1)) / this->Positions(t, 2);
+    return result;
+  }
 
   /// functions: n x k, of the points.
   Components Of(const Eigen::MatrixXd& functions) const
@@ -98,6 +111,73 @@ Eigen::MatrixXd CurveOperator(const Eigen::MatrixXd& functions, const std::vecto
   return values.transpose() * values / std::max<double>(1.0, static_cast<double>(points.size()));
 }
 
+/// The unit normals at the points (n x 3), weighted by area.
+Eigen::MatrixXd PointNormals(const Mesh& mesh)
+{
+  const Eigen::MatrixXd vectors = ComputeAreaVectors(mesh);
+  Eigen::MatrixXd normals = Eigen::MatrixXd::Zero(mesh.Points.rows(), 3);
+  for (Eigen::Index t = 0; t < mesh.Triangles.rows(); ++t)
+  {
+    for (const int corner : mesh.Triangles.row(t))
+    {
+      normals.row(corner) += vectors.row(t);
+    }
+  }
+  normals.rowwise().normalize();
+  return normals;
+}
+
+/// How the stiffness of a triangle changes if its metric, the identity, becomes F' F: grad f' S
+/// grad g, with S the change of sqrt(det(F' F)) (F' F)^-1. A triangle that F collapses has none.
+Eigen::Matrix2d StiffnessChange(const Eigen::Matrix<double, 3, 2>& f)
+{
+  const Eigen::Matrix2d metric = f.transpose() * f;
+  const double area = std::sqrt(std::max(0.0, metric.determinant()));
+  constexpr double collapsed = 1e-6; // of the triangle's area
+  if (area <= collapsed)
+  {
+    return Eigen::Matrix2d::Zero();
+  }
+  return area * metric.inverse() - Eigen::Matrix2d::Identity();
+}
+
+/// N of the header, in the scalar product of gradients: L^-1/2 (the change of the stiffness)
+/// L^-1/2, so that all eigenfunctions count alike. Constant functions are left out.
+Eigen::MatrixXd DisplacementOperator(const Mesh& mesh, const Gradients& gradients,
+  const Gradients::Components& ofFunctions, const Eigen::VectorXd& eigenvalues, double distance)
+{
+  const Eigen::MatrixXd normals = PointNormals(mesh);
+  const Eigen::VectorXd& areas = gradients.TriangleAreas();
+  Eigen::VectorXd xx(areas.size()), xy(areas.size()), yy(areas.size());
+  for (Eigen::Index t = 0; t < areas.size(); ++t)
+  {
+    const Eigen::Matrix<double, 3, 2> at = gradients.DerivativeOf(mesh.Points, t),
+                                      by = gradients.DerivativeOf(normals, t);
+    Eigen::Matrix2d change;
+    if (distance > 0.0)
+    {
+      change = StiffnessChange(at + distance * by) / distance;
+    }
+    else
+    {
+      // The metric changes at the rate G, and sqrt(det) inverse at the rate tr(G) / 2 I - G.
+      const Eigen::Matrix2d half = at.transpose() * by, rate = half + half.transpose();
+      change = 0.5 * rate.trace() * Eigen::Matrix2d::Identity() - rate;
+    }
+    xx(t) = areas(t) * change(0, 0);
+    xy(t) = areas(t) * change(0, 1);
+    yy(t) = areas(t) * change(1, 1);
+  }
+  const Eigen::MatrixXd &x = ofFunctions.X, &y = ofFunctions.Y;
+  const Eigen::MatrixXd mixed = x.transpose() * xy.asDiagonal() * y;
+  const Eigen::VectorXd roots =
+    (eigenvalues.array() > 0.0).select(eigenvalues.array().sqrt().inverse(), 0.0);
+  return roots.asDiagonal() *
+    (x.transpose() * xx.asDiagonal() * x + mixed + mixed.transpose() +
+      y.transpose() * yy.asDiagonal() * y) *
+    roots.asDiagonal();
+}
+
 } // namespace
 
 // Coefficients are inner products with the mass-orthonormal eigenfunctions: phi' M f.
@@ -121,7 +201,7 @@ FunctionalOperators ComputeFunctionalOperators(
   const Eigen::MatrixXd integrals = gradients.Integrals(functions);
   const int count = static_cast<int>(chosen.size());
   FunctionalOperators result{ weighted.transpose() * descriptors, Matrices(count), Matrices(count),
-    {} };
+    {}, {} };
   if (given.Given > 0 && computed > 0)
   {
     result.Coefficients.rightCols(given.Given) *=
@@ -151,6 +231,11 @@ FunctionalOperators ComputeFunctionalOperators(
       }
     },
     progress);
+  if (options.DisplacementWeight > 0.0)
+  {
+    result.Displacements.push_back(DisplacementOperator(given.Surface, gradients, ofFunctions,
+      spectrum.Eigenvalues.head(options.Size), options.Displacement));
+  }
   if (options.CurveWeight > 0.0)
   {
     for (const std::vector<int>& curve : given.Curves)

@@ -20,7 +20,8 @@ struct FunctionalOperators
   /// is 0.
   std::vector<Eigen::MatrixXd> Products, Turns;
   ///@}
-  std::vector<Eigen::MatrixXd> Curves; ///< K of FitFunctionalMap; none if the weight is 0
+  std::vector<Eigen::MatrixXd> Displacements; ///< N; none if the weight is 0
+  std::vector<Eigen::MatrixXd> Curves;        ///< K of FitFunctionalMap; none if the weight is 0
 };
 
 /// Throws Aborted.

@@ -1,4 +1,4 @@
-#include "Correspondence/Functional/LandmarkKernels.h"
+#include "Correspondence/Functional/Private/LandmarkKernels.h"
 
 #include "Spectrum/SpectralSignatures.h"
 
