@@ -158,6 +158,8 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
   shape::CorrespondenceOptions options = this->Options;
   shape::RequireOption(
     this->Coupled.Size >= 0, "CoupledBasisSize", this->Coupled.Size, "at least 0");
+  shape::RequireOption(this->Coupled.Weight >= 0.0 && std::isfinite(this->Coupled.Weight),
+    "CoupledBasisWeight", this->Coupled.Weight, "at least 0 and finite");
   const bool couple = this->Coupled.Size > 0;
   options.FunctionalMatrix = this->OutputEigenfunctions || couple || HasNames(this->TransferArrays);
   shape::FunctionalGuide& guide = options.Functional.Guide;

@@ -52,9 +52,9 @@ void RequireMethodOptions(const CorrespondenceOptions& options)
   RequireWeight(functional.Fit.CurveWeight, "CurveWeight");
   RequireWeight(functional.Fit.DisplacementWeight, "DisplacementWeight");
   RequireWeight(functional.Fit.Displacement, "Displacement");
-  RequireOption(functional.Refinement.SamplesPerFunction == 0.0 ||
-      functional.Refinement.SamplesPerFunction >= 1.0,
-    "SamplesPerEigenfunction", functional.Refinement.SamplesPerFunction, "0 or at least 1");
+  const double samples = functional.Refinement.SamplesPerFunction;
+  RequireOption(samples == 0.0 || (samples >= 1.0 && std::isfinite(samples)),
+    "SamplesPerEigenfunction", samples, "0, or at least 1 and finite");
   RequireWeight(functional.Fit.OrthonormalityWeight, "OrthonormalityWeight");
   RequireWeight(functional.Fit.InverseWeight, "InverseWeight");
 
