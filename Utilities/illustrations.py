@@ -440,6 +440,20 @@ def MapDifference():
 
 
 @drawing
+def FromOperators():
+    plate = Plane(XResolution=24, YResolution=24)
+    roll = '0.4*sin(coordsX/0.4)*iHat + coordsY*jHat + 0.4*cos(coordsX/0.4)*kHat'
+    rolled = Calculator(Input=plate, CoordinateResults=1, Function=roll)
+    mapped = Calculator(Input=plate, ResultArrayName='TargetPosition', Function=roll)
+    difference = ShapeMapDifference(SurfaceA=mapped, SurfaceB=rolled, Products='Triangles', OffsetDistance=0.1,
+                                    NumberOfEigenpairs=100)
+    show(plate, shift=(-0.65, 0, 0), edges=True)
+    show(ShapeFromOperators(Input=plate, Operators=OutputPort(difference, 1)), shift=(0.65, 0, 0), edges=True,
+         array='SourcePosition', part='X', preset='Cool to Warm')
+    return (0.3, -1.0, 0.6), FRONT[1]
+
+
+@drawing
 def GeodesicDistance():
     surface = shape('FigureA.vtp')
     seed = PointSource(Center=[0.508, 0.017, 0.792], NumberOfPoints=1, Radius=0.0)

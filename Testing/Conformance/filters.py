@@ -102,6 +102,16 @@ def divided():
     return grid
 
 
+def operators():
+    """The table of Shape Map Difference of the closed surface and itself."""
+    algorithm = module.vtkShapeMapDifference()
+    algorithm.SetNumberOfEigenpairs(8)
+    for port in range(2):
+        algorithm.SetInputDataObject(port, shapetesting.read('DentedSphere600.vtp'))
+    algorithm.Update()
+    return algorithm.GetOutputDataObject(1)
+
+
 # Inputs that no file has; also optional ones that others may take the place of, one of which is
 # required.
 NEEDED_INPUTS = {
@@ -109,6 +119,7 @@ NEEDED_INPUTS = {
     ('ShapeHexRemesh', 'Surface'): lambda: shapetesting.read('DentedSphere600.vtp'),
     ('ShapeDeform', 'Boundary'): lambda: shapetesting.read('FigureBSmall.vtp'),
     ('ShapePasteFeature', 'Feature'): cap,
+    ('ShapeFromOperators', 'Operators'): operators,
     ('ShapeCutFeature', 'Loop'): lambda: shapetesting.closed_curve(
         [[0.6 * numpy.cos(t), 0.6 * numpy.sin(t), 0.8] for t in 0.26 * numpy.arange(24)]),
     ('ShapeFillHoles', 'Input'): holed,

@@ -57,7 +57,8 @@ const std::set<std::string> RealMeasures = {
   "BoundaryDistance", "GeodesicDistance", "DeformationGradient", "JacobianDeterminant", "Dirichlet",
   "SymmetricDirichlet", "ConformalDistortion", "ARAP", "Hencky", "AMIPS", "AreaDistortion",
   "L2Stretch", "LinfStretch", "SmallestSingularValue", "LargestSingularValue", "AreaDifference",
-  "ConformalDifference", "AreaEigenfunctions", "ConformalEigenfunctions", "Eigenfunctions",
+  "ConformalDifference", "AreaEigenfunctions", "ConformalEigenfunctions", "OffsetAreaDifference",
+  "OffsetConformalDifference", "SideLengths", "Angles", "NormalCurvatures", "Eigenfunctions",
   "Masses", "HeatKernelSignature", "WaveKernelSignature", "Embedding", "ArrivalTime", "Radius",
   "SplineError"
 };

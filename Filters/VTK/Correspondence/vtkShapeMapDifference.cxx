@@ -11,9 +11,12 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
+#include "Correspondence/Evaluate/MetricEmbedding.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
+
+#include <vector>
 
 vtkStandardNewMacro(vtkShapeMapDifference);
 
@@ -23,7 +26,8 @@ vtkShapeMapDifference::vtkShapeMapDifference()
   this->DeclareInput("SurfaceB", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
   this->DeclareOutputLikeInput();
   this->DeclareOutput("vtkTable");
-  this->DeclareFacts({ { 0, { "AreaEigenvalues", "ConformalEigenvalues" } } });
+  this->DeclareFacts(
+    { { 0, { "AreaEigenvalues", "ConformalEigenvalues" } }, { 1, { "OffsetDistance" } } });
   this->DeclareShown(0, { "AreaDifference" });
   this->DeclareMemoryRemedy("lower Number Of Eigenpairs");
 }
@@ -64,17 +68,34 @@ void vtkShapeMapDifference::Execute(const shape::Progress& progress)
   {
     map = shape::SurfaceLocator(second).Find(images, progress.Part(0.0, 0.05));
   }
-  const shape::MapDifferenceResult result =
-    shape::MapDifference(first, second, map, this->Options, progress.Part(0.05, 1.0));
+  const bool hasOffset = this->OffsetDistance != 0.0;
+  const shape::MapDifferenceResult result = shape::MapDifference(
+    first, second, map, this->Options, progress.Part(0.05, hasOffset ? 0.55 : 1.0));
+
+  // The offset surfaces have the triangles of the surfaces, and the map the same surface points.
+  shape::MapDifferenceResult offset;
+  if (hasOffset)
+  {
+    offset = shape::MapDifference(shape::OffsetSurface(first, this->OffsetDistance, "SurfaceA"),
+      shape::OffsetSurface(second, this->OffsetDistance, "SurfaceB"), map, this->Options,
+      progress.Part(0.55, 1.0));
+  }
 
   const auto own = [&](const Eigen::MatrixXd& values)
   { return vtkShapeConvert::Rows(values, whole.OwnPoints); };
   vtkDataObject* output = this->GetOutputDataObject(0);
-  vtkShapeComposite::AddPointFields(this->GetInputDataObject(0, 0), output,
-    { { "AreaDifference", own(result.Area.Field) },
-      { "ConformalDifference", own(result.Conformal.Field) },
-      { "AreaEigenfunctions", own(result.Area.Eigenfunctions) },
-      { "ConformalEigenfunctions", own(result.Conformal.Eigenfunctions) } });
+  std::vector<vtkShapeComposite::PointField> fields = {
+    { "AreaDifference", own(result.Area.Field) },
+    { "ConformalDifference", own(result.Conformal.Field) },
+    { "AreaEigenfunctions", own(result.Area.Eigenfunctions) },
+    { "ConformalEigenfunctions", own(result.Conformal.Eigenfunctions) },
+  };
+  if (hasOffset)
+  {
+    fields.push_back({ "OffsetAreaDifference", own(offset.Area.Field) });
+    fields.push_back({ "OffsetConformalDifference", own(offset.Conformal.Field) });
+  }
+  vtkShapeComposite::AddPointFields(this->GetInputDataObject(0, 0), output, fields);
   vtkFieldData* facts = output->GetFieldData();
   facts->AddArray(
     vtkShapeConvert::ToArray(result.Area.Eigenvalues, "MapDifference.AreaEigenvalues"));
@@ -88,5 +109,8 @@ void vtkShapeMapDifference::Execute(const shape::Progress& progress)
     auto* table = vtkTable::SafeDownCast(this->GetOutputDataObject(1));
     AddColumns(result.Area.Matrix, "Area", table);
     AddColumns(result.Conformal.Matrix, "Conformal", table);
+    AddColumns(offset.Area.Matrix, "OffsetArea", table);
+    AddColumns(offset.Conformal.Matrix, "OffsetConformal", table);
+    vtkShapeConvert::AddFact(table, "MapDifference.OffsetDistance", this->OffsetDistance);
   }
 }

@@ -19,16 +19,21 @@
  * - `AreaEigenfunctions`, `ConformalEigenfunctions`: eigenfunctions of the operators of area and of
  *   conformal difference (10 components, in order of the distance of their eigenvalues from 1). An
  *   eigenfunction is large where the surfaces differ by the factor given by its eigenvalue.
+ * - `OffsetAreaDifference`, `OffsetConformalDifference`, if OffsetDistance is not 0: the first two
+ *   for the offset surfaces. Where they differ from these, the curvature differs.
  * The first two arrays are means over the smallest regions that NumberOfEigenpairs functions can
  * resolve.
  *
- * Facts: MapDifference.AreaEigenvalues, .ConformalEigenvalues, .UndeterminedFunctions (number
- * of functions on SurfaceB that the map covers too little to determine) and .PreciseMap (1 if
- * `TargetCell` was used, otherwise 0). The eigenvalues are also field data of output 0.
+ * Facts: MapDifference.OffsetDistance, .AreaEigenvalues, .ConformalEigenvalues,
+ * .UndeterminedFunctions (number of functions on SurfaceB that the map covers too little to
+ * determine) and .PreciseMap (1 if `TargetCell` was used, otherwise 0). The eigenvalues are also
+ * field data of output 0.
  *
  * Output 1: a table, on one process, with both operators as matrices in the eigenbasis of the
  * Laplacian of SurfaceA. It has a row for each eigenfunction and the columns Area0, Area1, ...,
- * Conformal0, ...
+ * Conformal0, ... If OffsetDistance is not 0, it also has OffsetArea0, ..., OffsetConformal0, ...
+ * in the eigenbasis of the offset surface of SurfaceA. Its field data has
+ * MapDifference.OffsetDistance. vtkShapeFromOperators recovers SurfaceB from this table.
  *
  * The mathematics: shape::MapDifference.
  */
@@ -51,6 +56,10 @@ public:
   vtkSetStdStringFromCharMacro(MapArray);
   vtkGetCharFromStdStringMacro(MapArray);
   vtkShapeOption(NumberOfEigenpairs, int);
+  vtkShapeEnumOption(Products, shape::MapDifferenceOptions::ProductsType,
+    shape::MapDifferenceOptions::ProductsType::Eigenfunctions,
+    shape::MapDifferenceOptions::ProductsType::Triangles);
+  vtkShapeOptionAs(OffsetDistance, OffsetDistance, double);
   ///@}
 
 protected:
@@ -63,6 +72,7 @@ private:
   void operator=(const vtkShapeMapDifference&) = delete;
 
   std::string MapArray = "TargetPosition";
+  double OffsetDistance = 0.0; ///< 0: no operators of offset surfaces
   shape::MapDifferenceOptions Options;
 };
 

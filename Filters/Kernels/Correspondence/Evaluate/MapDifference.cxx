@@ -1,6 +1,7 @@
 #include "Correspondence/Evaluate/MapDifference.h"
 
 #include "Base/Errors.h"
+#include "Correspondence/Evaluate/Private/TriangleProducts.h"
 #include "Linear/SymmetricEigen.h"
 #include "Mesh/HalfEdges.h"
 #include "Mesh/Surface.h"
@@ -8,6 +9,7 @@
 #include "Search/ClosestPoint.h"
 #include "Spectrum/LaplaceEigenproblem.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -182,14 +184,14 @@ void Order(const Eigen::MatrixXd& matrix, DifferenceOperator& result, Eigen::Mat
   vectors = solver.eigenvectors()(Eigen::all, order);
 }
 
-/// Returns <d, matrix d> / <d, weights d> for the row d of `functions` at each point; 1 if the
+/// Returns <d, other d> / <d, here d> for the row d of `functions` at each point; 1 if the
 /// denominator is 0.
 Eigen::VectorXd Around(
-  const Eigen::MatrixXd& functions, const Eigen::MatrixXd& matrix, const Eigen::VectorXd& weights)
+  const Eigen::MatrixXd& functions, const Eigen::MatrixXd& other, const Eigen::MatrixXd& here)
 {
   Eigen::VectorXd result = Eigen::VectorXd::Ones(functions.rows());
-  const Eigen::VectorXd above = (functions * matrix).cwiseProduct(functions).rowwise().sum(),
-                        below = functions.cwiseAbs2() * weights;
+  const Eigen::VectorXd above = (functions * other).cwiseProduct(functions).rowwise().sum(),
+                        below = (functions * here).cwiseProduct(functions).rowwise().sum();
   for (Eigen::Index i = 0; i < result.size(); ++i)
   {
     if (below(i) > 0.0)
@@ -200,42 +202,59 @@ Eigen::VectorXd Around(
   return result;
 }
 
-/// Rustamov et al.: the area-based difference is F' F, since both bases are orthonormal.
-DifferenceOperator AreaDifference(const Eigen::MatrixXd& functions, const Eigen::MatrixXd& f)
+/// The operator here^-1 other, from the products of functions on the first surface and on the
+/// second one.
+DifferenceOperator CompareProducts(
+  const Eigen::MatrixXd& functions, const Eigen::MatrixXd& here, const Eigen::MatrixXd& other)
 {
+  const Eigen::LLT<Eigen::MatrixXd> factor(here);
+  if (factor.info() != Eigen::Success)
+  {
+    throw SolveFailure("the eigenfunctions of SurfaceA are not independent on its triangles; lower "
+                       "NumberOfEigenpairs, or remesh the surface");
+  }
   DifferenceOperator result;
-  result.Matrix = f.transpose() * f;
-  result.Field = Around(functions, result.Matrix, Eigen::VectorXd::Ones(functions.cols()));
+  result.Matrix = factor.solve(other);
+  result.Field = Around(functions, other, here);
+  // The operator itself is not symmetric. The similar matrix is: it has the same real eigenvalues,
+  // and orthogonal vectors.
+  const Eigen::MatrixXd half = factor.matrixL().solve(other);
   Eigen::MatrixXd vectors;
-  Order(result.Matrix, result, vectors);
-  result.Eigenfunctions = functions * vectors;
+  Order(factor.matrixL().solve(half.transpose()), result, vectors);
+  result.Eigenfunctions = functions * factor.matrixU().solve(vectors);
   return result;
 }
 
-/// constants: how many of the first eigenvalues are 0.
-/// Rustamov et al.: the conformal difference compares Dirichlet energies, L1^-1 F' L2 F. Constants
-/// have no energy and are left out.
-DifferenceOperator ConformalDifference(const LaplaceEigenpairs& first,
-  const LaplaceEigenpairs& second, const Eigen::MatrixXd& f, Eigen::Index constants)
+/// The conformal operator: constants, the first functions, have no gradient and are left out.
+DifferenceOperator CompareGradients(const Eigen::MatrixXd& functions, const Eigen::MatrixXd& here,
+  const Eigen::MatrixXd& other, Eigen::Index constants)
 {
-  const Eigen::Index count = first.Eigenvalues.size(), others = count - constants;
-  const Eigen::MatrixXd energies =
-    f.transpose() * second.Eigenvalues.asDiagonal() * f; // of gradients on the second surface
-  const auto varying = energies.bottomRightCorner(others, others);
-  const Eigen::VectorXd values = first.Eigenvalues.tail(others);
-  const Eigen::MatrixXd functions = first.Eigenfunctions.rightCols(others);
+  const Eigen::Index count = functions.cols(), others = count - constants;
+  DifferenceOperator result = CompareProducts(functions.rightCols(others),
+    here.bottomRightCorner(others, others), other.bottomRightCorner(others, others));
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count, count);
+  matrix.bottomRightCorner(others, others) = result.Matrix;
+  result.Matrix = std::move(matrix);
+  return result;
+}
 
-  DifferenceOperator result;
-  result.Matrix.setZero(count, count);
-  result.Matrix.bottomRightCorner(others, others) = values.cwiseInverse().asDiagonal() * varying;
-  result.Field = Around(functions, varying, values);
-  // R has the eigenvalues of L1^-1/2 F' L2 F L1^-1/2.
-  const Eigen::VectorXd roots = values.cwiseSqrt().cwiseInverse();
-  Eigen::MatrixXd vectors;
-  // R itself is not symmetric; the similar matrix is, and has real eigenvalues and orthogonal
-  // vectors.
-  Order(roots.asDiagonal() * varying * roots.asDiagonal(), result, vectors);
-  result.Eigenfunctions = functions * (roots.asDiagonal() * vectors);
+/// Corman et al. 2017: the products of the same functions on the triangles of the first surface and
+/// on their images.
+MapDifferenceResult CompareTriangles(const Surface& first, const Surface& second,
+  const SurfacePoints& map, int pairs, Eigen::Index constants, const Progress& progress)
+{
+  const LaplaceEigenpairs basis =
+    SolveLaplaceEigenproblem(first, pairs, progress.Part(0.0, 0.9, "computing the eigenfunctions"));
+  const Eigen::MatrixXd& functions = basis.Eigenfunctions;
+  const TriangleProducts here = ComputeTriangleProducts(first, functions),
+                         beyond = ComputeTriangleProducts(
+                           first.WithPoints(PullBack(map, second.Triangles(), second.Points())),
+                           functions);
+  progress(0.95);
+  MapDifferenceResult result;
+  result.Area = CompareProducts(functions, here.Mass, beyond.Mass);
+  result.Conformal = CompareGradients(functions, here.Dirichlet, beyond.Dirichlet, constants);
+  progress(1.0);
   return result;
 }
 
@@ -255,6 +274,10 @@ MapDifferenceResult MapDifference(const Surface& first, const Surface& second,
     "more than the number of SurfaceA's components, " + std::to_string(topology.Components));
   RequirePoints(count, used, "SurfaceA");
   RequirePoints(count, usedThere, "SurfaceB");
+  if (options.Products == MapDifferenceOptions::ProductsType::Triangles)
+  {
+    return CompareTriangles(first, second, map, count, topology.Components, progress);
+  }
   // Images of A's eigenfunctions contain higher frequencies of B; with only as many functions the
   // projection would look like a loss of area.
   const int there = std::min({ 2 * count, used, usedThere });
@@ -269,8 +292,12 @@ MapDifferenceResult MapDifference(const Surface& first, const Surface& second,
 
   MapDifferenceResult result;
   result.Undetermined = f.Undetermined;
-  result.Area = AreaDifference(here.Eigenfunctions, f.Matrix);
-  result.Conformal = ConformalDifference(here, beyond, f.Matrix, topology.Components);
+  // Rustamov et al.: both bases are orthonormal, so the area-based difference is F' F. The
+  // conformal difference compares Dirichlet energies: L1^-1 F' L2 F.
+  result.Area = CompareProducts(
+    here.Eigenfunctions, Eigen::MatrixXd::Identity(count, count), f.Matrix.transpose() * f.Matrix);
+  result.Conformal = CompareGradients(here.Eigenfunctions, here.Eigenvalues.asDiagonal(),
+    f.Matrix.transpose() * beyond.Eigenvalues.asDiagonal() * f.Matrix, topology.Components);
   progress(1.0);
   return result;
 }

@@ -14,6 +14,17 @@ struct MapDifferenceOptions
   /// k: number of eigenfunctions of the first surface that the operators act on. Of the second
   /// surface, 2 k eigenfunctions are used, but no more than either surface has points.
   int NumberOfEigenpairs = 50;
+  /// How the products of functions on the second surface are integrated.
+  enum class ProductsType
+  {
+    /// Over the second surface: functions are pulled back into its eigenbasis, F f as below.
+    Eigenfunctions,
+    /// Over the triangles of the first surface with their corners at the images, which is exact for
+    /// functions that are linear on them (Corman et al. 2017, section 4). Such operators determine
+    /// the lengths of edges: see RecoverMetric.
+    Triangles
+  };
+  ProductsType Products = ProductsType::Eigenfunctions;
 };
 
 /// A difference operator on the functions of a surface, and its spectrum.
@@ -58,6 +69,11 @@ inline constexpr int DifferenceEigenfunctions = 10;
  * (equation 6). In the eigenbases, with eigenvalues L1 and L2, V = F' F and R = L1^+ F' L2 F. V is
  * the identity if the map keeps areas. R is the identity, except for constants, if the map keeps
  * angles. Constants have no gradient, so their rows and columns of R are 0.
+ *
+ * With Products = Triangles, V = A1^-1 A2 and R = W1^-1 W2, where A and W are the products of the
+ * same k functions and of their gradients, on the triangles of `first` as they are and as they are
+ * mapped (Corman et al., "Functional characterization of intrinsic and extrinsic geometry", 2017).
+ * Undetermined is then 0.
  *
  * Some combinations of eigenfunctions are concentrated outside the image of the map, such as on a
  * part of `second` without a partner. A combination is ignored if the share of its squared norm on
