@@ -449,7 +449,7 @@ def FromOperators():
                                     NumberOfEigenpairs=100)
     show(plate, shift=(-0.65, 0, 0), edges=True)
     show(ShapeFromOperators(Input=plate, Operators=OutputPort(difference, 1)), shift=(0.65, 0, 0), edges=True,
-         array='SourcePosition', part='X', preset='Cool to Warm')
+         array='SourcePosition', part='Y', preset='Cool to Warm')
     return (0.3, -1.0, 0.6), FRONT[1]
 
 
