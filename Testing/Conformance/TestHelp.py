@@ -101,13 +101,20 @@ for path in paths('Filters', 'VTK', '*', 'vtkShape*.xml'):
         if not proxy.tag.endswith('Proxy') or not proxy.get('name'):
             continue
         where = '%s, %s' % (name, proxy.get('name'))
-        choices = {each.get('text') for each in proxy.iter('Entry')}
+        choices = {each.get('text'): (owner.get('name'), each.get('value'))
+                   for owner in proxy for each in owner.iter('Entry')}
         for child in proxy:
-            # A row for one choice alone, "Disk: ...", is hidden with the others.
+            # A row for one choice alone, "Disk: ...", is shown with it and hidden with the others.
             start = re.match(r'\s*(\w+)(?: and \w+)*:', child.findtext('Documentation') or '')
-            if child.tag.endswith('VectorProperty') and start and start.group(1) in choices and (
-                    child.find('Hints/PropertyWidgetDecorator') is None):
-                faults.append('%s.%s is for %s alone, and is always shown' % (where, child.get('name'), start.group(1)))
+            if child.tag.endswith('VectorProperty') and start and start.group(1) in choices:
+                owner, value = choices[start.group(1)]
+                decorators = child.findall('Hints/PropertyWidgetDecorator')
+                if not decorators:
+                    faults.append('%s.%s is for %s alone, and is always shown' % (
+                        where, child.get('name'), start.group(1)))
+                for each in decorators:
+                    if each.get('property') == owner and value not in (each.get('values') or each.get('value')).split():
+                        faults.append('%s.%s is not shown with %s' % (where, child.get('name'), start.group(1)))
             # Those that a writer shows are documented where they are declared.
             if child.tag.endswith('Property'):
                 check_property('%s.%s' % (where, child.get('name')), child)
