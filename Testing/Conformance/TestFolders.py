@@ -99,6 +99,16 @@ for header in (path for path in kernels if path.endswith('.h')):
     if not private and not outside and not shown_by:
         faults.append('%s is used in its room alone: it belongs to Private/' % header)
 
+# Of the inline functions of two classes with one name, such as their destructors, the linker keeps only one.
+owners = collections.defaultdict(set)
+for path in (path for path in kernels if path.endswith('.h')):
+    text = open(os.path.join(root, 'Filters', 'Kernels', path)).read()
+    for name in re.findall(r'^(?:struct|class) (\w+)(?: final)?(?: *:[^;{]*)?\s*\{', text, re.MULTILINE):
+        owners[name].add(path)
+for name, where in owners.items():
+    if len(where) > 1:
+        faults.append('%s is a class in %s: give them different names' % (name, ' and in '.join(sorted(where))))
+
 # A unit is a header with its source: no circle of units.
 units = collections.defaultdict(set)
 for path, includes in kernels.items():

@@ -203,9 +203,9 @@ void RequireRows(const Eigen::MatrixXd& features, const Surface& surface, const 
 }
 
 /// The features of the coarse surfaces' points.
-SurfaceFeatures Features(const SurfaceFeatures& given, const CoarsePair& pair)
+PairFeatures Features(const PairFeatures& given, const CoarsePair& pair)
 {
-  SurfaceFeatures features{ {}, {}, given.FeatureWeight };
+  PairFeatures features{ {}, {}, given.FeatureWeight };
   if (given.OfA.cols() > 0)
   {
     std::vector<int> onA(pair.A().Points().rows()), onB(pair.B().Points().rows());

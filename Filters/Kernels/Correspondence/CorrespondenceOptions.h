@@ -50,7 +50,7 @@ struct CorrespondenceOptions
   int Samples = 500;            ///< GromovWasserstein: samples of each surface; >= 10
   /// GromovWasserstein: the coupling of the samples.
   EntropicCouplingOptions Coupling;
-  SurfaceFeatures Features; ///< GromovWasserstein: what corresponding points should share
+  PairFeatures Features; ///< GromovWasserstein: what corresponding points should share
   /// GromovWasserstein: eigenpairs that extend the coupling to all points; >= 2.
   int CouplingEigenpairs = 60;
   /// GromovWasserstein without given landmarks: the landmarks from which the coupling starts.

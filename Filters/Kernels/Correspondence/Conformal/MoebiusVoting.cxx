@@ -5,7 +5,7 @@
 #include "Correspondence/Conformal/Private/MidEdgeMap.h"
 #include "Correspondence/Conformal/Private/MoebiusMap.h"
 #include "Correspondence/Landmarks/FeaturedSurface.h"
-#include "Correspondence/Landmarks/SampledSurface.h"
+#include "Correspondence/Landmarks/GeodesicSamples.h"
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Geodesics/FarthestPoints.h"
 #include "Mesh/BoundaryLoops.h"
@@ -40,7 +40,7 @@ FlatSamples Flatten(
 {
   constexpr int distances = 200, features = 12;
   const int start = FindRemotestPoint(surface);
-  const SampledSurface sampled = SampleSurface(surface, options.Samples, progress.Part(0.4, 0.8),
+  const GeodesicSamples sampled = SampleSurface(surface, options.Samples, progress.Part(0.4, 0.8),
     FindFeatures(surface, distances, features, progress.Part(0.0, 0.4)).Features, start);
   const Surface closed = FillWithFans(surface, FindManifoldBoundaryLoops(surface));
   // Source and sink far apart resolve the two extremities where most points gather.

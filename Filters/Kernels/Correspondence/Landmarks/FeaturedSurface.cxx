@@ -61,7 +61,7 @@ FeaturedSurface FindFeatures(
   constexpr int fewest = 6;
   // Candidates may be about equally good, so that the samples decide between them: these do not
   // depend on the numbers of the points.
-  const SampledSurface sampled =
+  const GeodesicSamples sampled =
     SampleSurface(surface, samples, progress.Part(0.0, 0.9), {}, FindRemotestPoint(surface));
   // Hilaga et al., section 3.1: the integral of geodesic distance, here the mean over area-weighted
   // samples. It is largest at the tips of extremities.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Correspondence/Landmarks/SampledSurface.h"
+#include "Correspondence/Landmarks/GeodesicSamples.h"
 #include "Mesh/Surface.h"
 
 #include <Eigen/Core>

@@ -2,8 +2,8 @@
 
 #include "Base/Errors.h"
 #include "Correspondence/Landmarks/AutomaticLandmarks.h"
+#include "Correspondence/Landmarks/GeodesicSamples.h"
 #include "Correspondence/Landmarks/LandmarkEmbedding.h"
-#include "Correspondence/Landmarks/SampledSurface.h"
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Search/NearestSurfacePoints.h"
 #include "Spectrum/LaplaceEigenproblem.h"
@@ -38,14 +38,14 @@ Landmarks Distinct(const Landmarks& landmarks)
 }
 
 /// Returns the longest distance of both.
-double Longest(const SampledSurface& a, const SampledSurface& b)
+double Longest(const GeodesicSamples& a, const GeodesicSamples& b)
 {
   return std::max(a.Between().maxCoeff(), b.Between().maxCoeff());
 }
 
-/// The costs of pairs of samples (SurfaceFeatures).
+/// The costs of pairs of samples (PairFeatures).
 Eigen::MatrixXd FeatureCosts(
-  const SurfaceFeatures& features, const std::vector<int>& onA, const std::vector<int>& onB)
+  const PairFeatures& features, const std::vector<int>& onA, const std::vector<int>& onB)
 {
   const Eigen::Index columns = features.OfA.cols();
   Eigen::MatrixXd costs =
@@ -66,7 +66,7 @@ Eigen::MatrixXd FeatureCosts(
   return costs;
 }
 
-void CheckFeatures(const SurfaceFeatures& features, const Surface& a, const Surface& b)
+void CheckFeatures(const PairFeatures& features, const Surface& a, const Surface& b)
 {
   if (features.OfA.cols() != features.OfB.cols())
   {
@@ -85,7 +85,7 @@ void CheckFeatures(const SurfaceFeatures& features, const Surface& a, const Surf
 /// Distances relative to the longest one, weights and costs. The first `fixed` samples of both are
 /// fixed pairs and have equal weights.
 MetricSpaces Spaces(
-  const SampledSurface& a, const SampledSurface& b, int fixed, const SurfaceFeatures& features)
+  const GeodesicSamples& a, const GeodesicSamples& b, int fixed, const PairFeatures& features)
 {
   MetricSpaces spaces{ a.Between(), b.Between(), a.Weights, b.Weights,
     FeatureCosts(features, a.Points, b.Points), features.FeatureWeight };
@@ -169,12 +169,12 @@ GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surf
   {
     pinned.push_back({ k, k });
   }
-  const SampledSurface onA = SampleSurface(a, options.Samples,
-                         progress.Part(0.1, 0.13, "computing geodesic distances"),
-                         PointsOf(distinct, 0)),
-                       onB = SampleSurface(b, options.Samples,
-                         progress.Part(0.13, 0.16, "computing geodesic distances"),
-                         PointsOf(distinct, 1));
+  const GeodesicSamples onA = SampleSurface(a, options.Samples,
+                          progress.Part(0.1, 0.13, "computing geodesic distances"),
+                          PointsOf(distinct, 0)),
+                        onB = SampleSurface(b, options.Samples,
+                          progress.Part(0.13, 0.16, "computing geodesic distances"),
+                          PointsOf(distinct, 1));
   const bool isFullA = fixed == static_cast<int>(onA.Points.size()),
              isFullB = fixed == static_cast<int>(onB.Points.size());
   if (isFullA != isFullB)
@@ -186,8 +186,8 @@ GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surf
   }
   // Distance matrices have few^2 entries and products few^3: a quarter costs a 64th.
   const int few = fixed + std::max(options.Samples / 4, 10);
-  const SampledSurface fewA = GetFirstSamples(onA, few, ComputePointAreas(a)),
-                       fewB = GetFirstSamples(onB, few, ComputePointAreas(b));
+  const GeodesicSamples fewA = GetFirstSamples(onA, few, ComputePointAreas(a)),
+                        fewB = GetFirstSamples(onB, few, ComputePointAreas(b));
   GromovWassersteinResult result;
   MetricSpaces spaces = Spaces(fewA, fewB, fixed, options.Features);
   EntropicCoupling coupling;

@@ -16,7 +16,7 @@ namespace shape
 /// Numbers at the points of two surfaces that corresponding points should share. Each column is
 /// divided by its range over both surfaces. The cost of a pair is the mean over the columns of the
 /// squared difference.
-struct SurfaceFeatures
+struct PairFeatures
 {
   Eigen::MatrixXd OfA, OfB;   ///< nA x f and nB x f, finite; f may be 0
   double FeatureWeight = 0.5; ///< MetricSpaces::CostWeight
@@ -27,7 +27,7 @@ struct GromovWassersteinOptions
   int Samples = 500;   ///< samples of each surface; >= 10
   int Eigenpairs = 60; ///< eigenpairs of each surface, to extend the map to all points; >= 2
   EntropicCouplingOptions Coupling;
-  SurfaceFeatures Features;
+  PairFeatures Features;
   /// Sets of landmarks, each of which starts one coupling; not used if landmarks are given. If
   /// there are no sets, FindLandmarks gives two: its Pairs and its Rival.
   std::vector<Landmarks> Starts;

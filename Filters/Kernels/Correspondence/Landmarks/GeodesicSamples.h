@@ -11,7 +11,7 @@ namespace shape
 {
 
 /// Samples of a surface scaled to area 1: a few points, evenly spread over it.
-struct SampledSurface
+struct GeodesicSamples
 {
   std::vector<int> Points; ///< s: indices of the samples, which are as far apart as possible
   /// n x s: distances from all points to the samples along the surface, divided by Length.
@@ -27,12 +27,12 @@ struct SampledSurface
 /// (SampleFarthestPoints, from `start`) that are not in `first`. Computes the distances of all
 /// points from the samples (ComputeHeatDistances). surface: one that RequireConnected accepts.
 /// Throws SolveFailure, Aborted.
-SampledSurface SampleSurface(const Surface& surface, int count, const Progress& progress = {},
+GeodesicSamples SampleSurface(const Surface& surface, int count, const Progress& progress = {},
   const std::vector<int>& first = {}, int start = -1);
 
 /// Returns the first `count` samples only, with their weights computed again. areas: n values, the
 /// areas of the surface's points (ComputePointAreas).
-SampledSurface GetFirstSamples(
-  const SampledSurface& sampled, int count, const Eigen::VectorXd& areas);
+GeodesicSamples GetFirstSamples(
+  const GeodesicSamples& sampled, int count, const Eigen::VectorXd& areas);
 
 } // namespace shape

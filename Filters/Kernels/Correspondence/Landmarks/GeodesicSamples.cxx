@@ -1,4 +1,4 @@
-#include "Correspondence/Landmarks/SampledSurface.h"
+#include "Correspondence/Landmarks/GeodesicSamples.h"
 
 #include "Geodesics/FarthestPoints.h"
 #include "Geodesics/HeatGeodesics.h"
@@ -28,17 +28,17 @@ Eigen::VectorXd NearestShares(const Eigen::MatrixXd& distances, const Eigen::Vec
 
 } // namespace
 
-Eigen::MatrixXd SampledSurface::Between() const
+Eigen::MatrixXd GeodesicSamples::Between() const
 {
   // Heat distances from i to j and from j to i differ slightly.
   const Eigen::MatrixXd one = this->Distances(this->Points, Eigen::all);
   return 0.5 * (one + one.transpose());
 }
 
-SampledSurface SampleSurface(const Surface& surface, int count, const Progress& progress,
+GeodesicSamples SampleSurface(const Surface& surface, int count, const Progress& progress,
   const std::vector<int>& first, int start)
 {
-  SampledSurface sampled;
+  GeodesicSamples sampled;
   const Eigen::VectorXd areas = ComputePointAreas(surface);
   sampled.Length = std::sqrt(areas.sum());
   sampled.Points = first;
@@ -56,10 +56,10 @@ SampledSurface SampleSurface(const Surface& surface, int count, const Progress& 
 }
 
 /// Farthest-point samples are nested: the first ones of many are as evenly spread as few ones are.
-SampledSurface GetFirstSamples(
-  const SampledSurface& sampled, int count, const Eigen::VectorXd& areas)
+GeodesicSamples GetFirstSamples(
+  const GeodesicSamples& sampled, int count, const Eigen::VectorXd& areas)
 {
-  SampledSurface part;
+  GeodesicSamples part;
   const auto size =
     std::min<std::ptrdiff_t>(count, static_cast<std::ptrdiff_t>(sampled.Points.size()));
   part.Points.assign(sampled.Points.begin(), sampled.Points.begin() + size);
