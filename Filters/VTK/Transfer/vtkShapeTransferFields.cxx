@@ -4,6 +4,7 @@
 #include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
 #include "vtkShapePreciseMap.h"
+#include "vtkShapeSeams.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -12,10 +13,14 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include "Base/Errors.h"
+#include "Mesh/SurfacePoints.h"
 #include "Mesh/Topology.h"
+#include "Transfer/TextureSeams.h"
 
 #include <algorithm>
 #include <optional>
@@ -141,6 +146,44 @@ std::optional<shape::SurfacePoints> FittingMap(vtkDataSet* from, vtkUnstructured
   }
 }
 
+/// The texture of a giver with seams.
+struct SeamedGiver
+{
+  shape::Surface Surface;
+  Eigen::MatrixXd Texture; ///< at its points
+  std::string Name;        ///< of the transferred array
+};
+
+/// Returns the texture of the giver, or nothing if it is no surface with seams. points: of the
+/// giver, where the receiver's positions are located.
+std::optional<SeamedGiver> FindSeams(
+  vtkUnstructuredGrid* giver, const Eigen::MatrixXd& points, const std::vector<Field>& fields)
+{
+  vtkDataArray* texture = giver->GetPointData()->GetTCoords();
+  const auto field = std::find_if(fields.begin(), fields.end(),
+    [&](const Field& each) { return each.Values == texture && !each.OfCells; });
+  if (!texture || texture->GetNumberOfComponents() != 2 || field == fields.end())
+  {
+    return {};
+  }
+  try
+  {
+    const shape::Surface surface(
+      points, vtkShapePreciseMap::ToSurface(giver, "the Source").Surface.Triangles);
+    shape::RequireManifold(surface, "the Source");
+    if (shape::HasSeams(surface))
+    {
+      return SeamedGiver{ surface,
+        vtkShapeConvert::ToPointArray(giver, texture->GetName(), 2, "the Source"), field->Name };
+    }
+  }
+  catch (const shape::InvalidInput&)
+  {
+    // A solid, or a surface without two sides at each edge: it has no seams to split along.
+  }
+  return {};
+}
+
 /// Appends the marked points, without those that also belong to another process.
 void AppendOwn(const Eigen::VectorXi& marks, vtkDataSet* data, std::vector<Eigen::RowVector3d>& own)
 {
@@ -220,8 +263,11 @@ void vtkShapeTransferFields::Execute(const shape::Progress& progress)
   }
   const std::vector<Field> fields = FieldsOf(giver, replaced, std::move(taken));
 
+  const std::optional<SeamedGiver> seamed = this->SplitSeams
+    ? FindSeams(giver, push ? giverMap : giverPoints, fields)
+    : std::optional<SeamedGiver>();
   std::optional<shape::NumberedSurface> numbered; // if a block has a precise map
-  std::vector<Eigen::RowVector3d> outsidePoints, precisePoints;
+  std::vector<Eigen::RowVector3d> outsidePoints, precisePoints, seamPoints;
   double done = 0.2;
   const double share =
     0.8 / std::max<vtkIdType>(1, input->GetNumberOfElements(vtkDataObject::POINT));
@@ -264,9 +310,20 @@ void vtkShapeTransferFields::Execute(const shape::Progress& progress)
       {
         AppendOwn(Eigen::VectorXi::Ones(from->GetNumberOfPoints()), from, precisePoints);
       }
+      if (seamed && vtkPolyData::SafeDownCast(to))
+      {
+        Eigen::VectorXi marks = Eigen::VectorXi::Zero(from->GetNumberOfPoints());
+        for (const int point : vtkShapeSeams::Split(vtkPolyData::SafeDownCast(to), seamed->Name,
+               seamed->Surface, seamed->Texture, push ? positions : found.Weights * giverPoints))
+        {
+          marks(point) = 1;
+        }
+        AppendOwn(marks, from, seamPoints);
+      }
       done = next;
     });
   this->DeclareShown(0, NamesToShow(giver, fields));
   this->AddCount(0, "TransferFields.OutsidePoints", std::move(outsidePoints));
   this->AddCount(0, "TransferFields.PrecisePoints", std::move(precisePoints));
+  this->AddCount(0, "TransferFields.SeamPoints", std::move(seamPoints));
 }

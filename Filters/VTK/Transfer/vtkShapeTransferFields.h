@@ -29,14 +29,18 @@
  * - `OutsideDomain` (int): 1 if the position is farther than Tolerance from all cells of the giver,
  *   otherwise 0. The values are then taken at the closest position.
  *
+ * If SplitSeams is true, the giver is a surface whose texture coordinates have seams, and the
+ * receiver is a surface, points of the receiver along the seams are copied. The copies follow the
+ * other points. See shape::SplitAtSeams.
+ *
  * Arrays of the receiver keep their names. Only the arrays that the new map array and
  * `OutsideDomain` replace get the prefix `Receiver`, and so do the `TargetCell` and
  * `TargetBarycentric` of a replaced map. An array of the giver with the same name as an array of
  * the receiver gets the prefix `Giver`.
  *
  * Facts, over all processes, without ghosts: TransferFields.OutsidePoints, the number of
- * points with OutsideDomain = 1, and .PrecisePoints, the number of points whose values were taken
- * in `TargetCell`.
+ * points with OutsideDomain = 1; .PrecisePoints, the number of points whose values were taken in
+ * `TargetCell`; and .SeamPoints, the number of points that were copied.
  *
  * The mathematics: shape::TransferFields.
  */
@@ -62,6 +66,8 @@ public:
   vtkSetStdStringFromCharMacro(MapArray);
   vtkGetCharFromStdStringMacro(MapArray);
   vtkShapeOption(Tolerance, double);
+  vtkSetMacro(SplitSeams, bool);
+  vtkGetMacro(SplitSeams, bool);
   ///@}
 
 protected:
@@ -74,6 +80,7 @@ private:
   void operator=(const vtkShapeTransferFields&) = delete;
 
   std::string MapArray = "TargetPosition";
+  bool SplitSeams = true;
   shape::TransferFieldsOptions Options;
 };
 

@@ -68,7 +68,7 @@ Eigen::MatrixXd ScaledPoints(const Mesh& mesh)
 } // namespace
 
 MapRelaxation::MapRelaxation(Side a, Side b)
-  : Sides{ { { std::move(a) }, { std::move(b) } } }
+  : Sides{ { { std::move(a), {}, {}, {}, {}, {}, {} }, { std::move(b), {}, {}, {}, {}, {}, {} } } }
 {
   for (Relaxed& side : this->Sides)
   {
