@@ -8,6 +8,7 @@ from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData, vtkMultiBlockDataSet
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkExtractCells, vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkSphereSource, vtkTexturedSphereSource
 from vtkmodules.util.numpy_support import numpy_to_vtk
 import shapemap
 
@@ -352,3 +353,41 @@ not_finite[5] = numpy.nan
 message = error_of(target, with_map(giver, not_finite), 'Push')
 assert 'the map array of the Source' in message and 'first at point 5' in message, message
 print('fields are carried both ways, exactly where they are linear')
+
+
+# A texture with a seam: a globe whose texture begins and ends at a meridian. The receiver has none there.
+def widest(data):
+    """The largest difference of the first texture coordinate in a triangle, away from the poles."""
+    places, texture = points(data), array(data, 'Texture Coordinates')
+    corners = shapetesting.triangles(data)
+    corners = corners[numpy.abs(places[corners][:, :, 2]).max(axis=1) < 0.4]
+    return numpy.ptp(texture[corners][:, :, 0], axis=1).max()
+
+
+globe = vtkTexturedSphereSource()
+globe.SetThetaResolution(48)
+globe.SetPhiResolution(24)
+globe.Update()
+globe.GetOutput().GetPointData().GetTCoords().SetName('Texture Coordinates')
+ball = vtkSphereSource()
+ball.SetThetaResolution(31)
+ball.SetPhiResolution(17)
+ball.Update()
+receiver = shapetesting.copy(ball.GetOutput())
+turned = points(receiver) @ numpy.array([[numpy.cos(0.1), -numpy.sin(0.1), 0], [numpy.sin(0.1), numpy.cos(0.1), 0],
+                                         [0, 0, 1]])
+shapetesting.add_array(receiver, turned, 'TargetPosition')
+smeared, split = (shapetesting.outputs(shapetesting.new(
+    shapemap.vtkShapeTransferFields, receiver, globe.GetOutput(), SplitSeams=each))[0] for each in (False, True))
+assert widest(smeared) > 0.9 and widest(split) < 1.1 / 31 + 2.0 / 48, (widest(smeared), widest(split))
+count = receiver.GetNumberOfPoints()
+assert smeared.GetNumberOfPoints() == count < split.GetNumberOfPoints()
+assert split.GetNumberOfCells() == receiver.GetNumberOfCells()
+assert (points(split)[:count] == points(receiver)).all() and fact(smeared, 'TransferFields.SeamPoints') == 0
+copies = split.GetNumberOfPoints() - count
+# Along the meridian; and at the poles, where each triangle has texture coordinates of its own.
+assert 15 < fact(split, 'TransferFields.SeamPoints') <= copies < 2 * 17 + 2 * 31
+# A copy lies where its point lies, and has its arrays.
+gaps = numpy.linalg.norm(points(split)[count:, None] - points(receiver)[None], axis=2)
+assert gaps.min(axis=1).max() == 0.0
+assert (array(split, 'TargetPosition')[count:] == turned[gaps.argmin(axis=1)]).all()

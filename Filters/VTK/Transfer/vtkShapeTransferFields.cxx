@@ -173,8 +173,12 @@ std::optional<SeamedGiver> FindSeams(
     shape::RequireManifold(surface, "the Source");
     if (shape::HasSeams(surface))
     {
-      return SeamedGiver{ surface,
-        vtkShapeConvert::ToPointArray(giver, texture->GetName(), 2, "the Source"), field->Name };
+      Eigen::MatrixXd coordinates(points.rows(), 2);
+      for (Eigen::Index point = 0; point < coordinates.rows(); ++point)
+      {
+        coordinates.row(point) << texture->GetComponent(point, 0), texture->GetComponent(point, 1);
+      }
+      return SeamedGiver{ surface, coordinates, field->Name };
     }
   }
   catch (const shape::InvalidInput&)

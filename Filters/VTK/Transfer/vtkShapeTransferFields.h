@@ -38,9 +38,9 @@
  * `TargetBarycentric` of a replaced map. An array of the giver with the same name as an array of
  * the receiver gets the prefix `Giver`.
  *
- * Facts, over all processes, without ghosts: TransferFields.OutsidePoints, the number of
- * points with OutsideDomain = 1; .PrecisePoints, the number of points whose values were taken in
- * `TargetCell`; and .SeamPoints, the number of points that were copied.
+ * Facts count points over all processes, without ghosts. TransferFields.OutsidePoints: those with
+ * OutsideDomain = 1. PrecisePoints: those whose values were taken in `TargetCell`. SeamPoints: those
+ * that were copied.
  *
  * The mathematics: shape::TransferFields.
  */
