@@ -9,11 +9,7 @@
 #include "Spectrum/SpectralSignatures.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <csignal>
-#include <cstring>
-#include <new>
 #include <numeric>
 #include <optional>
 
@@ -220,83 +216,25 @@ private:
   std::optional<LaplaceEigenpairs> Spectrum;
 };
 
-/// The first message of the child: whether there is a result, and else the error.
-enum class Outcome : char
-{
-  Result,
-  InvalidInput,
-  SolveFailure
-};
-
 /// Evaluates a network in a child process: OpenCV cannot be interrupted, and may crash.
 Tensor EvaluateInChild(const NetworkLibrary& library, const std::string& network,
   const std::vector<Tensor>& inputs, const Progress& progress)
 {
-  const auto move =
-    [](const auto& mover, std::vector<Outcome>& outcome, std::string& message, Tensor& result)
-  {
-    mover.Move(outcome);
-    MoveText(mover, message);
-    mover.Move(result.Sizes);
-    mover.Move(result.Values);
-  };
-  ChildProcess child(
-    [&](int pipe)
+  ChildTask<Tensor> task;
+  task.Compute = [&] { return library.Evaluate(network, inputs); };
+  task.UsualSeconds = 0.1 + 1e-7 * static_cast<double>(network.size());
+  task.Library = "OpenCV";
+  task.Work = "evaluates the network";
+  task.MemoryRemedy = "use a surface with fewer points, or a smaller network";
+  task.CrashRemedy = "export the network again";
+  return ComputeInChild(
+    task,
+    [](const auto& mover, Tensor& result)
     {
-      std::vector<Outcome> outcome{ Outcome::Result };
-      std::string message;
-      Tensor result;
-      try
-      {
-        result = library.Evaluate(network, inputs);
-      }
-      catch (const InvalidInput& error)
-      {
-        outcome = { Outcome::InvalidInput };
-        message = error.what();
-      }
-      catch (const std::bad_alloc&)
-      {
-        outcome = { Outcome::SolveFailure };
-        message = "out of memory; use a surface with fewer points, or a smaller network";
-      }
-      catch (const std::exception& error)
-      {
-        outcome = { Outcome::SolveFailure };
-        message = error.what();
-      }
-      move(ChildSender{ pipe }, outcome, message, result);
-    });
-  // OpenCV does not say how far it is: half of it is done after the time that is usual.
-  const double usual = 0.1 + 1e-7 * static_cast<double>(network.size());
-  const auto start = std::chrono::steady_clock::now();
-  const std::function<void()> waiting = [&]
-  {
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    progress(seconds.count() / (seconds.count() + usual));
-  };
-  const auto fail = [](int signal)
-  {
-    throw SolveFailure(signal == SIGKILL
-        ? std::string("the process that evaluates the network was killed, probably because memory "
-                      "ran out; use a surface with fewer points")
-        : "OpenCV crashed (" +
-          (signal > 0 ? std::string(strsignal(signal)) : "it ended without a result") +
-          "); export the network again");
-  };
-  std::vector<Outcome> outcome;
-  std::string message;
-  Tensor result;
-  move(ChildReceiver{ child, waiting, fail }, outcome, message, result);
-  if (outcome.front() == Outcome::InvalidInput)
-  {
-    throw InvalidInput(message);
-  }
-  if (outcome.front() == Outcome::SolveFailure)
-  {
-    throw SolveFailure(message);
-  }
-  return result;
+      mover.Move(result.Sizes);
+      mover.Move(result.Values);
+    },
+    progress);
 }
 
 /// The output as a matrix with a row for each of `rows` points.
