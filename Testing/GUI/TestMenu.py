@@ -34,7 +34,8 @@ for name in ('ShapeUntangle', 'ShapeHarmonicVolumeMap', 'ShapeApplyVolumeMap'):
     check(proxies[name])
 w.open('DentedSphere600.vtp')
 for proxy in filters:
-    if proxy.get('name') not in ('ShapeUntangle', 'ShapeLabelSurfaces', 'ShapeImageValues', 'ShapeStructuredBlocks'):
+    if proxy.get('name') not in (
+            'ShapeUntangle', 'ShapeLabelSurfaces', 'ShapeImageValues', 'ShapeStructuredBlocks', 'ShapeFromOperators'):
         check(proxy)
 w.python('assert len(GetSources()) == 3, GetSources()')
 
@@ -53,6 +54,10 @@ w.python('''
     shown = [p.Input.Port for p in GetActiveView().Representations if hasattr(p, 'Input') and p.Visibility]
     assert shown == [1], 'the image: %s' % shown''')
 w.picture('GUIParameterize.png')
+
+# What needs a table is offered when the pipeline has one, such as facts.
+w.select('/0/2|0')
+check(proxies['ShapeFromOperators'])
 
 # What needs an image is offered when an image is selected.
 w.python('Show(Wavelet())')
