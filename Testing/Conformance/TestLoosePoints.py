@@ -8,7 +8,8 @@ import shapetesting
 
 # In these inputs, every point counts, whether or not a cell uses it.
 POINTS_COUNT = {('ShapeDeform', 'Input'), ('ShapeGeodesicDistance', 'Seeds'), ('ShapeMapErrorCurve', 'Truth'),
-                ('ShapeApplyVolumeMap', 'Map'), ('ShapeHarmonicVolumeMap', 'Domain'), ('ShapeDeform', 'Boundary')}
+                ('ShapeApplyVolumeMap', 'Map'), ('ShapeHarmonicVolumeMap', 'Domain'), ('ShapeDeform', 'Boundary'),
+                ('ShapeCoupling', 'ShapeA'), ('ShapeCoupling', 'ShapeB')}
 # Outputs that have a point for each defect, and a loose point is one.
 DEFECTS = {('ShapeSolidify', 1)}
 
@@ -60,7 +61,7 @@ for name in filters.names():
     for port in filters.required_ports(filters.new(name)):
         key = name, filters.new(name).GetInputName(port)
         good = filters.good_input(name, port)
-        if key in POINTS_COUNT or good.GetNumberOfCells() == 0 or not good.IsA('vtkPointSet'):
+        if key in POINTS_COUNT or not good.IsA('vtkPointSet') or good.GetNumberOfCells() == 0:
             continue
         algorithm = filters.with_good_inputs(name)
         clean = [shapetesting.copy(output) for output in shapetesting.outputs(algorithm)]
