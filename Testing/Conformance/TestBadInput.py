@@ -37,8 +37,11 @@ def without_good_map(name, spoil):
 
 def spoiled(name, port, value):
     """The good input with one coordinate that is not finite, of a point that cells use, or one label of an
-    image."""
+    image, or one number of a table."""
     data = shapetesting.copy(filters.good_input(name, port))
+    if isinstance(data, vtkTable):
+        data.GetColumn(1).SetComponent(2, 0, value)
+        return data
     if isinstance(data, vtkImageData):
         labels = vtk_to_numpy(data.GetPointData().GetScalars()).astype(float)
         labels[len(labels) // 2] = value
@@ -95,11 +98,12 @@ for name in filters.names():
         missing.RemoveAllInputConnections(port)
         refused(name, missing, 'nothing on port %d' % port, 'vtk' + name)
 
+        is_table = isinstance(filters.good_input(name, port), vtkTable)
         wrong = filters.with_good_inputs(name)
-        wrong.SetInputDataObject(port, vtkTable())
-        refused(name, wrong, 'a table on port %d' % port, 'vtk' + name)
+        wrong.SetInputDataObject(port, vtkImageData() if is_table else vtkTable())
+        refused(name, wrong, 'another kind of data on port %d' % port, 'vtk' + name)
 
-        for attributes in ('point', 'cell'):
+        for attributes in () if is_table else ('point', 'cell'):
             short = filters.with_good_inputs(name)
             short.SetInputDataObject(port, with_short_array(filters.good_input(name, port), attributes))
             refused(name, short, 'a short array', "the %s array 'Short' of the input '%s' has" % (
@@ -111,7 +115,7 @@ for name in filters.names():
                            ('a NaN', spoiled(name, port, numpy.nan)),
                            ('an infinity', spoiled(name, port, numpy.inf))):
             bad.SetInputDataObject(port, data)
-            if name in MENDING and data.GetNumberOfPoints() > 0:
+            if name in MENDING and filters.size_of(data) > 0:
                 assert not shapetesting.run(bad) and all_finite(bad.GetOutputDataObject(0)), \
                     '%s does not mend %s' % (name, what)
                 continue
@@ -126,7 +130,7 @@ for name in filters.names():
             assert not messages, '%s after %s on port %d: %s' % (name, what, port, messages)
             assert filters.size_of(bad.GetOutputDataObject(0)) > 0
     for port in filters.required_ports(filters.new(name)):
-        if isinstance(filters.good_input(name, port), vtkImageData):
+        if isinstance(filters.good_input(name, port), (vtkImageData, vtkTable)):
             continue  # it has no triangles
         flat = filters.with_good_inputs(name)
         flat.SetInputDataObject(port, with_flat_triangles(name, port))

@@ -9,8 +9,10 @@ import window
 
 DIALOG = 'QuickLaunchDialog'
 # What a solid without a map can be an input of, or a grid of polygons, which has the same type.
-SOLID = ['Shape Apply Volume Map', 'Shape Boundary Distance', 'Shape Cage Deform', 'Shape Deform',
+SOLID = ['Shape Apply Volume Map', 'Shape Boundary Distance', 'Shape Cage Deform', 'Shape Coupling', 'Shape Deform',
          'Shape Harmonic Volume Map', 'Shape Solidify', 'Shape Transfer Fields', 'Shape Untangle']
+# What needs a solid, or a table, beside a surface.
+NOT_HERE = ['Shape Untangle', 'Shape From Operators']
 # What needs an image, and the active source that offers it.
 OF_AN_IMAGE = {'Shape Label Surfaces': 'Wavelet1', 'Shape Image Values': 'BallSmall.vtu'}
 hints = {}
@@ -57,7 +59,7 @@ for word in hints.pop('Shape Structured Blocks').get('keywords').split(', '):  #
 w.open('DentedSphere600.vtp')
 for label, hint in hints.items():
     for word in hint.get('keywords').split(', '):
-        check(w, word, '' if label == 'Shape Untangle' else label)
+        check(w, word, '' if label in NOT_HERE else label)
 search(w, 'hex mesh')
 w.event(DIALOG, 'keyEvent', '6:%d:0::0:1' % window.ENTER)
 w.python('''

@@ -11,11 +11,13 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
+#include "Base/Errors.h"
 #include "Correspondence/Evaluate/MetricEmbedding.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
 
+#include <cmath>
 #include <vector>
 
 vtkStandardNewMacro(vtkShapeMapDifference);
@@ -68,6 +70,8 @@ void vtkShapeMapDifference::Execute(const shape::Progress& progress)
   {
     map = shape::SurfaceLocator(second).Find(images, progress.Part(0.0, 0.05));
   }
+  shape::RequireOption(
+    std::isfinite(this->OffsetDistance), "OffsetDistance", this->OffsetDistance, "finite");
   const bool hasOffset = this->OffsetDistance != 0.0;
   const shape::MapDifferenceResult result = shape::MapDifference(
     first, second, map, this->Options, progress.Part(0.05, hasOffset ? 0.55 : 1.0));
