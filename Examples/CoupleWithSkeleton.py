@@ -1,4 +1,4 @@
-"""Couples a figure with its skeleton, and colours the figure by the branch to which each point belongs."""
+"""Couples a figure with its skeleton by the distances along both."""
 import os
 
 import numpy

@@ -2,26 +2,16 @@
 import os
 import sys
 
-import numpy
 import shapemap
 from paraview.simple import *
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkImageData
 
 folder = sys.argv[1] if len(sys.argv) > 1 else '.'
 
 # The polycube: 5 x 3 x 1 cubes without two, each of 4 x 4 x 4 cells.
-solid = numpy.ones((4, 12, 20), int)
-solid[:, 4:8, 4:8] = solid[:, 4:8, 12:16] = 0
-image, values = vtkImageData(), numpy_to_vtk(solid.ravel(), deep=True)
-image.SetDimensions(21, 13, 5)
-image.SetOrigin(-10, -6, -2)
-values.SetName('Solid')
-image.GetCellData().AddArray(values)
-cells = TrivialProducer()
-cells.GetClientSideObject().SetOutput(image)
-cells = Threshold(Input=cells, Scalars=['CELLS', 'Solid'], LowerThreshold=1, UpperThreshold=1)
-polycube = Triangulate(Input=ExtractSurface(Input=cells))
+cells = Calculator(Input=Wavelet(WholeExtent=[-10, 10, -6, 6, -2, 2]), ResultArrayName='Hole',
+                   Function='max(abs(abs(coordsX)-4),abs(coordsY))')
+walls = Threshold(Input=PointDatatoCellData(Input=cells), Scalars=['CELLS', 'Hole'], LowerThreshold=2.0, UpperThreshold=20)
+polycube = Triangulate(Input=ExtractSurface(Input=walls))
 
 # Landmarks at both ends, and in the middles of the walls of both holes.
 torus = ShapeExample(Shape='Two-Holed Torus')
@@ -44,7 +34,6 @@ source = Calculator(Input=OutputPort(match, 1), ResultArrayName='SourcePosition'
 hexahedra = ShapeHexRemesh(Surface=torus, Polycube=source, CellSize=0.2)
 hexahedra.UpdatePipeline()
 minimum, maximum = hexahedra.CellData['ScaledJacobian'].GetRange()
-print('%d hexahedra, scaled Jacobian %.2f to %.2f' % (
-    hexahedra.GetDataInformation().GetNumberOfCells(), minimum, maximum))
+print('scaled Jacobian of the hexahedra: %.2f to %.2f' % (minimum, maximum))
 assert minimum > 0.0
 SaveData(os.path.join(folder, 'PolycubeHexahedra.vtu'), hexahedra, DataMode='Binary')

@@ -1,4 +1,4 @@
-"""Matches two figures by what a neural network says of their points, without landmarks."""
+"""Matches two figures by what a neural network says of their points."""
 import os
 
 import numpy
