@@ -39,8 +39,8 @@
  * the receiver gets the prefix `Giver`.
  *
  * Facts count points over all processes, without ghosts. TransferFields.OutsidePoints: those with
- * OutsideDomain = 1. PrecisePoints: those whose values were taken in `TargetCell`. SeamPoints: those
- * that were copied.
+ * OutsideDomain = 1. PrecisePoints: those whose values were taken in `TargetCell`. SeamPoints:
+ * those that were copied.
  *
  * The mathematics: shape::TransferFields.
  */
