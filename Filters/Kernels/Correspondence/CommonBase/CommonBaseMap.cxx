@@ -4,6 +4,7 @@
 #include "Correspondence/CommonBase/Private/ConeSurface.h"
 #include "Correspondence/CommonBase/Private/MapPlaces.h"
 #include "Correspondence/CommonBase/Private/MapRelaxation.h"
+#include "Correspondence/CommonBase/Private/PositionOrder.h"
 #include "Search/ClosestPoint.h"
 
 #include <optional>
@@ -90,9 +91,8 @@ std::vector<BasePath> PathsOf(
   return paths;
 }
 
-} // namespace
-
-CommonBaseMap MapThroughBase(const Surface& a, const Surface& b, const Landmarks& landmarks,
+/// MapThroughBase for surfaces in an order that their numbers do not change.
+CommonBaseMap MapOrdered(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const CommonBaseOptions& options, const Progress& progress)
 {
   const BaseDomain domain = TraceBaseDomain(
@@ -150,6 +150,38 @@ CommonBaseMap MapThroughBase(const Surface& a, const Surface& b, const Landmarks
   map.Paths = PathsOf(domain, pieces, PositionMap(flatA, relaxation.Places(0), flatB, domain.B));
   map.Flipped = CountFlipped(flatA) + CountFlipped(flatB);
   progress(1.0);
+  return map;
+}
+
+} // namespace
+
+// The relaxation has many local minima: which one it reaches depends on the order of the points.
+CommonBaseMap MapThroughBase(const Surface& a, const Surface& b, const Landmarks& landmarks,
+  const CommonBaseOptions& options, const Progress& progress)
+{
+  const PositionOrder onA(a), onB(b);
+  Landmarks ordered = landmarks;
+  for (auto& [pointA, pointB] : ordered)
+  {
+    pointA = onA.PointOf.at(pointA);
+    pointB = onB.PointOf.at(pointB);
+  }
+  CommonBaseOptions own = options;
+  for (CurvePair& curve : own.Curves)
+  {
+    for (int& point : curve.OnA)
+    {
+      point = onA.PointOf.at(point);
+    }
+    for (int& point : curve.OnB)
+    {
+      point = onB.PointOf.at(point);
+    }
+  }
+  CommonBaseMap map = MapOrdered(onA.Shape, onB.Shape, ordered, own, progress);
+  map.Maps = { AsGiven(map.Maps.AToB, onA, onB), AsGiven(map.Maps.BToA, onB, onA) };
+  map.PatchesOfA = AsGiven(map.PatchesOfA, onA);
+  map.PatchesOfB = AsGiven(map.PatchesOfB, onB);
   return map;
 }
 
