@@ -31,8 +31,8 @@ struct RecoveredMetric
  * are linear in the squares of edge lengths: the cotangent of the angle opposite the edge k is
  * (q_i + q_j - q_k) / (4 area), where q are squared lengths.
  *
- * The operators are truncated to k eigenfunctions, so they determine the metric only as far as it
- * varies as slowly as products of these. The ratio of the areas, and a symmetric tensor C in space
+ * The operators are truncated to k eigenfunctions, so they determine only what varies
+ * as slowly as products of these. The ratio of the areas, and a symmetric tensor C in space
  * with q = e C e for each edge vector e of `first`, are therefore combinations of 2 k
  * eigenfunctions. A combination is penalised by Smoothness, times the square of its eigenvalue
  * divided by the largest one. The least squares have 2 k and 12 k unknowns, whatever the number of

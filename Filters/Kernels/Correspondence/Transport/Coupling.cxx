@@ -190,36 +190,43 @@ struct SampledPair
 /// Samples of B as images of the first samples of A.
 using Anchors = std::vector<std::pair<int, int>>;
 
-/// The logarithms of the similarity of samples: alike quantiles and distances from the anchors.
-Eigen::MatrixXd Likeness(
-  const SampledPair& pair, const Anchors& anchors, int countA, int countB, double longest)
+/// What is compared of the first samples of both shapes, in one unit.
+struct SampleLikeness
 {
-  constexpr double deviation = 0.05; // of the longest distance
-  const Eigen::MatrixXd quantilesOfA = pair.A.Quantiles(countA) / pair.UnitOfA,
-                        quantilesOfB = pair.B.Quantiles(countB) / pair.UnitOfB;
-  Eigen::MatrixXd squares =
-    SquaredDifferences(quantilesOfA, quantilesOfB) / static_cast<double>(quantilesOfA.cols());
-  const Eigen::MatrixXd betweenA = pair.A.Between(countA) / pair.UnitOfA,
-                        betweenB = pair.B.Between(countB) / pair.UnitOfB;
-  for (const auto& [onA, onB] : anchors)
+  Eigen::MatrixXd BetweenA, BetweenB; ///< the distances of the samples of a shape
+  Eigen::MatrixXd Squares;            ///< the mean squared difference of the quantiles
+
+  SampleLikeness(const SampledPair& pair, int countA, int countB)
+    : BetweenA(pair.A.Between(countA) / pair.UnitOfA)
+    , BetweenB(pair.B.Between(countB) / pair.UnitOfB)
   {
-    squares += SquaredDifferences(betweenA.col(onA), betweenB.col(onB));
+    const Eigen::MatrixXd a = pair.A.Quantiles(countA) / pair.UnitOfA,
+                          b = pair.B.Quantiles(countB) / pair.UnitOfB;
+    this->Squares = SquaredDifferences(a, b) / static_cast<double>(a.cols());
   }
-  return -0.5 / (deviation * deviation * longest * longest) * squares;
-}
+
+  /// The logarithms of the similarity of samples: alike quantiles and distances from the anchors.
+  Eigen::MatrixXd Relative(const Anchors& anchors, double longest) const
+  {
+    constexpr double deviation = 0.05; // of the longest distance
+    Eigen::MatrixXd squares = this->Squares;
+    for (const auto& [onA, onB] : anchors)
+    {
+      squares += SquaredDifferences(this->BetweenA.col(onA), this->BetweenB.col(onB));
+    }
+    return -0.5 / (deviation * deviation * longest * longest) * squares;
+  }
+};
 
 /// Triples of B's samples whose distances, and whose quantiles, are most like those of A's first
 /// three samples. They differ from each other in some sample by more than a quarter of the longest
 /// distance.
-std::vector<Anchors> FindAnchors(const SampledPair& pair, int countB, int starts)
+std::vector<Anchors> FindAnchors(const SampleLikeness& likeness, int starts)
 {
   constexpr int first = 3;
-  const Eigen::MatrixXd a = pair.A.Between(first) / pair.UnitOfA,
-                        b = pair.B.Between(countB) / pair.UnitOfB;
-  const Eigen::MatrixXd quantilesOfB = pair.B.Quantiles(countB) / pair.UnitOfB;
-  const Eigen::MatrixXd alike =
-    SquaredDifferences(pair.A.Quantiles(first) / pair.UnitOfA, quantilesOfB) /
-    static_cast<double>(quantilesOfB.cols());
+  constexpr int maximum = 40; // of B's samples; their triples are compared
+  const Eigen::MatrixXd &a = likeness.BetweenA, &b = likeness.BetweenB, &alike = likeness.Squares;
+  const int countB = std::min(maximum, static_cast<int>(b.rows()));
   struct Triple
   {
     double Cost;
@@ -242,10 +249,14 @@ std::vector<Anchors> FindAnchors(const SampledPair& pair, int countB, int starts
   std::sort(triples.begin(), triples.end(),
     [](const Triple& one, const Triple& other)
     { return std::tie(one.Cost, one.Images) < std::tie(other.Cost, other.Images); });
-  const double apart = 0.25 * b.maxCoeff();
+  const double apart = 0.25 * b.topLeftCorner(countB, countB).maxCoeff();
   std::vector<Anchors> chosen;
   for (const Triple& triple : triples)
   {
+    if (static_cast<int>(chosen.size()) == starts)
+    {
+      break;
+    }
     const auto isNear = [&](const Anchors& other)
     {
       double farthest = 0.0;
@@ -255,8 +266,7 @@ std::vector<Anchors> FindAnchors(const SampledPair& pair, int countB, int starts
       }
       return farthest <= apart;
     };
-    if (static_cast<int>(chosen.size()) < starts &&
-      std::none_of(chosen.begin(), chosen.end(), isNear))
+    if (std::none_of(chosen.begin(), chosen.end(), isNear))
     {
       chosen.push_back(
         { { 0, triple.Images[0] }, { 1, triple.Images[1] }, { 2, triple.Images[2] } });
@@ -396,10 +406,9 @@ ShapeCouplingResult CoupleShapes(const ShapeElements& a, const ShapeElements& b,
   MetricSpaces spaces = pair.Spaces(fewA, fewB);
   const double longest = std::max(onA.Between(onA.Count()).maxCoeff() / pair.UnitOfA,
     onB.Between(onB.Count()).maxCoeff() / pair.UnitOfB);
-  constexpr int images = 40; // of B's samples; their triples are compared
-  const std::vector<Anchors> starts = fixed > 0
-    ? std::vector<Anchors>{ own }
-    : FindAnchors(pair, std::min(images, fewB), options.Starts);
+  const SampleLikeness likeness(pair, fewA, fewB);
+  const std::vector<Anchors> starts =
+    fixed > 0 ? std::vector<Anchors>{ own } : FindAnchors(likeness, options.Starts);
   EntropicCoupling best;
   best.Distortion = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < starts.size(); ++k)
@@ -408,9 +417,8 @@ ShapeCouplingResult CoupleShapes(const ShapeElements& a, const ShapeElements& b,
                  begin = 0.2 + share * static_cast<double>(k);
     try
     {
-      EntropicCoupling coupling =
-        SolveCoupling(spaces, Likeness(pair, starts[k], fewA, fewB, longest), pinned,
-          options.Coupling, progress.Part(begin, begin + share, "coupling the samples"));
+      EntropicCoupling coupling = SolveCoupling(spaces, likeness.Relative(starts[k], longest),
+        pinned, options.Coupling, progress.Part(begin, begin + share, "coupling the samples"));
       if (coupling.Distortion < best.Distortion)
       {
         best = std::move(coupling);

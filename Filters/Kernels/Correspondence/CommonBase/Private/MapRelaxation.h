@@ -24,7 +24,7 @@ namespace shape
  * A point changes the images of its own triangles, and those of the other surface's points in these
  * triangles. It moves to the minimum of a quadratic form with the energy's gradient, whose weights
  * are those of Rabinovich and others ("Scalable locally injective mappings", 2017), while the
- * energy falls and no triangle around it would be turned over, by exact predicates. So the map
+ * energy falls and no triangle around it is flipped (exact predicates). So the map
  * remains one to one. Points of paths move like all others, and cones stay. Points of curves move
  * along their curve, which is one straight line on the flat surface for both surfaces. Points that
  * divided edges are removed where that turns no triangle over either.

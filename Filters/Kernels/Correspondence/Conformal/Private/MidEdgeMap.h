@@ -17,7 +17,7 @@ struct MidEdgeMap
   Eigen::MatrixXi EdgeOf;
   ///@{
   /// e values: at the midpoint of each edge. Once around `To`, the conjugate function grows by 1 or
-  /// -1, so it is only known up to whole numbers.
+  /// -1, so adding a whole number changes nothing.
   Eigen::VectorXd Harmonic, Conjugate;
   ///@}
   /// n x 2: the places of the surface's points, as points of the complex projective line
