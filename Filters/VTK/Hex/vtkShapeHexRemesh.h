@@ -68,9 +68,9 @@
  *   values of the PatchArray that no quad has, because these patches are too small. .Corners:
  * number of corners of the surface. .CornersKept: number of these corners that are points of the
  * boundary.
- * - .CreasesKept: 1 if the boundary has all creases that the method tries to keep, otherwise 0. The
- *   cells are then too large for some creases, and it has the others; or it has none, because
- *   hexahedra would be too bad. .InnerCreasesKept: 0 if an inner surface has creases, otherwise 1.
+ * - .CreasesKept: 1 if the boundary has all creases of the surface, otherwise 0. The cells are then
+ *   too large for some creases, and it has the others; or it has none, because hexahedra would be
+ *   too bad. .InnerCreasesKept: 0 if an inner surface has creases, otherwise 1.
  * - .LostCreases: number of creases of the surface, from corner to corner, that the boundary does
  *   not have, also of patches smaller than 4 cells; 0 if regions touch. If there are any:
  *   .LostCreasePositions, x, y and z of the midpoint of each, the longest first, and

@@ -272,7 +272,7 @@ void vtkShapeHexResult::AddFacts(
     { "Patches",
       static_cast<double>(std::set<int>(fit.PatchOf.begin(), fit.PatchOf.end()).size()) },
     { "Corners", static_cast<double>(result.Features.Corners.size()) },
-    { "CreasesKept", fit.CreasesKept ? 1.0 : 0.0 },
+    { "CreasesKept", fit.CreasesKept && result.LostCreases.empty() ? 1.0 : 0.0 },
     { "LostCreases", static_cast<double>(result.LostCreases.size()) },
     { "CornersKept", static_cast<double>(fit.Creases.CornerPoints.size()) },
     { "CreaseDistance", fit.Creases.Distance },
