@@ -9,6 +9,7 @@
 #include "Spectrum/SpectralSignatures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -97,8 +98,7 @@ private:
           : ColumnsOf(input);
         this->Eigenpairs = declared > 1 ? declared : this->Eigenpairs;
       }
-      isNeeded = isNeeded || areValues || input.Name == "Eigenfunctions" ||
-        input.Name == "HeatKernelSignature" || input.Name == "WaveKernelSignature";
+      isNeeded = this->SourceOf(input).NeedsSpectrum || isNeeded;
     }
     if (isNeeded)
     {
@@ -106,62 +106,66 @@ private:
     }
   }
 
-  /// The values of an input, a row for each point, or for each eigenvalue.
-  Eigen::MatrixXd ValuesOf(const TensorShape& input) const
+  /// Where the values of an input of this name come from: a row for each point, or for each
+  /// eigenvalue.
+  struct Source
   {
-    constexpr int usual = 100; // columns of a signature, as in ComputeLaplaceSpectrum
-    const int columns = ColumnsOf(input) > 1 ? ColumnsOf(input) : usual;
-    if (input.Name == "Positions")
-    {
-      return this->Scaled.Points();
-    }
-    if (input.Name == "Normals")
-    {
-      return GetVertexNormals(this->Scaled);
-    }
-    if (input.Name == "Masses")
-    {
-      return ComputePointAreas(this->Scaled);
-    }
-    if (input.Name == "Eigenvalues")
-    {
-      return this->Spectrum->Eigenvalues;
-    }
-    if (input.Name == "Eigenfunctions")
-    {
-      return this->Spectrum->Eigenfunctions;
-    }
-    if (input.Name == "HeatKernelSignature")
-    {
-      return ComputeHeatKernelSignature(*this->Spectrum, columns);
-    }
-    if (input.Name == "WaveKernelSignature")
-    {
-      return ComputeWaveKernelSignature(*this->Spectrum, columns);
-    }
-    if (input.Name == "Arrays")
-    {
-      if (this->Arrays.cols() == 0)
-      {
-        throw InvalidInput("the network has the input 'Arrays', but no array is chosen; choose "
-                           "the arrays in Input Arrays");
-      }
-      return this->Arrays;
-    }
-    throw InvalidInput("the network has an input '" + input.Name +
-      "', which is none of Positions, Normals, Masses, Eigenvalues, Eigenfunctions, "
-      "HeatKernelSignature, WaveKernelSignature and Arrays; rename it when you export the network");
-  }
+    const char* Name;
+    bool NeedsSpectrum;
+    Eigen::MatrixXd (*Compute)(const InputMaker& from, int columns);
+  };
 
-  Tensor Make(const TensorShape& input) const
+  /// Throws InvalidInput if the input's values are not known, before anything is computed.
+  const Source& SourceOf(const TensorShape& input) const
   {
-    const Eigen::MatrixXd values = this->ValuesOf(input);
-    Tensor tensor{ input.Name, FitSizes(input, values.rows(), values.cols()), {} };
+    static const std::array<Source, 8> sources{ {
+      { "Positions", false, [](const InputMaker& from, int) { return from.Scaled.Points(); } },
+      { "Normals", false,
+        [](const InputMaker& from, int) -> Eigen::MatrixXd
+        { return GetVertexNormals(from.Scaled); } },
+      { "Masses", false,
+        [](const InputMaker& from, int) -> Eigen::MatrixXd
+        { return ComputePointAreas(from.Scaled); } },
+      { "Arrays", false, [](const InputMaker& from, int) { return from.Arrays; } },
+      { "Eigenvalues", true,
+        [](const InputMaker& from, int) -> Eigen::MatrixXd { return from.Spectrum->Eigenvalues; } },
+      { "Eigenfunctions", true,
+        [](const InputMaker& from, int) { return from.Spectrum->Eigenfunctions; } },
+      { "HeatKernelSignature", true,
+        [](const InputMaker& from, int columns)
+        { return ComputeHeatKernelSignature(*from.Spectrum, columns); } },
+      { "WaveKernelSignature", true,
+        [](const InputMaker& from, int columns)
+        { return ComputeWaveKernelSignature(*from.Spectrum, columns); } },
+    } };
+    const auto source = std::find_if(sources.begin(), sources.end(),
+      [&](const Source& other) { return input.Name == other.Name; });
+    if (source == sources.end())
+    {
+      throw InvalidInput("the network has an input '" + input.Name +
+        "', which is none of Positions, Normals, Masses, Eigenvalues, Eigenfunctions, "
+        "HeatKernelSignature, WaveKernelSignature and Arrays; rename it when you export the "
+        "network");
+    }
+    if (input.Name == "Arrays" && this->Arrays.cols() == 0)
+    {
+      throw InvalidInput("the network has the input 'Arrays', but no array is chosen; choose the "
+                         "arrays in Input Arrays");
+    }
     if (!input.IsFloat)
     {
       throw InvalidInput("the network's input '" + input.Name +
         "' is not in single precision; export the network in single precision");
     }
+    return *source;
+  }
+
+  Tensor Make(const TensorShape& input) const
+  {
+    constexpr int usual = 100; // columns of a signature, as in ComputeLaplaceSpectrum
+    const Eigen::MatrixXd values =
+      this->SourceOf(input).Compute(*this, ColumnsOf(input) > 1 ? ColumnsOf(input) : usual);
+    Tensor tensor{ input.Name, FitSizes(input, values.rows(), values.cols()), {} };
     tensor.Values.resize(static_cast<std::size_t>(values.size()));
     Eigen::Map<Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
       tensor.Values.data(), values.rows(), values.cols()) = values.cast<float>();

@@ -171,18 +171,7 @@ struct SampledPair
   {
     MetricSpaces spaces{ this->A.Between(countA) / this->UnitOfA,
       this->B.Between(countB) / this->UnitOfB, this->A.Weights(countA), this->B.Weights(countB) };
-    const double longest = std::max(spaces.DistancesA.maxCoeff(), spaces.DistancesB.maxCoeff());
-    spaces.DistancesA /= longest;
-    spaces.DistancesB /= longest;
-    // The two samples of a pair have equal weights; the others are scaled to keep the sum 1.
-    const Eigen::VectorXd means =
-      0.5 * (spaces.WeightsA.head(this->Fixed) + spaces.WeightsB.head(this->Fixed));
-    for (Eigen::VectorXd* weights : { &spaces.WeightsA, &spaces.WeightsB })
-    {
-      const Eigen::Index others = weights->size() - this->Fixed;
-      weights->tail(others) *= (1.0 - means.sum()) / weights->tail(others).sum();
-      weights->head(this->Fixed) = means;
-    }
+    Normalize(spaces, this->Fixed);
     return spaces;
   }
 };
@@ -435,14 +424,7 @@ ShapeCouplingResult CoupleShapes(const ShapeElements& a, const ShapeElements& b,
   if (onA.Count() > fewA || onB.Count() > fewB)
   {
     spaces = pair.Spaces(onA.Count(), onB.Count());
-    // As in ComputeGromovWassersteinMap: the coarse coupling gives the gains of all samples, and a
-    // high entropy would blur it again.
-    const Eigen::MatrixXd gains =
-      spaces.DistancesA.leftCols(fewA) * best.Masses * spaces.DistancesB.topRows(fewB);
-    constexpr double more = 8.0; // factor of the last entropy
-    EntropicCouplingOptions last = options.Coupling;
-    last.FirstEntropy = std::min(last.FirstEntropy, more * last.Entropy);
-    best = SolveCoupling(spaces, PullOf(spaces, gains) / last.FirstEntropy, pinned, last,
+    best = RefineCoupling(spaces, best.Masses, pinned, options.Coupling,
       progress.Part(0.5, 0.9, "coupling the samples"));
   }
   ShapeCouplingResult result;

@@ -82,25 +82,13 @@ void CheckFeatures(const PairFeatures& features, const Surface& a, const Surface
   }
 }
 
-/// Distances relative to the longest one, weights and costs. The first `fixed` samples of both are
-/// fixed pairs and have equal weights.
+/// The first `fixed` samples of both are fixed pairs.
 MetricSpaces Spaces(
   const GeodesicSamples& a, const GeodesicSamples& b, int fixed, const PairFeatures& features)
 {
   MetricSpaces spaces{ a.Between(), b.Between(), a.Weights, b.Weights,
     FeatureCosts(features, a.Points, b.Points), features.FeatureWeight };
-  const double longest = Longest(a, b);
-  spaces.DistancesA /= longest;
-  spaces.DistancesB /= longest;
-  // All of a landmark's mass goes to its partner, so both must have the same. The other weights are
-  // rescaled to keep the sum 1.
-  const Eigen::VectorXd means = 0.5 * (a.Weights.head(fixed) + b.Weights.head(fixed));
-  for (Eigen::VectorXd* weights : { &spaces.WeightsA, &spaces.WeightsB })
-  {
-    const Eigen::Index others = weights->size() - fixed;
-    weights->tail(others) *= (1.0 - means.sum()) / weights->tail(others).sum();
-    weights->head(fixed) = means;
-  }
+  Normalize(spaces, fixed);
   return spaces;
 }
 
@@ -215,19 +203,12 @@ GromovWassersteinResult ComputeGromovWassersteinMap(const Surface& a, const Surf
   if (onA.Points.size() > fewA.Points.size() || onB.Points.size() > fewB.Points.size())
   {
     spaces = Spaces(onA, onB, fixed, options.Features);
-    // The first samples of all are the few ones, so their masses give the gains DA P DB of all
-    // samples.
-    const Eigen::MatrixXd gains = spaces.DistancesA.leftCols(coupling.Masses.rows()) *
-      coupling.Masses * spaces.DistancesB.topRows(coupling.Masses.cols());
-    // The coarse coupling determines the minimum; a high entropy would blur it again.
-    constexpr double more = 8.0; // factor of the last entropy
     // Iterations for each entropy: the coupling starts near its minimum.
     constexpr int fewer = 3;
     EntropicCouplingOptions last = options.Coupling;
-    last.FirstEntropy = std::min(last.FirstEntropy, more * last.Entropy);
     last.IterationsPerEntropy = std::min(last.IterationsPerEntropy, fewer);
-    coupling = SolveCoupling(spaces, PullOf(spaces, gains) / last.FirstEntropy, pinned, last,
-      progress.Part(0.26, 0.9, "coupling the samples"));
+    coupling = RefineCoupling(
+      spaces, coupling.Masses, pinned, last, progress.Part(0.26, 0.9, "coupling the samples"));
   }
   result.Distortion = coupling.Distortion * Longest(onA, onB);
   result.FeatureCost = coupling.Cost;

@@ -69,6 +69,15 @@ void Fix(const Landmarks& fixed, Eigen::MatrixXd& likeness)
   }
 }
 
+/// How much the objective of SolveCoupling, without the entropy, falls with each mass, for gains
+/// DistancesA P DistancesB of the present masses P: (1 - w) gains - w Costs / 4.
+Eigen::MatrixXd PullOf(const MetricSpaces& spaces, const Eigen::MatrixXd& gains)
+{
+  return spaces.Costs.size() > 0
+    ? (1.0 - spaces.CostWeight) * gains - 0.25 * spaces.CostWeight * spaces.Costs
+    : gains;
+}
+
 /// Masses, the values from which they were computed, and those for the next masses. Gains: DA P DB.
 /// Pull: how much the objective falls with each mass.
 struct State
@@ -95,11 +104,18 @@ void RequireCouplingOptions(const EntropicCouplingOptions& options)
   RequireOption(options.Tolerance > 0.0, "Tolerance", options.Tolerance, "positive");
 }
 
-Eigen::MatrixXd PullOf(const MetricSpaces& spaces, const Eigen::MatrixXd& gains)
+void Normalize(MetricSpaces& spaces, int pairs)
 {
-  return spaces.Costs.size() > 0
-    ? (1.0 - spaces.CostWeight) * gains - 0.25 * spaces.CostWeight * spaces.Costs
-    : gains;
+  const double longest = std::max(spaces.DistancesA.maxCoeff(), spaces.DistancesB.maxCoeff());
+  spaces.DistancesA /= longest;
+  spaces.DistancesB /= longest;
+  const Eigen::VectorXd means = 0.5 * (spaces.WeightsA.head(pairs) + spaces.WeightsB.head(pairs));
+  for (Eigen::VectorXd* weights : { &spaces.WeightsA, &spaces.WeightsB })
+  {
+    const Eigen::Index others = weights->size() - pairs;
+    weights->tail(others) *= (1.0 - means.sum()) / weights->tail(others).sum();
+    weights->head(pairs) = means;
+  }
 }
 
 // Solomon et al., algorithm 1, with continuation in the entropy:
@@ -207,6 +223,17 @@ EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd
   }
   progress(1.0);
   return coupling;
+}
+
+EntropicCoupling RefineCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd& masses,
+  const Landmarks& fixed, EntropicCouplingOptions options, const Progress& progress)
+{
+  constexpr double more = 8.0; // factor of the last entropy
+  options.FirstEntropy = std::min(options.FirstEntropy, more * options.Entropy);
+  const Eigen::MatrixXd gains =
+    spaces.DistancesA.leftCols(masses.rows()) * masses * spaces.DistancesB.topRows(masses.cols());
+  return SolveCoupling(
+    spaces, PullOf(spaces, gains) / options.FirstEntropy, fixed, options, progress);
 }
 
 } // namespace shape

@@ -52,9 +52,10 @@ struct EntropicCoupling
 /// Throws InvalidInput if an option is out of range.
 void RequireCouplingOptions(const EntropicCouplingOptions& options);
 
-/// Returns how much the objective of SolveCoupling, without the entropy, falls with each mass, for
-/// gains DistancesA P DistancesB of the present masses P: (1 - w) gains - w Costs / 4.
-Eigen::MatrixXd PullOf(const MetricSpaces& spaces, const Eigen::MatrixXd& gains);
+/// Makes the longest distance the unit, and gives both samples of each of the first `pairs` pairs
+/// equal weights, because all of a landmark's mass goes to its partner. The other weights are
+/// scaled to keep the sum 1.
+void Normalize(MetricSpaces& spaces, int pairs);
 
 /**
  * Computes the coupling of two sets of samples that best keeps the distances. Its masses P >= 0
@@ -86,5 +87,11 @@ Eigen::MatrixXd PullOf(const MetricSpaces& spaces, const Eigen::MatrixXd& gains)
 EntropicCoupling SolveCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd& start,
   const Landmarks& fixed = {}, const EntropicCouplingOptions& options = {},
   const Progress& progress = {});
+
+/// Computes the coupling of all samples from `masses`, the coupling of the first samples of both
+/// sets. It starts at 8 times the last entropy, if FirstEntropy is not lower: the coarse coupling
+/// determines the minimum, and a higher entropy would blur it again. Throws as SolveCoupling.
+EntropicCoupling RefineCoupling(const MetricSpaces& spaces, const Eigen::MatrixXd& masses,
+  const Landmarks& fixed, EntropicCouplingOptions options, const Progress& progress = {});
 
 } // namespace shape
