@@ -74,8 +74,16 @@ def manage_plugins_with_data():
 
 
 def shell():
+    """The window makes its menus and lists of readers anew once, not for each of the filters."""
     w = without_path()
-    w.python('LoadPlugin(%r, remote=False, ns=globals())' % PLUGIN)
+    w.python('''
+        from paraview import servermanager
+        definitions = servermanager.ActiveConnection.Session.GetProxyDefinitionManager()
+        updates = []
+        observer = definitions.AddObserver(definitions.ProxyDefinitionsUpdated, lambda *arguments: updates.append(1))
+        LoadPlugin(%r, remote=False, ns=globals())
+        definitions.RemoveObserver(observer)
+        assert len(updates) == 1, len(updates)''' % PLUGIN)
     use(w)
 
 
