@@ -128,16 +128,26 @@ private:
       });
   }
 
-  /// The mean squared distance of a point's neighbour from the planes of the triangles around the
+  /// Finds the area vectors of the triangles around a point, and their areas.
+  void FindPlanes(int point)
+  {
+    this->Planes.clear();
+    for (const int t : this->Surface.Around(point))
+    {
+      const Eigen::Vector3d normal = this->Surface.AreaVector(this->Surface.Corners(t));
+      this->Planes.emplace_back(normal, normal.norm());
+    }
+  }
+
+  /// The mean squared distance of a point's neighbour from the Planes of the triangles around the
   /// point, weighted by their areas (Garland and Heckbert's quadric): tips and ridges stay longer.
   double Steep(int point, int neighbour) const
   {
     const Eigen::Vector3d way = this->Surface.Position(neighbour) - this->Surface.Position(point);
     double sum = 0.0, areas = 0.0;
-    for (const int t : this->Surface.Around(point))
+    for (const auto& [normal, area] : this->Planes)
     {
-      const Eigen::Vector3d normal = this->Surface.AreaVector(this->Surface.Corners(t));
-      const double area = normal.norm(), off = normal.dot(way);
+      const double off = normal.dot(way);
       if (area > 0.0)
       {
         sum += off * off / area;
@@ -158,6 +168,7 @@ private:
     }
     std::vector<int>& ring = this->Ring;
     this->Surface.FindNeighbours(point, ring);
+    this->FindPlanes(point);
     std::vector<std::pair<double, int>> choices;
     for (const int into : ring)
     {
@@ -168,9 +179,10 @@ private:
       double longest = 0.0;
       for (const int other : ring)
       {
-        if (!this->ShareATriangle(point, into, other))
+        const double squared = this->Surface.SquaredLength(into, other);
+        if (squared > longest && !this->ShareATriangle(point, into, other))
         {
-          longest = std::max(longest, this->Surface.SquaredLength(into, other));
+          longest = squared;
         }
       }
       // The longest edge that the merge would create, and the distance from the planes.
@@ -304,7 +316,11 @@ private:
   std::vector<std::vector<int>> Carried; ///< merged points on each triangle
   SurfacePoints Positions;
   int Left;
-  std::vector<int> Ring, Others; ///< buffers, kept to avoid allocations
+  ///@{
+  /// Buffers, kept to avoid allocations.
+  std::vector<int> Ring, Others;
+  std::vector<std::pair<Eigen::Vector3d, double>> Planes;
+  ///@}
 };
 
 } // namespace

@@ -8,6 +8,9 @@
 
 #include <hwy/highway.h>
 
+#include <array>
+#include <cstdint>
+
 HWY_BEFORE_NAMESPACE();
 namespace shape
 {
@@ -19,12 +22,23 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr float SquareRounding = 1e-6F; // eight times that of one operation
 
-/// Returns the distances of a point from 16 balls; negative inside.
-void GapsFor(
-  const float* point, int dimension, const float* centres, const float* radii, float* gaps)
+/// Sets the bits of the lanes in which `isLow` is true, from bit i.
+template <class Tag, class Mask>
+std::uint32_t BitsOf(Tag d, Mask isLow, int i)
+{
+  std::array<std::uint8_t, 8> bytes{};
+  hn::StoreMaskBits(d, isLow, bytes.data());
+  return (std::uint32_t(bytes[0]) | std::uint32_t(bytes[1]) << 8) << i;
+}
+
+/// Computes the distances of a point from 16 balls; negative inside. Returns a bit for each ball:
+/// whether its distance is below the bound.
+std::uint32_t GapsFor(const float* point, int dimension, const float* centres, const float* radii,
+  float bound, float* gaps)
 {
   constexpr int size = TriangleBlocks::Size;
   const hn::CappedTag<float, size> d;
+  std::uint32_t low = 0;
   for (int i = 0; i < size; i += static_cast<int>(hn::Lanes(d)))
   {
     auto sum = hn::Zero(d);
@@ -33,14 +47,18 @@ void GapsFor(
       const auto way = hn::Sub(hn::Set(d, point[k]), hn::LoadU(d, centres + k * size + i));
       sum = hn::MulAdd(way, way, sum);
     }
-    hn::StoreU(hn::Sub(hn::Sqrt(sum), hn::LoadU(d, radii + i)), d, gaps + i);
+    const auto gap = hn::Sub(hn::Sqrt(sum), hn::LoadU(d, radii + i));
+    hn::StoreU(gap, d, gaps + i);
+    low |= BitsOf(d, hn::Lt(gap, hn::Set(d, bound)), i);
   }
+  return low;
 }
 
-/// Returns the squared distances of a point from the triangles of a block, less the possible
+/// Computes the squared distances of a point from the triangles of a block, less the possible
 /// rounding error: the minimum over the projection onto the plane, if it is inside, and the nearest
-/// points of the three edges.
-void SquaresFor(const TriangleBlocks& blocks, int block, const float* point, float* squares)
+/// points of the three edges. Returns a bit for each triangle: whether it is within the bound.
+std::uint32_t SquaresFor(
+  const TriangleBlocks& blocks, int block, const float* point, float bound, float* squares)
 {
   constexpr int size = TriangleBlocks::Size;
   const hn::CappedTag<float, size> d;
@@ -48,7 +66,9 @@ void SquaresFor(const TriangleBlocks& blocks, int block, const float* point, flo
   const int dimension = blocks.Dimension;
   const std::ptrdiff_t first = std::ptrdiff_t(block) * dimension * size;
   const float* products = blocks.Products.data() + std::ptrdiff_t(block) * 3 * size;
-  const Vector zero = hn::Zero(d), one = hn::Set(d, 1.0F), two = hn::Set(d, 2.0F);
+  const Vector zero = hn::Zero(d), one = hn::Set(d, 1.0F), two = hn::Set(d, 2.0F),
+               most = hn::Set(d, bound * bound);
+  std::uint32_t low = 0;
   for (int i = 0; i < size; i += static_cast<int>(hn::Lanes(d)))
   {
     Vector u = zero, v = zero, square = zero;
@@ -87,8 +107,11 @@ void SquaresFor(const TriangleBlocks& blocks, int block, const float* point, flo
     // The possible rounding error: close to a triangle the sum cancels larger numbers.
     const Vector large = hn::Add(square, hn::Add(a, c));
     const Vector sum = hn::NegMulAdd(hn::Set(d, SquareRounding), large, hn::Add(square, minimum));
-    hn::StoreU(hn::Max(zero, sum), d, squares + i);
+    const Vector least = hn::Max(zero, sum);
+    hn::StoreU(least, d, squares + i);
+    low |= BitsOf(d, hn::Le(least, most), i);
   }
+  return low;
 }
 
 } // namespace HWY_NAMESPACE
@@ -101,7 +124,6 @@ HWY_AFTER_NAMESPACE();
 #include "Search/Private/TriangleProjection.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -362,22 +384,20 @@ NearestTriangle TriangleTree::Find(const Eigen::RowVectorXd& point, int guess) c
   {
     const TriangleBlocks::Level& own = this->Blocks.Levels[level];
     const std::ptrdiff_t first = std::ptrdiff_t(block) * Block;
-    HWY_DYNAMIC_DISPATCH(GapsFor)
-    (single.data(), this->Blocks.Dimension, own.Centres.data() + first * this->Blocks.Dimension,
-      own.Radii.data() + first, numbers.data());
+    std::uint32_t low = HWY_DYNAMIC_DISPATCH(GapsFor)(single.data(), this->Blocks.Dimension,
+      own.Centres.data() + first * this->Blocks.Dimension, own.Radii.data() + first, bound,
+      numbers.data());
     const int before = height;
-    for (int i = 0; i < Block; ++i)
+    for (; low != 0; low &= low - 1)
     {
-      if (numbers[i] < bound)
+      const auto i = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(low));
+      // The nearest is popped first.
+      int position = height++;
+      for (; position > before && stack[position - 1].Gap < numbers[i]; --position)
       {
-        // The nearest is popped first.
-        int position = height++;
-        for (; position > before && stack[position - 1].Gap < numbers[i]; --position)
-        {
-          stack[position] = stack[position - 1];
-        }
-        stack[position] = { numbers[i], level, static_cast<int>(first) + i };
+        stack[position] = stack[position - 1];
       }
+      stack[position] = { numbers[i], level, static_cast<int>(first) + i };
     }
   };
   open(static_cast<int>(this->Blocks.Levels.size()) - 1, 0);
@@ -393,10 +413,12 @@ NearestTriangle TriangleTree::Find(const Eigen::RowVectorXd& point, int guess) c
       open(next.Level - 1, next.Item);
       continue;
     }
-    HWY_DYNAMIC_DISPATCH(SquaresFor)(this->Blocks, next.Item, single.data(), numbers.data());
-    for (int i = 0; i < Block; ++i)
+    std::uint32_t low = HWY_DYNAMIC_DISPATCH(SquaresFor)(
+      this->Blocks, next.Item, single.data(), bound, numbers.data());
+    for (; low != 0; low &= low - 1)
     {
-      if (numbers[i] <= bound * bound)
+      const auto i = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(low));
+      if (numbers[i] <= bound * bound) // which may have fallen
       {
         this->Test(
           padded.data(), this->Order[static_cast<std::size_t>(next.Item) * Block + i], best);

@@ -1,13 +1,80 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "Search/TriangleWalk.cxx"
+// These would only repeat what AVX-512 and SSE4 compile to.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+#include <hwy/foreach_target.h>
+
+#include "Search/Private/TriangleProjection.h"
 #include "Search/TriangleWalk.h"
 
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace shape
+{
+// No unnamed namespace here: the dispatch below takes addresses from every target.
+namespace HWY_NAMESPACE
+{
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Adds coordinates [begin, end) to the products of a triangle's edges from its first corner and
+/// the way from there to a position. The range is of whole vectors.
+template <class Tag>
+void AddProducts(Tag tag, const double* const* corners, const double* towards, Eigen::Index begin,
+  Eigen::Index end, WalkProducts& sums)
+{
+  auto a = hn::Zero(tag), b = a, c = a, u = a, v = a, square = a;
+  for (Eigen::Index k = begin; k < end; k += static_cast<Eigen::Index>(hn::Lanes(tag)))
+  {
+    const auto p = hn::LoadU(tag, corners[0] + k);
+    const auto e = hn::Sub(hn::LoadU(tag, corners[1] + k), p),
+               f = hn::Sub(hn::LoadU(tag, corners[2] + k), p),
+               w = hn::Sub(hn::LoadU(tag, towards + k), p);
+    a = hn::MulAdd(e, e, a);
+    b = hn::MulAdd(e, f, b);
+    c = hn::MulAdd(f, f, c);
+    u = hn::MulAdd(w, e, u);
+    v = hn::MulAdd(w, f, v);
+    square = hn::MulAdd(w, w, square);
+  }
+  const auto add = [tag](double& to, auto sum) { to += hn::GetLane(hn::SumOfLanes(tag, sum)); };
+  add(sums.A, a);
+  add(sums.B, b);
+  add(sums.C, c);
+  add(sums.U, u);
+  add(sums.V, v);
+  add(sums.Square, square);
+}
+
+WalkProducts ProductsOf(const double* const* corners, const double* towards, Eigen::Index dimension)
+{
+  const hn::ScalableTag<double> wide;
+  const hn::CappedTag<double, 1> single;
+  const auto lanes = static_cast<Eigen::Index>(hn::Lanes(wide));
+  const Eigen::Index whole = dimension / lanes * lanes;
+  WalkProducts sums;
+  AddProducts(wide, corners, towards, 0, whole, sums);
+  AddProducts(single, corners, towards, whole, dimension, sums);
+  return sums;
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace shape
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
 #include "Base/Parallel.h"
-#include "Search/Private/TriangleProjection.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace shape
 {
+
+HWY_EXPORT(ProductsOf);
 
 TriangleFans::TriangleFans(const Eigen::MatrixXi& triangles, Eigen::Index points)
   : First(points + 1, 0)
@@ -55,16 +122,17 @@ bool TriangleWalk::Look(int point, const Eigen::VectorXd& towards)
   for (int i = this->Fans.First[point]; i < this->Fans.First[point + 1]; ++i)
   {
     const int t = this->Fans.Triangles[i];
-    const auto p = this->Points.col(this->Triangles(t, 0));
-    Eigen::VectorXd &e = this->First, &f = this->Second, &w = this->Way;
-    e = this->Points.col(this->Triangles(t, 1)) - p;
-    f = this->Points.col(this->Triangles(t, 2)) - p;
-    w = towards - p;
-    const double a = e.squaredNorm(), b = e.dot(f), c = f.squaredNorm(), u = w.dot(e), v = w.dot(f);
+    std::array<const double*, 3> corners;
+    for (int k = 0; k < 3; ++k)
+    {
+      corners[k] = this->Points.col(this->Triangles(t, k)).data();
+    }
+    const auto [a, b, c, u, v, square] =
+      HWY_DYNAMIC_DISPATCH(ProductsOf)(corners.data(), towards.data(), towards.size());
     const auto [x, y] = ProjectOntoTriangle(a, b, c, u, v);
     // Rounding must not make it negative, or the walk would never end.
     const double squared =
-      std::max(0.0, w.squaredNorm() + x * (x * a + 2.0 * y * b - 2.0 * u) + y * (y * c - 2.0 * v));
+      std::max(0.0, square + x * (x * a + 2.0 * y * b - 2.0 * u) + y * (y * c - 2.0 * v));
     if (squared < this->Squared * (1.0 - rounding))
     {
       this->Squared = squared;
@@ -100,3 +168,4 @@ SurfacePoints WalkToPositions(const Eigen::MatrixXd& positions, const Eigen::Mat
 }
 
 } // namespace shape
+#endif // HWY_ONCE

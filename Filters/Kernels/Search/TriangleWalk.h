@@ -47,8 +47,7 @@ private:
   const Eigen::MatrixXi& Triangles;
   const Eigen::MatrixXd& Points;
   const TriangleFans& Fans;
-  double Squared = 0.0;               ///< the squared distance that remains
-  Eigen::VectorXd First, Second, Way; ///< buffers, kept to avoid allocations
+  double Squared = 0.0; ///< the squared distance that remains
 };
 
 /// Returns the end of a walk towards each of `positions` (q x d, one per row). points: n x d, one

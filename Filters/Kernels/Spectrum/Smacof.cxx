@@ -8,6 +8,7 @@
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Spectrum/Private/ClassicalMds.h"
+#include "Spectrum/Private/GuttmanTransform.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,49 +20,6 @@ namespace shape
 {
 namespace
 {
-
-/// Scales positions (s x d) to the minimum of the stress, and returns that minimum. `transformed`
-/// is their Guttman transform, the next iterate of majorisation.
-double Transform(
-  const Eigen::MatrixXd& distances, Eigen::MatrixXd& positions, Eigen::MatrixXd& transformed)
-{
-  const Eigen::Index count = positions.rows(), dimensions = positions.cols();
-  transformed.setZero(count, dimensions);
-  // sums of wanted * current distances, and of squared current distances
-  double products = 0.0, lengths = 0.0;
-  Eigen::ArrayXd squares(count), now(count), ratios(count), ways(count);
-  for (Eigen::Index j = 1; j < count; ++j)
-  {
-    // Each pair once: j with all points before it.
-    squares.head(j).setZero();
-    for (Eigen::Index k = 0; k < dimensions; ++k)
-    {
-      squares.head(j) += (positions.col(k).head(j).array() - positions(j, k)).square();
-    }
-    now.head(j) = squares.head(j).sqrt();
-    const auto wanted = distances.col(j).head(j).array();
-    products += 2.0 * (wanted * now.head(j)).sum();
-    lengths += 2.0 * squares.head(j).sum();
-    // Row j of the Guttman transform is the sum over i of wanted / current distance times
-    // (x_j - x_i), divided by the number of points. It does not change if all positions are scaled.
-    // The direction between points at the same position is undefined; their term is 0.
-    ratios.head(j) = (now.head(j) > 0.0).select(wanted / now.head(j), 0.0);
-    for (Eigen::Index k = 0; k < dimensions; ++k)
-    {
-      ways.head(j) = ratios.head(j) * (positions(j, k) - positions.col(k).head(j).array());
-      transformed(j, k) += ways.head(j).sum();
-      transformed.col(k).head(j).array() -= ways.head(j);
-    }
-  }
-  transformed /= static_cast<double>(count);
-  // The stress sum (wanted - a now)^2 is minimal for a = products / lengths.
-  if (lengths <= 0.0)
-  {
-    return distances.squaredNorm();
-  }
-  positions *= products / lengths;
-  return distances.squaredNorm() - products * products / lengths;
-}
 
 /// Returns positions of s samples that fit the given distances (s x s).
 Eigen::MatrixXd Majorised(
@@ -78,7 +36,7 @@ Eigen::MatrixXd Majorised(
   for (int k = 0;; ++k)
   {
     progress(static_cast<double>(k) / (options.Iterations + 1));
-    const double stress = Transform(distances, positions, transformed);
+    const double stress = TransformByGuttman(distances, positions, transformed);
     if (k >= options.Iterations || (k > 0 && before - stress <= options.Tolerance * stress))
     {
       return positions;

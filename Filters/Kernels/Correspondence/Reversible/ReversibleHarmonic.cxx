@@ -101,6 +101,7 @@ public:
         }
       },
       progress);
+    this->Positions = PullBack(this->Map, other.Triangles, other.Embedding);
   }
 
   /// Updates X: the minimum of the energy, which is quadratic in X.
@@ -140,19 +141,17 @@ public:
     this->Image = this->Factor.Solve((1.0 - weights.Alpha) *
         PushForward(other.Map, this->Triangles, other.Masses.asDiagonal() * other.Embedding,
           this->Masses.size()) +
-      own.asDiagonal() * PullBack(this->Map, other.Triangles, other.Embedding));
+      own.asDiagonal() * this->Positions);
   }
 
   /// This map's part of the energy.
   double Energy(const Side& other, const Weights& weights) const
   {
-    return weights.Alpha * (this->Image.transpose() * (this->Stiffness * this->Image)).trace() +
+    return weights.Alpha * this->Image.cwiseProduct(this->Stiffness * this->Image).sum() +
       (1.0 - weights.Alpha) *
       SquaredNorm(
         PullBack(this->Map, other.Triangles, other.Image) - this->Embedding, this->Masses) +
-      weights.Beta *
-      SquaredNorm(
-        PullBack(this->Map, other.Triangles, other.Embedding) - this->Image, this->Masses);
+      weights.Beta * SquaredNorm(this->Positions - this->Image, this->Masses);
   }
 
   const Eigen::MatrixXi& Triangles;
@@ -188,6 +187,7 @@ private:
   static constexpr double PinWeight = 1.0; ///< as much as the whole surface
   Eigen::MatrixXi Entries; ///< 9 x m: indices in the stiffness of each triangle's pairs of corners
   std::vector<char> Pinned;
+  Eigen::MatrixXd Positions; ///< n x d: P12 X2
   SparseCholesky Factor;
   std::optional<TriangleTree> Tree; ///< of the other surface
 };

@@ -6,6 +6,14 @@
 namespace shape
 {
 
+/// The scalar products from which the point of a triangle nearest to a point follows. e and f are
+/// the edges from the first corner, and w is the vector from this corner to the point: e e, e f,
+/// f f, e w, f w and w w.
+struct WalkProducts
+{
+  double A = 0.0, B = 0.0, C = 0.0, U = 0.0, V = 0.0, Square = 0.0;
+};
+
 /// Returns the point of a triangle nearest to a point, in any dimension, from scalar products
 /// alone. e and f are the edges from the first corner, and w is the vector from this corner to the
 /// point. a = e e, b = e f, c = f f, u = e w, v = f w. The result (s, t) stands for the first
