@@ -227,6 +227,23 @@ assert 'no region has the same id' in refusal(
     labelled(surface_of(places, faces), ids['cell'] * 0 + 2, 'cell'), RegionArray='Part')
 assert "no point array 'Nowhere'" in refusal(a, b, RegionArray='Nowhere')
 
+# Displacements given by vectors: the unit normals are the default, and others give another fit. Both surfaces
+# need vectors.
+def displaced(data, vectors, name='Motion'):
+    held = copy(data)
+    add_array(held, vectors, name)
+    return held
+
+
+term = dict(DisplacementWeight=1.0, ZoomOutStep=0)
+moved = displaced(a, numpy.sin(4.0 * points(a))), displaced(b, 2.0 * numpy.sin(2.0 * points(b) @ turn) @ turn.T)
+along = array(outputs(a, b, **term)[0], 'TargetPosition')
+assert (array(outputs(*moved, DisplacementArray='None', **term)[0], 'TargetPosition') == along).all()
+assert (array(outputs(*moved, DisplacementArray='Motion', **term)[0], 'TargetPosition') != along).any()
+assert "no point array 'Motion'" in refusal(moved[0], b, DisplacementArray='Motion', **term)
+assert 'has 1 components, but displacements are vectors of 3' in refusal(
+    displaced(a, points(a)[:, 0]), displaced(b, points(b)[:, 0]), DisplacementArray='Motion', **term)
+
 # Lines of landmarks as a whole: alone, they recover the map. Each counts as a descriptor.
 line = surface_of(points(a)[numpy.argsort(points(a)[:, 2])[::60]], [])
 cells = vtkCellArray()

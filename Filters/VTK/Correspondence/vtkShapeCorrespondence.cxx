@@ -328,6 +328,24 @@ shape::FunctionalGuide vtkShapeCorrespondence::ReadGuide(
   }
   guide.DescriptorsOfA = std::move(given.OfA);
   guide.DescriptorsOfB = std::move(given.OfB);
+  if (vtkShapeConvert::IsChosen(this->DisplacementArray))
+  {
+    const auto vectors = [&](vtkPolyData* data, const std::string& name)
+    {
+      Eigen::MatrixXd values =
+        vtkShapeFunctionalMap::ReadArray(data, this->DisplacementArray, name);
+      if (values.cols() != 3)
+      {
+        throw shape::InvalidInput("the array '" + this->DisplacementArray + "' of " + name +
+          " has " + std::to_string(values.cols()) +
+          " components, but displacements are vectors of 3; choose " +
+          "another Displacement Array, or None for the normals");
+      }
+      return values;
+    };
+    guide.DisplacementsOfA = vectors(dataA, "SurfaceA");
+    guide.DisplacementsOfB = vectors(dataB, "SurfaceB");
+  }
   if (this->GetNumberOfInputConnections(4) > 0)
   {
     guide.Matrix =

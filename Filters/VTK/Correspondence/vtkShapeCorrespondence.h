@@ -166,6 +166,8 @@ public:
   vtkShapeOptionOf(Options.Functional.Fit, CurveWeight, double);
   vtkShapeOptionOf(Options.Functional.Fit, DisplacementWeight, double);
   vtkShapeOptionOf(Options.Functional.Fit, Displacement, double);
+  vtkSetStdStringFromCharMacro(DisplacementArray);
+  vtkGetCharFromStdStringMacro(DisplacementArray);
   vtkShapeOptionAs(
     Options.Functional.Refinement.SamplesPerFunction, SamplesPerEigenfunction, double);
   vtkShapeOptionOf(Options.Functional.Fit, OrthonormalityWeight, double);
@@ -253,7 +255,7 @@ private:
   double WriteCoupling(const shape::SampledCoupling& coupling);
 
   std::vector<std::string> DescriptorArrays, FeatureArrays, TransferArrays;
-  std::string RegionArray = "None";
+  std::string RegionArray = "None", DisplacementArray = "None";
   bool CurveDescriptors = false, OutputEigenfunctions = false;
   shape::CorrespondenceOptions Options;
   shape::CoupledBasesOptions Coupled = { 0 }; // no bases by default

@@ -136,6 +136,8 @@ FunctionalGuide AtPoints(
   FunctionalGuide result = guide;
   result.DescriptorsOfA = Restricted(guide.DescriptorsOfA, pointsA);
   result.DescriptorsOfB = Restricted(guide.DescriptorsOfB, pointsB);
+  result.DisplacementsOfA = Restricted(guide.DisplacementsOfA, pointsA);
+  result.DisplacementsOfB = Restricted(guide.DisplacementsOfB, pointsB);
   result.BasisOfA = Restricted(guide.BasisOfA, pointsA);
   result.BasisOfB = Restricted(guide.BasisOfB, pointsB);
   for (Landmarks& curve : result.Curves)

@@ -22,6 +22,11 @@ struct FunctionalGuide
   ///@}
   /// Corresponding curves, each as the pairs of its points.
   std::vector<Landmarks> Curves;
+  ///@{
+  /// The vectors by which the points of A and of B are displaced (n_A x 3, n_B x 3), in the units
+  /// of the surfaces; empty: along the unit normals. See FitFunctionalMap.
+  Eigen::MatrixXd DisplacementsOfA, DisplacementsOfB;
+  ///@}
   /// An initial functional map from A to B, k_B x k_A; empty: it is fitted.
   Eigen::MatrixXd Matrix;
   ///@{

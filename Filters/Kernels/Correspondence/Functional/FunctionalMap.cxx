@@ -28,6 +28,7 @@ struct Side
   Eigen::Index Given = 0; ///< the number of descriptors that are given, the last ones
   std::vector<int> Samples;
   std::vector<std::vector<int>> Curves;
+  Eigen::MatrixXd Displacements;
 
   SampledSpectrum Sampled() const
   {
@@ -35,7 +36,8 @@ struct Side
   }
   SurfaceDescriptors Described() const
   {
-    return { this->Surface, this->Spectrum, this->Descriptors, this->Given, this->Curves };
+    return { this->Surface, this->Spectrum, this->Descriptors, this->Given, this->Curves,
+      this->Displacements };
   }
 };
 
@@ -98,9 +100,9 @@ Eigen::MatrixXd Descriptors(const LaplaceEigenpairs& spectrum, const Landmarks& 
 Side Prepare(const Surface& surface, int pairs, const Landmarks& landmarks, int which,
   const FunctionalMapOptions& options, const Progress& progress)
 {
-  Side side{ { surface.Points() / std::sqrt(ComputePointAreas(surface).sum()),
-               surface.Triangles() },
-    {}, {}, 0, {}, {} };
+  const double length = std::sqrt(ComputePointAreas(surface).sum());
+  Side side{ { surface.Points() / length, surface.Triangles() }, {}, {}, 0, {}, {},
+    (which == 0 ? options.Guide.DisplacementsOfA : options.Guide.DisplacementsOfB) / length };
   constexpr double tolerance = 1e-6; // smaller ones give no better maps, but take longer
   side.Spectrum = SolveLaplaceEigenproblem(
     side.Surface, pairs, progress.Part(0.0, 0.7, "computing the eigenfunctions"), tolerance);

@@ -36,11 +36,12 @@ namespace shape
  * - K1 and K2 multiply a function by a curve: the inner product of K f and g is the mean of f g
  * over the curve's points. A matched curve gives a pair of such operators (the idea of Gehre,
  * Bronstein, Kobbelt and Solomon, "Interactive curve constrained functional maps", 2018);
- * - N1 and N2 are the changes of the Laplacians if the surfaces are displaced along their normals
- * by the distance h = Displacement (Corman, Solomon, Ben-Chen, Guibas and Ovsjanikov, "Functional
- *   characterization of intrinsic and extrinsic geometry", 2017), divided by h; for h = 0, the
- *   limit of this quotient (Corman and Ovsjanikov, "Functional characterization of deformation
- *   fields", 2018). They depend on the curvatures, which the Laplacians do not.
+ * - N1 and N2 are the changes of the Laplacians if the points are displaced by h times their unit
+ * normals, or h times given vectors, with h = Displacement (Corman, Solomon, Ben-Chen, Guibas and
+ * Ovsjanikov, "Functional characterization of intrinsic and extrinsic geometry", 2017), divided by
+ * h; for h = 0, the limit of this quotient (Corman and Ovsjanikov, "Functional characterization of
+ * deformation fields", 2018). Along the normals, they depend on the curvatures, which the
+ * Laplacians do not. Along given vectors, they tell how these stretch the surface.
  *
  * Each descriptor is divided by its norm. In |C A - B|^2, the given descriptors together have the
  * weight of the computed ones, since few of them say as much. Each sum over operators is divided by

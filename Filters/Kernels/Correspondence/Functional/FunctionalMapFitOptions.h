@@ -25,10 +25,10 @@ struct FunctionalMapFitOptions
   /// w_O: commutativity with the descriptors' rotated gradients; >= 0.
   double OrientationWeight = 1e-2;
   double CurveWeight = 0.0; ///< w_K: commutativity with multiplication by curves; >= 0
-  /// w_N: commutativity with the change of the Laplacians under a displacement along the normals;
-  /// >= 0.
+  /// w_N: commutativity with the change of the Laplacians under a displacement; >= 0.
   double DisplacementWeight = 0.0;
-  /// The displacement, of surfaces of area 1; 0: the rate of change; >= 0.
+  /// The displacement along the normals, of surfaces of area 1, or the factor of given vectors; 0:
+  /// the rate of change; >= 0.
   double Displacement = 0.0;
   /// w_C: how strongly each of the two maps preserves inner products; >= 0.
   double OrthonormalityWeight = 0.0;
@@ -48,6 +48,8 @@ struct SurfaceDescriptors
   /// How many of the descriptors, the last ones, are given and not computed.
   Eigen::Index Given = 0;
   std::vector<std::vector<int>> Curves; ///< the points of each curve
+  /// n x 3: the vectors along which the points are displaced; empty: the unit normals.
+  Eigen::MatrixXd Displacements = {};
 };
 
 } // namespace shape

@@ -1,4 +1,5 @@
 #include "Correspondence/Functional/FunctionalMapFit.h"
+#include "Geometry/VertexNormals.h"
 #include "Spectrum/SpectralSignatures.h"
 #include "Support/MatchingShapes.h"
 
@@ -20,6 +21,7 @@ struct Described
   shape::LaplaceEigenpairs Spectrum;
   Eigen::MatrixXd Descriptors;
   std::vector<std::vector<int>> Curves;
+  Eigen::MatrixXd Displacements;
 
   Described(shape::Mesh mesh, int landmark)
     : Unit(std::move(mesh))
@@ -33,7 +35,7 @@ struct Described
   }
   shape::SurfaceDescriptors Surface() const
   {
-    return { this->Unit, this->Spectrum, this->Descriptors, 0, this->Curves };
+    return { this->Unit, this->Spectrum, this->Descriptors, 0, this->Curves, this->Displacements };
   }
 };
 
@@ -110,6 +112,78 @@ TEST(FunctionalMapEnergy, OfADisplacementConvergesToThatOfItsRate)
                fine = std::abs(value(1e-4) - limit);
   EXPECT_GT(coarse, 0.0);
   EXPECT_NEAR(fine / coarse, 0.1, 0.02);
+}
+
+// Vectors that are the unit normals give the term of the normals. The rate of a rigid motion, here
+// a rotation and a shift, changes no Laplacian: there is no term.
+TEST(FunctionalMapEnergy, OfGivenDisplacementsIsThatOfTheNormalsAndVanishesForAMotion)
+{
+  Pair pair;
+  const shape::FunctionalMaps maps = Random(1);
+  const auto value = [&](double weight)
+  {
+    shape::FunctionalMapFitOptions options = Options();
+    options.DisplacementWeight = weight;
+    return shape::FunctionalMapEnergy(pair.A.Surface(), pair.B.Surface(), options).Value(maps);
+  };
+  const double along = value(1.0), none = value(0.0);
+  for (Described* const side : { &pair.A, &pair.B })
+  {
+    side->Displacements = shape::ComputeVertexNormals(side->Unit, shape::NormalWeight::Area);
+  }
+  EXPECT_NEAR(value(1.0), along, 1e-9 * along);
+  for (Described* const side : { &pair.A, &pair.B })
+  {
+    const Eigen::Vector3d axis(0.3, -0.2, 0.5);
+    side->Displacements = side->Unit.Points.rowwise().cross(axis).rowwise() + axis.transpose();
+  }
+  EXPECT_NEAR(value(1.0), none, 1e-9 * none);
+}
+
+// The energy has the gradient of its value for given displacements, too, and the term falls as its
+// weight grows.
+TEST(FunctionalMapEnergy, OfGivenDisplacementsHasItsGradientAndFalls)
+{
+  Pair pair;
+  for (Described* const side : { &pair.A, &pair.B })
+  {
+    const Eigen::ArrayX3d at = side->Unit.Points.array();
+    side->Displacements.resize(at.rows(), 3);
+    side->Displacements << at.col(0).square(), at.col(0) * at.col(1), (4.0 * at.col(2)).sin();
+  }
+  const auto energy = [&](double weight, double factor)
+  {
+    shape::FunctionalMapFitOptions options = Options();
+    options.DisplacementWeight = weight;
+    options.Displacement = factor;
+    return shape::FunctionalMapEnergy(pair.A.Surface(), pair.B.Surface(), options);
+  };
+  for (const double factor : { 0.0, 0.5 })
+  {
+    const shape::FunctionalMapEnergy some = energy(0.5, factor), all = energy(1.0, factor),
+                                     none = energy(0.0, factor);
+    const shape::FunctionalMaps maps = Random(1), gradient = some.Gradient(maps),
+                                direction = Random(2);
+    constexpr double step = 1e-4;
+    const auto moved = [&](double by) {
+      return some.Value({ maps.AToB + by * direction.AToB, maps.BToA + by * direction.BToA });
+    };
+    const double expected = gradient.AToB.cwiseProduct(direction.AToB).sum() +
+      gradient.BToA.cwiseProduct(direction.BToA).sum();
+    EXPECT_NEAR((moved(step) - moved(-step)) / (2.0 * step), expected, 1e-6 * std::abs(expected));
+    double before = 0.0;
+    for (const double weight : { 0.0, 0.03, 0.3, 3.0 })
+    {
+      const shape::FunctionalMaps best = energy(weight, factor).Start();
+      const double term = all.Value(best) - none.Value(best);
+      EXPECT_GT(term, 0.0);
+      if (weight > 0.0)
+      {
+        EXPECT_LT(term, 0.999 * before) << weight;
+      }
+      before = term;
+    }
+  }
 }
 
 double Off(const Eigen::MatrixXd& product)

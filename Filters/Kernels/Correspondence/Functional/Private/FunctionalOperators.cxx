@@ -143,16 +143,16 @@ Eigen::Matrix2d StiffnessChange(const Eigen::Matrix<double, 3, 2>& f)
 
 /// N of the header, in the scalar product of gradients: L^-1/2 (the change of the stiffness)
 /// L^-1/2, so that all eigenfunctions count alike. Constant functions are left out.
-Eigen::MatrixXd DisplacementOperator(const Mesh& mesh, const Gradients& gradients,
-  const Gradients::Components& ofFunctions, const Eigen::VectorXd& eigenvalues, double distance)
+Eigen::MatrixXd DisplacementOperator(const Mesh& mesh, const Eigen::MatrixXd& vectors,
+  const Gradients& gradients, const Gradients::Components& ofFunctions,
+  const Eigen::VectorXd& eigenvalues, double distance)
 {
-  const Eigen::MatrixXd normals = PointNormals(mesh);
   const Eigen::VectorXd& areas = gradients.TriangleAreas();
   Eigen::VectorXd xx(areas.size()), xy(areas.size()), yy(areas.size());
   for (Eigen::Index t = 0; t < areas.size(); ++t)
   {
     const Eigen::Matrix<double, 3, 2> at = gradients.DerivativeOf(mesh.Points, t),
-                                      by = gradients.DerivativeOf(normals, t);
+                                      by = gradients.DerivativeOf(vectors, t);
     Eigen::Matrix2d change;
     if (distance > 0.0)
     {
@@ -163,6 +163,12 @@ Eigen::MatrixXd DisplacementOperator(const Mesh& mesh, const Gradients& gradient
       // The metric changes at the rate G, and sqrt(det) inverse at the rate tr(G) / 2 I - G.
       const Eigen::Matrix2d half = at.transpose() * by, rate = half + half.transpose();
       change = 0.5 * rate.trace() * Eigen::Matrix2d::Identity() - rate;
+    }
+    // A rotation changes no metric, but for rounding.
+    constexpr double rounding = 1e-24;
+    if (change.squaredNorm() <= rounding * by.squaredNorm())
+    {
+      change.setZero();
     }
     xx(t) = areas(t) * change(0, 0);
     xy(t) = areas(t) * change(0, 1);
@@ -233,8 +239,9 @@ FunctionalOperators ComputeFunctionalOperators(
     progress);
   if (options.DisplacementWeight > 0.0)
   {
-    result.Displacements.push_back(DisplacementOperator(given.Surface, gradients, ofFunctions,
-      spectrum.Eigenvalues.head(options.Size), options.Displacement));
+    result.Displacements.push_back(DisplacementOperator(given.Surface,
+      given.Displacements.rows() > 0 ? given.Displacements : PointNormals(given.Surface), gradients,
+      ofFunctions, spectrum.Eigenvalues.head(options.Size), options.Displacement));
   }
   if (options.CurveWeight > 0.0)
   {
