@@ -121,6 +121,11 @@ PAIRS = {
     'bull-turns': ('unseen', 'bull', None, True, ends((.92, .68, .65), (.02, .61, .69), (.5, .4, .4)), None),
     'elk-turns': ('unseen', 'elk', None, True, ends((.36, .91, .06), (.58, .27, .95), (.38, .11, .06)), None),
     'hand-turns': ('unseen', 'hand', None, False, ends((.34, .24, .72), (.7, .66, .77), (.54, .67, .06)), None),
+    'bear-upper': ('unseen part', 'bear', X, True,
+                   limbs('turn', BEAR_HANDS, .08, .28, Z, (-90, 90)), ('cut', Y, .4)),
+    'camel-front': ('unseen part', 'camel', X, True,
+                    limbs('turn', CAMEL_FEET, .22, .34, X, (90, 90, -90, -90))
+                    + [('turn', (.14, .93, .97), .3, .55, Y, 100)], ('cut', Z, .35)),
     'cactus-turns': ('unseen', 'cactus', None, True, ends((.59, .93, .07), (.03, .96, .11), (.21, .0, .11)), None),
 }
 
@@ -267,7 +272,7 @@ def pairs(folder, names=None, points=5000, program=sweep.Program()):
 
 
 def sane(pair):
-    whole = pair['group'] != 'partial'
+    whole = pair['group'] not in ('partial', 'unseen part')
     return (all(pair[side]['components'] == 1 and pair[side]['nonmanifold'] == 0 for side in 'AB')
             and pair['B']['border'] == 0 and (pair['A']['border'] == 0) == whole
             and (not whole or pair['A']['euler'] == pair['B']['euler'])
