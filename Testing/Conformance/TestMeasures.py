@@ -24,7 +24,7 @@ CONTRACT = {'TargetPosition', 'TargetCell', 'TargetBarycentric', 'SourcePosition
             'MapColors', 'FacePatch', 'Origin', 'Defect', 'Block', 'BlockIndex', 'BranchId', 'TargetBranchId', 'Degree',
             'SourceNormal', 'TargetNormal', 'FrameTurn', 'Painted', 'Grey', 'Coverage', 'Density', 'Modulus',
             'MaterialId', 'MaterialDensity', 'MaterialModulus', 'SampleWeight', 'ImageDistribution',
-            'NetworkDescriptors', 'TargetPointId', 'SpherePosition', 'LeftPatch', 'RightPatch', 'IsCurve'}
+            'MapConfidence', 'NetworkDescriptors', 'TargetPointId', 'SpherePosition', 'LeftPatch', 'RightPatch', 'IsCurve'}
 # Measures of hexahedra that Shape Hex Remesh writes, by Verdict.
 VERDICT = {name[len('SetHexQualityMeasureTo'):]
            for name in dir(vtkMeshQuality) if name.startswith('SetHexQualityMeasureTo')}

@@ -159,6 +159,32 @@ for side, name in ((0, 'SampleOfA'), (1, 'SampleOfB')):
 voting.SetPart(2)
 assert 'set FindLandmarksBy to Distances' in shapetesting.run(voting)[0]
 
+# Conformal maps of triples of its points, without landmarks: most candidates agree on the right map.
+blending = shapetesting.new(
+    shapemap.vtkShapeCorrespondence, surface_of(pebble, triangles(round_surface)),
+    surface_of(there[stones], numpy.argsort(stones)[triangles(round_surface)]), None, Method=BLENDED,
+    CandidatesFrom=1)
+blended = shapetesting.outputs(blending)
+assert numpy.linalg.norm(array(blended[0], 'TargetPosition') - there, axis=1).mean() < 0.01 * abs(there).max()
+assert fact(blended[0], 'Correspondence.Landmarks') == 0 and fact(blended[0], 'Correspondence.LandmarksFound') == 0
+for side in (0, 1):
+    confidence = array(blended[side], 'MapConfidence')
+    assert confidence.min() >= 0 and confidence.max() <= 1 + 1e-12
+    assert 0.8 < fact(blended[side], 'Correspondence.MeanConfidence') <= 1 + 1e-12
+candidates = blended[6]
+count = candidates.GetNumberOfRows()
+assert count == fact(blended[0], 'Correspondence.CandidateMaps') and candidates.GetNumberOfColumns() == 7 + count
+weight = vtk_to_numpy(candidates.GetColumnByName('Weight'))
+assert (weight > 0).sum() == fact(blended[0], 'Correspondence.GroupMaps') and abs((weight ** 2).sum() - 1) < 1e-9
+matrix = numpy.stack([vtk_to_numpy(candidates.GetColumnByName(str(i))) for i in range(count)], 1)
+assert (matrix == matrix.T).all() and matrix.min() >= 0 and matrix.max() <= 1 + 1e-12
+corners = [[vtk_to_numpy(candidates.GetColumnByName(place + side)) for place in ('First', 'Second', 'Third')]
+           for side in ('OfA', 'OfB')]
+known = (numpy.argsort(stones)[corners[0]] == corners[1]).all(axis=0)  # triples of the true map
+assert known.sum() > 10 and weight[known].mean() > weight[~known].mean()
+blending.SetGroupShare(0)
+assert 'GroupShare' in shapetesting.run(blending)[0]
+
 # Four of them through an orbifold in the plane, twelve through a hyperbolic one; two are too few.
 for count in (4, 12):
     few = marks(points(a)[chosen[:count]], wanted[chosen[:count]])

@@ -68,7 +68,7 @@ SurfaceMaps ThroughOrbifold(
 bool NeedsLandmarks(const Landmarks& landmarks, const Options& options)
 {
   return landmarks.empty() && !options.IsGuided() &&
-    options.Method != Options::MethodType::GeneralizedMDS;
+    options.Method != Options::MethodType::GeneralizedMDS && !options.UsesTriplets();
 }
 
 /// The maps of a part and the full surface. map: takes the part, the other one, landmarks, scale.
@@ -192,6 +192,16 @@ void SetOnFine(const CoarsePair& pair, SampledCoupling& coupling)
   }
 }
 
+void SetOnFine(const CoarsePair& pair, BlendedIntrinsicResult& blended)
+{
+  blended.ConfidenceOfA = pair.ValuesOnFineA(blended.ConfidenceOfA);
+  blended.ConfidenceOfB = pair.ValuesOnFineB(blended.ConfidenceOfB);
+  blended.TriplesOfA =
+    blended.TriplesOfA.unaryExpr([&](int point) { return pair.FinePointOfA(point); }).eval();
+  blended.TriplesOfB =
+    blended.TriplesOfB.unaryExpr([&](int point) { return pair.FinePointOfB(point); }).eval();
+}
+
 void RequireRows(const Eigen::MatrixXd& features, const Surface& surface, const std::string& name)
 {
   if (features.rows() != surface.Points().rows())
@@ -263,8 +273,11 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
     case Options::MethodType::HeatKernel:
       return pair.OnFine(HeatKernel(a, b, landmarks, options, result.Part, progress), lift);
     case Options::MethodType::BlendedIntrinsic:
-      return pair.OnFine(
-        ComputeBlendedIntrinsicMap(a, b, landmarks, options.Blended, progress), lift);
+    {
+      result.Blended = ComputeBlendedIntrinsicMap(a, b, landmarks, options.Blended, progress);
+      SetOnFine(pair, *result.Blended);
+      return pair.OnFine(std::exchange(result.Blended->Maps, {}), lift);
+    }
     case Options::MethodType::CommonSphere:
     {
       SphereCommonDomainResult common =
@@ -437,6 +450,15 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
   result.Maps = { one.Expand(maps.AToB), two.Expand(maps.BToA) };
   result.SphereA = one.Expand(result.SphereA);
   result.SphereB = two.Expand(result.SphereB);
+  if (auto& blended = result.Blended)
+  {
+    blended->ConfidenceOfA = one.Expand(blended->ConfidenceOfA);
+    blended->ConfidenceOfB = two.Expand(blended->ConfidenceOfB);
+    blended->TriplesOfA =
+      blended->TriplesOfA.unaryExpr([&](int point) { return one.Points[point]; }).eval();
+    blended->TriplesOfB =
+      blended->TriplesOfB.unaryExpr([&](int point) { return two.Points[point]; }).eval();
+  }
   if (result.Base)
   {
     result.Base->PatchesOfA = one.Expand(result.Base->PatchesOfA.cast<double>()).cast<int>();

@@ -35,6 +35,9 @@ struct CorrespondenceResult
   int Iterations = 0;
   /// CommonBase: the base domain and the energies; its maps are moved to Maps.
   std::optional<CommonBaseMap> Base;
+  /// BlendedIntrinsic: the candidate maps and the confidence; its maps are moved to Maps, and all
+  /// points are those of the given surfaces.
+  std::optional<BlendedIntrinsicResult> Blended;
   ///@{
   /// CommonSphere: see SphereCommonDomainResult::SphereA, SphereB; otherwise empty.
   Eigen::MatrixXd SphereA, SphereB;

@@ -108,6 +108,13 @@ struct CorrespondenceOptions
     return this->Method == MethodType::FunctionalMap ||
       (this->Method == MethodType::ReversibleHarmonic && this->Start == StartType::FunctionalMap);
   }
+  /// Whether BlendedIntrinsic blends the maps of triples of feature points: then no landmarks are
+  /// found.
+  bool UsesTriplets() const
+  {
+    return this->Method == MethodType::BlendedIntrinsic &&
+      this->Blended.CandidatesFrom == BlendedIntrinsicOptions::CandidatesType::Triplets;
+  }
   /// Whether the guide takes the place of landmarks: then none are found automatically.
   bool IsGuided() const
   {

@@ -37,7 +37,8 @@ vtkStandardNewMacro(vtkShapeCorrespondence);
 namespace
 {
 
-constexpr int MatrixPort = 3, CouplingPort = 4, BasePort = 5; // of the outputs
+constexpr int MatrixPort = 3, CouplingPort = 4, BasePort = 5,
+              CandidatesPort = 6; // of the outputs
 
 /// Whether a list names an array.
 bool HasNames(const std::vector<std::string>& arrays)
@@ -52,6 +53,25 @@ vtkSmartPointer<vtkIdTypeArray> ToIds(const Eigen::VectorXi& values, const std::
   ids->SetNumberOfTuples(values.size());
   std::copy(values.begin(), values.end(), ids->GetPointer(0));
   return ids;
+}
+
+/// Writes a row for each candidate. ofA, ofB: their points, as numbered in the inputs.
+void WriteCandidates(const shape::BlendedIntrinsicResult& blended, const Eigen::MatrixXi& ofA,
+  const Eigen::MatrixXi& ofB, vtkTable* table)
+{
+  const std::vector<std::string> places = { "First", "Second", "Third" };
+  for (const auto& [points, side] : { std::pair(&ofA, "OfA"), std::pair(&ofB, "OfB") })
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      table->AddColumn(ToIds(points->col(k), places[k] + side));
+    }
+  }
+  table->AddColumn(vtkShapeConvert::ToArray(blended.Weights, "Weight"));
+  for (Eigen::Index j = 0; j < blended.Consistency.cols(); ++j)
+  {
+    table->AddColumn(vtkShapeConvert::ToArray(blended.Consistency.col(j), std::to_string(j)));
+  }
 }
 
 /// Writes a polyline for each path of the base domain.
@@ -90,6 +110,12 @@ void WriteBase(const std::vector<shape::BasePath>& paths, vtkPolyData* output)
   output->GetCellData()->AddArray(ToIds(left, "LeftPatch"));
   output->GetCellData()->AddArray(ToIds(right, "RightPatch"));
   output->GetCellData()->AddArray(ToIds(isCurve, "IsCurve"));
+}
+
+double MeanByArea(const shape::Surface& surface, const Eigen::VectorXd& values)
+{
+  const Eigen::VectorXd areas = shape::ComputePointAreas(surface);
+  return areas.dot(values) / areas.sum();
 }
 
 } // namespace
@@ -137,6 +163,7 @@ vtkShapeCorrespondence::vtkShapeCorrespondence()
   this->DeclareOutput("vtkTable");    // MatrixPort
   this->DeclareOutput("vtkTable");    // CouplingPort
   this->DeclareOutput("vtkPolyData"); // BasePort
+  this->DeclareOutput("vtkTable");    // CandidatesPort
   this->DeclareShown(0, { "MapColors" });
   this->DeclareShown(1, { "MapColors" });
 }
@@ -221,6 +248,11 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
     onB["SampleWeight"] = Eigen::MatrixXd::Zero(b.Points().rows(), 1);
     onB["SampleWeight"](result.Coupling.SamplesOfB, 0) = result.Coupling.WeightsOfB;
   }
+  if (result.Blended)
+  {
+    onA["MapConfidence"] = result.Blended->ConfidenceOfA;
+    onB["MapConfidence"] = result.Blended->ConfidenceOfB;
+  }
   if (this->ImageOfPoint >= 0)
   {
     const std::vector<int>& points = this->GetGatheredInput(0).GivenPoints;
@@ -251,6 +283,22 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
   if (result.Base && isFirst)
   {
     WriteBase(result.Base->Paths, vtkPolyData::SafeDownCast(this->GetOutputDataObject(BasePort)));
+  }
+  if (result.Blended && isFirst)
+  {
+    const auto given = [&](int port, const Eigen::MatrixXi& points)
+    {
+      Eigen::MatrixXi numbers(points.rows(), points.cols());
+      for (Eigen::Index k = 0; k < points.cols(); ++k)
+      {
+        numbers.col(k) =
+          vtkShapeRepaired::ToGiven(this->GetGatheredInput(port).GivenPoints, points.col(k));
+      }
+      return numbers;
+    };
+    WriteCandidates(*result.Blended, given(0, result.Blended->TriplesOfA),
+      given(1, result.Blended->TriplesOfB),
+      vtkTable::SafeDownCast(this->GetOutputDataObject(CandidatesPort)));
   }
   vtkShapeMapColors::Add(this->GetOutputDataObject(0), "TargetPosition", b);
   vtkShapeMapColors::Add(this->GetOutputDataObject(1), "", b);
@@ -302,6 +350,13 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
     add("GenusOfA", result.GenusOfA);
     add("GenusOfB", result.GenusOfB);
     add("Iterations", result.Iterations);
+    const auto& blended = result.Blended;
+    add("CandidateMaps", blended ? static_cast<double>(blended->Weights.size()) : 0.0);
+    add("GroupMaps", blended ? static_cast<double>((blended->Weights.array() > 0.0).count()) : 0.0);
+    add("MeanConfidence",
+      !blended      ? -1.0
+        : port == 0 ? MeanByArea(a, blended->ConfidenceOfA)
+                    : MeanByArea(b, blended->ConfidenceOfB));
     add("CoupledDiagonal", diagonal);
     add("FunctionalMapSize", static_cast<double>(result.Matrix.Matrix.rows()));
   }

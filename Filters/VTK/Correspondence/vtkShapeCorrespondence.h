@@ -38,6 +38,9 @@
  * - `ImageDistribution` (double): the density of this point's image. The sum over all points, times
  *   their areas (a third of the triangles around), is 1. See shape::ComputeImageDistribution.
  *
+ * With BlendedIntrinsic, both outputs also have `MapConfidence` (double): the confidence of the
+ * map, in [0, 1]. See shape::BlendedIntrinsicResult.
+ *
  * With CommonBase, both outputs also have `Patch` (vtkIdType): the patch of the common base domain,
  * the same for corresponding points. With CommonSphere, `SpherePosition` (double, 3): the point on
  * the unit sphere through which the map goes.
@@ -76,6 +79,14 @@
  * (vtkIdType): the patches on both sides, looking along the path from outside. `IsCurve` is 1 for a
  * piece of a given curve. Otherwise, the output is empty. In parallel, the first process has it.
  *
+ * Candidates: a vtkTable, empty except with BlendedIntrinsic. A row for each conformal map that is
+ * a candidate:
+ * - `FirstOfA`, `SecondOfA`, `ThirdOfA`, `FirstOfB`, `SecondOfB`, `ThirdOfB` (vtkIdType): the
+ * points of the inputs that the map takes to each other, numbered as in Coupling.
+ * - `Weight` (double): the map's weight; 0 if it is not in the group that is blended.
+ * - `0`, `1`, `2` and so on (double): its consistency with each candidate, in [0, 1].
+ * In parallel, the first process has the rows.
+ *
  * Facts, with the prefix Correspondence
  * - .Landmarks: number of landmarks used. .LandmarksFound: 1 if the filter found the landmarks
  *   itself, otherwise 0. .LandmarkTargets: where the positions on SurfaceB come from,
@@ -113,6 +124,9 @@
  * - .Iterations: with ReversibleHarmonic, the number of its iterations; otherwise 0. If one surface
  *   is a part of the other, .Iterations is also 0. The result is then the initial functional map,
  *   because iterations would spread the part over the other surface.
+ * - .CandidateMaps, .GroupMaps, .MeanConfidence: with BlendedIntrinsic, the number of candidates,
+ *   that of those with a weight, and the mean of MapConfidence of the surface, by area; otherwise
+ * 0, 0 and -1.
  * - .CoupledDiagonal: the share of the squared entries of the map's matrix in the coupled bases
  * that is on the diagonal; -1 without them.
  * - .FunctionalMapSize: rows and columns of the output FunctionalMap; 0 if it is empty.
@@ -199,6 +213,14 @@ public:
   vtkShapeOptionAs(Options.Voting.Energy, VotingEnergy, double);
   vtkShapeOptionOf(Options.Blended, Candidates, int);
   vtkShapeOptionOf(Options.Blended, Agreement, double);
+  vtkShapeEnumOptionOf(Options.Blended, CandidatesFrom,
+    shape::BlendedIntrinsicOptions::CandidatesType,
+    shape::BlendedIntrinsicOptions::CandidatesType::Landmarks,
+    shape::BlendedIntrinsicOptions::CandidatesType::Triplets);
+  vtkShapeOptionOf(Options.Blended, TripletPoints, int);
+  vtkShapeOptionOf(Options.Blended, TripletTolerance, double);
+  vtkShapeOptionOf(Options.Blended, TripletMaps, int);
+  vtkShapeOptionOf(Options.Blended, GroupShare, double);
   virtual void SetNumberOfDescriptorArrays(int count);
   virtual void SetDescriptorArrays(int index, const std::string& name);
   virtual std::vector<std::string> GetDescriptorArrays() { return this->DescriptorArrays; }

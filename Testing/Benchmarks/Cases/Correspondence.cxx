@@ -27,8 +27,8 @@ LANDMARKS  which of its files of landmarks, such as landmarks5.txt; none: withou
 METHOD     FunctionalMap, ReversibleHarmonic, ReversibleHarmonicFromCells, GromovWasserstein,
            GromovWasserstein1000 (of so many samples), HeatKernel, BlendedIntrinsic, CommonSphere,
            CommonOrbifold, WeightedAverages, LandmarkCells; FunctionalMap or BlendedIntrinsic with
-           ByVotes behind: landmarks found by MoebiusVotes; or Given: FILE is read, a position on B for each point of A,
-           and measured
+           ByVotes behind: landmarks found by MoebiusVotes; BlendedIntrinsicOfTriplets; or Given:
+           FILE is read, a position on B for each point of A, and measured
 FILE       else it is written: where each point of A goes; none: nothing is
 
 One row: shape::CorrespondenceResult's facts, and errors along B over the root of its area, times
@@ -96,6 +96,8 @@ shape::CorrespondenceResult Find(const std::string& method, const shape::Mesh& a
     options.FindLandmarksBy = Options::FinderType::MoebiusVotes;
     return options;
   };
+  Options triplets{ Options::MethodType::BlendedIntrinsic };
+  triplets.Blended.CandidatesFrom = shape::BlendedIntrinsicOptions::CandidatesType::Triplets;
   const std::map<std::string, Options> known = {
     { "ReversibleHarmonic", {} },
     { "ReversibleHarmonicFromCells",
@@ -105,6 +107,7 @@ shape::CorrespondenceResult Find(const std::string& method, const shape::Mesh& a
     { "GromovWasserstein1000", manySamples },
     { "HeatKernel", { Options::MethodType::HeatKernel } },
     { "BlendedIntrinsic", { Options::MethodType::BlendedIntrinsic } },
+    { "BlendedIntrinsicOfTriplets", triplets },
     { "BlendedIntrinsicByVotes", byVotes(Options::MethodType::BlendedIntrinsic) },
     { "FunctionalMapByVotes", byVotes(Options::MethodType::FunctionalMap) },
     { "CommonSphere", { Options::MethodType::CommonSphere } },

@@ -4,6 +4,7 @@
 #include "Base/Parallel.h"
 #include "Correspondence/Conformal/Private/MidEdgeMap.h"
 #include "Correspondence/Conformal/Private/MoebiusMap.h"
+#include "Correspondence/Conformal/Private/SampleTriples.h"
 #include "Correspondence/Landmarks/FeaturedSurface.h"
 #include "Correspondence/Landmarks/GeodesicSamples.h"
 #include "Correspondence/Pair/MatchingInput.h"
@@ -15,8 +16,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -24,8 +23,6 @@ namespace shape
 {
 namespace
 {
-
-using Triple = std::array<int, 3>;
 
 /// The samples of a surface, in the plane.
 struct FlatSamples
@@ -47,73 +44,6 @@ FlatSamples Flatten(
   const std::vector<int> ends = SampleFarthestPoints(surface, 2, {}, start);
   const MidEdgeMap map = FlattenMidEdges(closed, ends[0], ends[1], progress.Part(0.8, 1.0));
   return { sampled.Points, sampled.Between(), map.Points(sampled.Points, Eigen::all) };
-}
-
-/// A Moebius map of three samples of A and three of B.
-struct TriplePair
-{
-  Triple OfA, OfB;
-};
-
-bool IsSimilar(double one, double other, double tolerance)
-{
-  return one > 0.0 && other > 0.0 && std::abs(one - other) <= tolerance * std::max(one, other);
-}
-
-/// All pairs of triples with similar distances.
-std::vector<TriplePair> FindTriples(
-  const FlatSamples& a, const FlatSamples& b, const MoebiusVotingOptions& options)
-{
-  const auto ofA = std::min<int>(options.Generators, static_cast<int>(a.Points.size())),
-             ofB = std::min<int>(options.Generators, static_cast<int>(b.Points.size()));
-  const double tolerance = options.Tolerance;
-  std::vector<TriplePair> pairs;
-  for (int i = 0; i < ofA; ++i)
-  {
-    for (int j = i + 1; j < ofA; ++j)
-    {
-      for (int l = 0; l < ofB; ++l)
-      {
-        for (int m = 0; m < ofB; ++m)
-        {
-          if (!IsSimilar(a.Between(i, j), b.Between(l, m), tolerance))
-          {
-            continue;
-          }
-          for (int k = j + 1; k < ofA; ++k)
-          {
-            for (int n = 0; n < ofB; ++n)
-            {
-              if (IsSimilar(a.Between(i, k), b.Between(l, n), tolerance) &&
-                IsSimilar(a.Between(j, k), b.Between(m, n), tolerance))
-              {
-                pairs.push_back({ { i, j, k }, { l, m, n } });
-              }
-            }
-          }
-        }
-      }
-    }
-  }
-  return pairs;
-}
-
-/// A random selection, in order: selection sampling, which depends on no library's distributions.
-std::vector<TriplePair> Some(const std::vector<TriplePair>& all, int count)
-{
-  std::mt19937 random(1);
-  std::vector<TriplePair> some;
-  auto wanted = static_cast<std::size_t>(count);
-  for (std::size_t i = 0; i < all.size() && wanted > 0; ++i)
-  {
-    if (random() * (1.0 / 4294967296.0) * static_cast<double>(all.size() - i) <
-      static_cast<double>(wanted))
-    {
-      some.push_back(all[i]);
-      --wanted;
-    }
-  }
-  return some;
 }
 
 /// The cube roots of 1, on the equator.
@@ -243,7 +173,7 @@ void FindPairs(const FlatSamples& a, const FlatSamples& b, double total, Moebius
 
 // Lipman and Funkhouser's algorithm:
 // 1. Map both surfaces conformally to the plane, and sample them (Flatten).
-// 2. Choose triples of samples of both surfaces (FindTriples).
+// 2. Choose triples of samples of both surfaces (FindSimilarTriples).
 // 3. For each, compute the Moebius maps to the equilateral triangle, the mutually nearest samples
 //    and the deformation energy, and vote (Vote).
 // 4. From the correspondence matrix, take the pairs that prefer each other and whose distances
@@ -262,7 +192,9 @@ MoebiusVotes VoteByMoebiusMaps(
   RequireVotingInput(b, "surface B");
   const FlatSamples onA = Flatten(a, options, progress.Part(0.0, 0.3)),
                     onB = Flatten(b, options, progress.Part(0.3, 0.6));
-  const std::vector<TriplePair> triples = Some(FindTriples(onA, onB, options), options.Triples);
+  const std::vector<TriplePair> triples = SelectTriples(
+    FindSimilarTriples(onA.Between, onB.Between, options.Generators, options.Tolerance),
+    options.Triples);
   MoebiusVotes result;
   result.SamplesOfA = onA.Points;
   result.SamplesOfB = onB.Points;

@@ -83,6 +83,22 @@ Landmarks CoarsePair::OnFine(const Landmarks& landmarks) const
   return result;
 }
 
+Eigen::MatrixXd CoarsePair::Side::Interpolate(const Eigen::MatrixXd& values) const
+{
+  return this->Coarse ? PullBack(this->Coarse->Positions, this->Coarse->Surface.Triangles(), values)
+                      : values;
+}
+
+Eigen::MatrixXd CoarsePair::ValuesOnFineA(const Eigen::MatrixXd& values) const
+{
+  return this->One.Interpolate(values);
+}
+
+Eigen::MatrixXd CoarsePair::ValuesOnFineB(const Eigen::MatrixXd& values) const
+{
+  return this->Two.Interpolate(values);
+}
+
 /// First the fine points of `from`, then their images from the coarse to the fine version of `to`.
 SurfacePoints CoarsePair::Lifted(
   const SurfacePoints& map, const Side& from, const Side& to, const Progress& progress)

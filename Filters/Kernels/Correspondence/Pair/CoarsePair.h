@@ -43,6 +43,12 @@ public:
   /// mean, found by a walk from the image of the corner nearest to x.
   SurfaceMaps OnFine(const SurfaceMaps& maps, const Progress& progress = {}) const;
 
+  ///@{
+  /// Interpolates values at the points of a coarse surface (n x d) at those of the fine one.
+  Eigen::MatrixXd ValuesOnFineA(const Eigen::MatrixXd& values) const;
+  Eigen::MatrixXd ValuesOnFineB(const Eigen::MatrixXd& values) const;
+  ///@}
+
 private:
   struct Side
   {
@@ -51,6 +57,7 @@ private:
     const Surface& Working() const { return this->Coarse ? this->Coarse->Surface : this->Fine; }
     int FinePoint(int point) const { return this->Coarse ? this->Coarse->Points[point] : point; }
     int CoarsePoint(int point) const;
+    Eigen::MatrixXd Interpolate(const Eigen::MatrixXd& values) const;
   };
 
   static SurfacePoints Lifted(

@@ -191,7 +191,7 @@ void RequireMethodInput(const Surface& a, const Surface& b, const Landmarks& lan
   {
     RequireCommonBase(a, b, landmarks);
   }
-  if (!landmarks.empty())
+  if (!landmarks.empty() && !options.UsesTriplets())
   {
     RequireEnoughLandmarks(landmarks, options.Method);
   }

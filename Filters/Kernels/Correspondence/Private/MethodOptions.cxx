@@ -80,6 +80,11 @@ void RequireMethodOptions(const CorrespondenceOptions& options)
   RequireAtLeast(1, options.Heat.Times, "HeatTimes");
   RequireAtLeast(1, options.Blended.Candidates, "Candidates");
   RequirePositive(options.Blended.Agreement, "Agreement");
+  RequireAtLeast(3, options.Blended.TripletPoints, "TripletPoints");
+  RequirePositive(options.Blended.TripletTolerance, "TripletTolerance");
+  RequireAtLeast(1, options.Blended.TripletMaps, "TripletMaps");
+  RequireOption(options.Blended.GroupShare > 0.0 && options.Blended.GroupShare <= 1.0, "GroupShare",
+    options.Blended.GroupShare, "above 0, at most 1");
   RequirePositive(options.Base.Exponent, "BaseExponent");
 
   const MoebiusVotingOptions& voting = options.Voting;
