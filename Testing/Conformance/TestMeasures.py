@@ -25,6 +25,8 @@ CONTRACT = {'TargetPosition', 'TargetCell', 'TargetBarycentric', 'SourcePosition
             'SourceNormal', 'TargetNormal', 'FrameTurn', 'Painted', 'Grey', 'Coverage', 'Density', 'Modulus',
             'MaterialId', 'MaterialDensity', 'MaterialModulus', 'SampleWeight', 'ImageDistribution',
             'MapConfidence', 'NetworkDescriptors', 'TargetPointId', 'SpherePosition', 'LeftPatch', 'RightPatch', 'IsCurve'}
+            'NetworkDescriptors', 'TargetPointId', 'SpherePosition', 'LeftPatch', 'RightPatch', 'IsCurve',
+            'HandleLoop'}
 # Measures of hexahedra that Shape Hex Remesh writes, by Verdict.
 VERDICT = {name[len('SetHexQualityMeasureTo'):]
            for name in dir(vtkMeshQuality) if name.startswith('SetHexQualityMeasureTo')}

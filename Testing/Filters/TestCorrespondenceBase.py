@@ -104,6 +104,34 @@ for measure in MEASURES:
     assert 0 <= after < before, measure
     assert fact(mapped, 'Correspondence.FlippedTriangles') == 0
 
+# Without landmarks, some are found on the shortest loops around the tube and through the hole, and the map
+# carries the solid.
+thick, thin = torus(0.4, 20, 10), torus(0.3, 24, 12)
+outputs = shapetesting.outputs(shapetesting.new(shapemap.vtkShapeCorrespondence, thick, thin, Method=BASE))
+first, base = outputs[0], outputs[5]
+assert fact(first, 'Correspondence.LandmarksFound') == 1 and fact(first, 'Correspondence.FlippedTriangles') == 0
+kinds = vtk_to_numpy(base.GetCellData().GetArray('HandleLoop'))
+assert sorted(kinds[kinds > 0]) == [1, 2]
+for cell in numpy.flatnonzero(kinds):
+    line = base.GetCell(int(cell)).GetPointIds()
+    line = [line.GetId(k) for k in range(line.GetNumberOfIds())]
+    for places in (points(base), array(base, 'TargetPosition')):
+        assert (places[line[0]] == places[line[-1]]).all()
+        turns = numpy.unwrap(numpy.arctan2(*places[line, :2].T))
+        assert abs(round((turns[-1] - turns[0]) / (2 * numpy.pi))) == kinds[cell] - 1
+for name, data, count, minor in (('A', thick, 10, 0.4), ('B', thin, 12, 0.3)):
+    corners = points(data)[triangles(data)]
+    normals = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    area = 0.5 * numpy.linalg.norm(normals, axis=1).sum()
+    polygon = 2 * count * minor * numpy.sin(numpy.pi / count)  # around the tube
+    assert abs(fact(first, 'Correspondence.ShortestLoopOf' + name) - polygon / numpy.sqrt(area)) < 1e-9
+solid = shapetesting.outputs(shapetesting.new(shapemap.vtkShapeTetrahedralize, thick))[0]
+moved = shapetesting.outputs(shapetesting.new(
+    shapemap.vtkShapeHarmonicVolumeMap, solid, first, FoldFree=True))[0]
+assert fact(moved, 'HarmonicVolumeMap.InvertedAfter') == 0
+print('%d tetrahedra carried, %d untangled' % (
+    moved.GetNumberOfCells(), fact(moved, 'HarmonicVolumeMap.InvertedBefore')))
+
 # Curves that meet at no landmark.
 crossing = given(numpy.concatenate([circle(0.4, 60)[:20], [[1, 0.3, 0.4], [1.4, 0.3, 0], [1, 0.3, -0.4]], top_a]),
                  numpy.concatenate([circle(0.3, 60)[:20], [[1, 0.3, 0.3], [1.3, 0.3, 0], [1, 0.3, -0.3]], top_b]),

@@ -3,6 +3,7 @@
 #include "Base/Errors.h"
 #include "Correspondence/Averages/WeightedAverages.h"
 #include "Correspondence/CommonBase/CommonBaseMap.h"
+#include "Correspondence/CommonBase/HandleLandmarks.h"
 #include "Correspondence/Conformal/BlendedIntrinsic.h"
 #include "Correspondence/Conformal/HyperbolicMap.h"
 #include "Correspondence/Conformal/OrbifoldMap.h"
@@ -299,7 +300,9 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
     }
     case Options::MethodType::CommonBase:
     {
-      result.Base = MapThroughBase(a, b, landmarks, options.Base, progress);
+      result.Base = result.Handles
+        ? MapByHandles(a, b, *result.Handles, landmarks, options.Base, progress)
+        : MapThroughBase(a, b, landmarks, options.Base, progress);
       return std::move(result.Base->Maps);
     }
     case Options::MethodType::ReversibleHarmonic:
@@ -354,7 +357,9 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
   }
   const bool find = NeedsLandmarks(own, options);
   result.Found = find;
-  const double found = find ? 0.15 : 0.0; // share of the time
+  const bool onHandles =
+    find && options.Method == Options::MethodType::CommonBase && result.GenusOfA > 0;
+  const double searched = find ? 0.15 : 0.0, found = onHandles ? 0.6 : searched; // shares of time
   // A guide that is not used is not prepared either.
   Options used = options;
   for (CurvePair& curve : used.Base.Curves)
@@ -372,8 +377,14 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
     const CoarsePair pair(one.Surface, two.Surface, {}, options.CoarsePoints,
       progress.Part(0.0, 0.05, "coarsening the surfaces"));
     LandmarkSearch search = SearchLandmarks(
-      pair.A(), pair.B(), own, find, options, progress.Part(0.05, found, "finding landmarks"));
+      pair.A(), pair.B(), own, find, options, progress.Part(0.05, searched, "finding landmarks"));
     own = pair.OnFine(search.Pairs);
+    if (onHandles)
+    {
+      result.Handles = FindHandleLandmarks(one.Surface, two.Surface, own,
+        progress.Part(searched, found, "finding landmarks on handles"));
+      own = result.Handles->Candidates.front().Pairs;
+    }
     result.Start = std::move(search.Start);
     result.Part = search.Part;
     result.VotingMaps = search.VotingMaps;
@@ -431,6 +442,20 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
   result.Used = asGiven(pair.OnFine(own));
   result.Start.Pairs = asGiven(result.Start.Pairs);
   result.Start.Rival = asGiven(result.Start.Rival);
+  if (result.Handles)
+  {
+    for (HandleCandidate& candidate : result.Handles->Candidates)
+    {
+      candidate.Pairs = asGiven(candidate.Pairs);
+    }
+    for (HandleLoop& loop : result.Handles->LoopsOfA)
+    {
+      for (int& point : loop.Points)
+      {
+        point = one.Points[point];
+      }
+    }
+  }
   for (int& sample : result.Coupling.SamplesOfA)
   {
     sample = one.Points[sample];

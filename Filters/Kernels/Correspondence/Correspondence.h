@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
+#include "Correspondence/CommonBase/HandleLandmarks.h"
 #include "Correspondence/CorrespondenceOptions.h"
 #include "Correspondence/Evaluate/SurfaceMapFacts.h"
 #include "Correspondence/Functional/FunctionalMatrix.h"
@@ -38,6 +39,9 @@ struct CorrespondenceResult
   /// BlendedIntrinsic: the candidate maps and the confidence; its maps are moved to Maps, and all
   /// points are those of the given surfaces.
   std::optional<BlendedIntrinsicResult> Blended;
+  /// CommonBase with landmarks that were found, for surfaces with handles: the loops of A and the
+  /// candidates, of which Used is one.
+  std::optional<HandleLandmarks> Handles;
   ///@{
   /// CommonSphere: see SphereCommonDomainResult::SphereA, SphereB; otherwise empty.
   Eigen::MatrixXd SphereA, SphereB;
@@ -63,7 +67,8 @@ struct CorrespondenceResult
 /**
  * Computes corresponding points of two surfaces, in both directions, by one of ten methods. The
  * header of each method says for which surfaces it is suitable. If no landmarks are given,
- * FindLandmarks or VoteByMoebiusMaps finds them; each surface must then have one component.
+ * FindLandmarks or VoteByMoebiusMaps finds them; each surface must then have one component. For
+ * CommonBase and surfaces with handles, FindHandleLandmarks finds better ones.
  * Landmarks found in this way are not pinned, and CommonOrbifold uses only the first four of them.
  * No landmarks are found for GeneralizedMDS, which needs none, nor if options.Functional.Guide has
  * descriptors or a matrix, which take their place (CorrespondenceOptions::IsGuided).

@@ -9,6 +9,7 @@
 #include "vtkShapeRepair.h"
 
 #include "Base/Errors.h"
+#include "Base/FormatNumber.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 
@@ -76,30 +77,59 @@ void WriteCandidates(const shape::BlendedIntrinsicResult& blended, const Eigen::
 
 /// Writes a polyline for each path of the base domain.
 void WriteBase(const std::vector<shape::BasePath>& paths, vtkPolyData* output)
+/// A polyline of the base domain's output.
+struct BaseLine
+{
+  Eigen::MatrixXd OnA, OnB;
+  int Left, Right, IsCurve, Loop;
+};
+
+/// The paths of the base domain, and the loops around handles.
+std::vector<BaseLine> BaseLines(
+  const shape::CorrespondenceResult& result, const shape::Mesh& a, const shape::Mesh& b)
+{
+  std::vector<BaseLine> lines;
+  for (const shape::BasePath& path : result.Base->Paths)
+  {
+    lines.push_back({ path.OnA, path.OnB, path.Left, path.Right, path.IsCurve ? 1 : 0, 0 });
+  }
+  const Eigen::MatrixXd images = shape::PullBack(result.Maps.AToB, b.Triangles, b.Points);
+  const std::vector<shape::HandleLoop> loops =
+    result.Handles ? result.Handles->LoopsOfA : std::vector<shape::HandleLoop>();
+  for (const shape::HandleLoop& loop : loops)
+  {
+    lines.push_back({ a.Points(loop.Points, Eigen::all), images(loop.Points, Eigen::all), -1, -1, 0,
+      loop.IsTunnel ? 2 : 1 });
+  }
+  return lines;
+}
+
+void WriteBase(const std::vector<BaseLine>& base, vtkPolyData* output)
 {
   Eigen::Index count = 0;
-  for (const shape::BasePath& path : paths)
+  for (const BaseLine& line : base)
   {
-    count += path.OnA.rows();
+    count += line.OnA.rows();
   }
   Eigen::MatrixXd onA(count, 3), onB(count, 3);
-  Eigen::VectorXi left(paths.size()), right(paths.size()), isCurve(paths.size());
+  Eigen::VectorXi left(base.size()), right(base.size()), isCurve(base.size()), loop(base.size());
   vtkNew<vtkCellArray> lines;
   Eigen::Index first = 0;
-  for (std::size_t i = 0; i < paths.size(); ++i)
+  for (std::size_t i = 0; i < base.size(); ++i)
   {
-    const Eigen::Index size = paths[i].OnA.rows();
-    onA.middleRows(first, size) = paths[i].OnA;
-    onB.middleRows(first, size) = paths[i].OnB;
+    const Eigen::Index size = base[i].OnA.rows();
+    onA.middleRows(first, size) = base[i].OnA;
+    onB.middleRows(first, size) = base[i].OnB;
     lines->InsertNextCell(static_cast<int>(size));
     for (Eigen::Index k = 0; k < size; ++k)
     {
       lines->InsertCellPoint(first + k);
     }
     const auto row = static_cast<Eigen::Index>(i);
-    left(row) = paths[i].Left;
-    right(row) = paths[i].Right;
-    isCurve(row) = paths[i].IsCurve ? 1 : 0;
+    left(row) = base[i].Left;
+    right(row) = base[i].Right;
+    isCurve(row) = base[i].IsCurve;
+    loop(row) = base[i].Loop;
     first += size;
   }
   vtkNew<vtkPoints> points;
@@ -110,6 +140,7 @@ void WriteBase(const std::vector<shape::BasePath>& paths, vtkPolyData* output)
   output->GetCellData()->AddArray(ToIds(left, "LeftPatch"));
   output->GetCellData()->AddArray(ToIds(right, "RightPatch"));
   output->GetCellData()->AddArray(ToIds(isCurve, "IsCurve"));
+  output->GetCellData()->AddArray(ToIds(loop, "HandleLoop"));
 }
 
 double MeanByArea(const shape::Surface& surface, const Eigen::VectorXd& values)
@@ -240,6 +271,20 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
       std::to_string(result.GenusOfB) +
       ": no continuous one-to-one map exists; expect folds, or map surfaces of equal genus");
   }
+  const auto& handles = result.Handles;
+  const double shortestOfA = handles ? handles->ShortestOfA : -1.0,
+               shortestOfB = handles ? handles->ShortestOfB : -1.0;
+  for (const auto& [shortest, name] :
+    { std::pair(shortestOfA, "SurfaceA"), std::pair(shortestOfB, "SurfaceB") })
+  {
+    constexpr double tiny = 0.05;
+    if (shortest >= 0.0 && shortest < tiny)
+    {
+      this->Warn(std::string("a loop around a handle of ") + name + " is only " +
+        shape::FormatNumber(shortest) +
+        " times the root of the area long; if that handle is noise, close it with Shape Solidify");
+    }
+  }
   std::map<std::string, Eigen::MatrixXd> onA, onB;
   if (!result.Coupling.SamplesOfA.empty())
   {
@@ -282,7 +327,8 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
   }
   if (result.Base && isFirst)
   {
-    WriteBase(result.Base->Paths, vtkPolyData::SafeDownCast(this->GetOutputDataObject(BasePort)));
+    WriteBase(
+      BaseLines(result, a, b), vtkPolyData::SafeDownCast(this->GetOutputDataObject(BasePort)));
   }
   if (result.Blended && isFirst)
   {
@@ -349,6 +395,8 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
     add("MeasureAfter", base ? base->MeasureAfter : -1.0);
     add("GenusOfA", result.GenusOfA);
     add("GenusOfB", result.GenusOfB);
+    add("ShortestLoopOfA", shortestOfA);
+    add("ShortestLoopOfB", shortestOfB);
     add("Iterations", result.Iterations);
     const auto& blended = result.Blended;
     add("CandidateMaps", blended ? static_cast<double>(blended->Weights.size()) : 0.0);

@@ -77,7 +77,10 @@
  * BaseDomain: with CommonBase, a polyline on SurfaceA for each path of the base domain. It has the
  * point array `TargetPosition` on SurfaceB, and the cell arrays `LeftPatch`, `RightPatch`
  * (vtkIdType): the patches on both sides, looking along the path from outside. `IsCurve` is 1 for a
- * piece of a given curve. Otherwise, the output is empty. In parallel, the first process has it.
+ * piece of a given curve. If landmarks were found on handles, the loops there (shape::HandleLoop)
+ * follow as further polylines, with the patches -1. `HandleLoop` is 1 for a loop that bounds inside
+ * SurfaceA, 2 for one that bounds outside, and 0 for a path. Otherwise, the output is empty. In
+ * parallel, the first process has it.
  *
  * Candidates: a vtkTable, empty except with BlendedIntrinsic. A row for each conformal map that is
  * a candidate:
@@ -121,6 +124,9 @@
  *   .FlippedTriangles, .SymmetricDirichlet, .SymmetricDirichletBack (of SurfaceB),
  *   .MeasureBefore, .MeasureAfter: only for CommonBase, see shape::CommonBaseMap.
  *   .GenusOfA, .GenusOfB: the number of handles of each surface.
+ * - .ShortestLoopOfA, .ShortestLoopOfB: if CommonBase found landmarks on handles, the length of the
+ *   shortest loop, divided by the root of the area; otherwise -1. The filter warns if it is less
+ *   than 0.05.
  * - .Iterations: with ReversibleHarmonic, the number of its iterations; otherwise 0. If one surface
  *   is a part of the other, .Iterations is also 0. The result is then the initial functional map,
  *   because iterations would spread the part over the other surface.
