@@ -202,8 +202,9 @@ HandleLandmarks FindOrdered(
   const CoarsePair pair(a, b, others, enough, progress.Part(0.0, 0.05));
   const LoopedSurface onA(pair.A(), "SurfaceA", progress.Part(0.05, 0.1)),
     onB(pair.B(), "SurfaceB", progress.Part(0.1, 0.15));
-  const std::vector<LoopCrossing> all = FindCrossings(onB);
-  const std::vector<LoopCrossing> handles = ChooseHandles(onA, FindCrossings(onA));
+  const std::vector<LoopCrossing> all = FindCrossings(onB, progress.Part(0.15, 0.2));
+  const std::vector<LoopCrossing> handles =
+    ChooseHandles(onA, FindCrossings(onA, progress.Part(0.2, 0.25)));
   HandleLandmarks result;
   result.ShortestOfA = ShortestLoop(onA, handles);
   result.ShortestOfB = ShortestLoop(onB, ChooseHandles(onB, all));
@@ -212,7 +213,6 @@ HandleLandmarks FindOrdered(
     result.LoopsOfA.push_back(OnFine(handle.Handle, false, pair));
     result.LoopsOfA.push_back(OnFine(handle.Tunnel, true, pair));
   }
-  progress(0.2);
   const Landmarks none, start = pair.OnCoarse(others);
   std::vector<Landmarks> candidates{ start };
   const std::vector<LoopCrossing> spread = SpreadCrossings(onB, all);
@@ -240,8 +240,8 @@ HandleLandmarks FindOrdered(
       }
     }
   };
-  tryBest(alone, { 0.0, near }, progress.Part(0.2, 0.3));
-  tryBest(added, { near }, progress.Part(0.3, 0.4));
+  tryBest(alone, { 0.0, near }, progress.Part(0.25, 0.35));
+  tryBest(added, { near }, progress.Part(0.35, 0.4));
   for (std::size_t i = 0; i < candidates.size(); ++i)
   {
     const auto share = [&](std::size_t count)

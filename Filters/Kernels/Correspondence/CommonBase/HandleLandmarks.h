@@ -29,8 +29,8 @@ struct HandleCandidate
 struct HandleLandmarks
 {
   std::vector<HandleCandidate> Candidates; ///< at least one, that of the least energy first
-  std::vector<HandleLoop>
-    LoopsOfA; ///< for each handle, a loop around it and one through its tunnel
+  /// For each handle, a loop around it and one through its tunnel.
+  std::vector<HandleLoop> LoopsOfA;
   /// The shortest loop of each surface, divided by the root of its area: noise if it is tiny.
   double ShortestOfA = 0.0, ShortestOfB = 0.0;
 };

@@ -83,7 +83,7 @@ std::vector<int> MarksOf(
   return marks;
 }
 
-std::vector<LoopCrossing> FindCrossings(const LoopedSurface& surface)
+std::vector<LoopCrossing> FindCrossings(const LoopedSurface& surface, const Progress& progress)
 {
   constexpr int count = 2; // at each point
   std::vector<LoopCrossing> all;
@@ -91,6 +91,7 @@ std::vector<LoopCrossing> FindCrossings(const LoopedSurface& surface)
   {
     const std::vector<LoopCrossing> found = surface.Loops.FindAt(point, count);
     all.insert(all.end(), found.begin(), found.end());
+    progress(static_cast<double>(point) / static_cast<double>(surface.Shape.Points().rows()));
   }
   return all;
 }

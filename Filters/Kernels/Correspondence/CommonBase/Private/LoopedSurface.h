@@ -28,8 +28,9 @@ struct LoopedSurface
   Eigen::MatrixXd Distances; ///< n x n: column i has those from point i, over the root of the area
 };
 
-/// Returns the shortest crossings at each point of a surface.
-std::vector<LoopCrossing> FindCrossings(const LoopedSurface& surface);
+/// Returns the shortest crossings at each point of a surface. Throws Aborted.
+std::vector<LoopCrossing> FindCrossings(
+  const LoopedSurface& surface, const Progress& progress = {});
 
 /// Returns the shortest of all crossings, one for each handle: their loops span the homology.
 std::vector<LoopCrossing> ChooseHandles(
