@@ -24,9 +24,8 @@ CONTRACT = {'TargetPosition', 'TargetCell', 'TargetBarycentric', 'SourcePosition
             'MapColors', 'FacePatch', 'Origin', 'Defect', 'Block', 'BlockIndex', 'BranchId', 'TargetBranchId', 'Degree',
             'SourceNormal', 'TargetNormal', 'FrameTurn', 'Painted', 'Grey', 'Coverage', 'Density', 'Modulus',
             'MaterialId', 'MaterialDensity', 'MaterialModulus', 'SampleWeight', 'ImageDistribution',
-            'MapConfidence', 'NetworkDescriptors', 'TargetPointId', 'SpherePosition', 'LeftPatch', 'RightPatch', 'IsCurve'}
             'NetworkDescriptors', 'TargetPointId', 'SpherePosition', 'LeftPatch', 'RightPatch', 'IsCurve',
-            'HandleLoop'}
+            'HandleLoop', 'MapConfidence'}
 # Measures of hexahedra that Shape Hex Remesh writes, by Verdict.
 VERDICT = {name[len('SetHexQualityMeasureTo'):]
            for name in dir(vtkMeshQuality) if name.startswith('SetHexQualityMeasureTo')}

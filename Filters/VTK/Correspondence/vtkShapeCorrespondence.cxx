@@ -75,8 +75,6 @@ void WriteCandidates(const shape::BlendedIntrinsicResult& blended, const Eigen::
   }
 }
 
-/// Writes a polyline for each path of the base domain.
-void WriteBase(const std::vector<shape::BasePath>& paths, vtkPolyData* output)
 /// A polyline of the base domain's output.
 struct BaseLine
 {
