@@ -12,6 +12,8 @@ import pathlib
 
 from shapes.bars import bar, bar_solid
 from shapes.charges import dented_sphere_charges
+from shapes.creatures import (
+    HORSE, HORSE_CUBES, KITTEN, KITTEN_CUBES, SKULL_CUBES, creature, drawn_polycube)
 from shapes.dented_sphere import dented_sphere
 from shapes.figures import figure_a, figure_b, skeleton_a, skeleton_b
 from shapes.files import write_charges, write_curves, write_solid, write_surface
@@ -33,6 +35,8 @@ SMALL = {
     "PhantomBrainSmall.vtp": lambda: brain(16),
     "FigureASmall.vtp": lambda: figure_a(0.034),
     "FigureBSmall.vtp": lambda: figure_b(0.034),
+    "KittenSmall.vtp": lambda: creature(KITTEN, 0.045),
+    "HorseSmall.vtp": lambda: creature(HORSE, 0.04),
     "FigureASkeleton.vtp": skeleton_a,
     "FigureBSkeleton.vtp": skeleton_b,
     "DentedSphereCharges.vtp": lambda: dented_sphere_charges(8),
@@ -40,6 +44,9 @@ SMALL = {
     "TwistedBarSmall.vtu": lambda: bar_solid(6, *BEND_AND_TWIST),
     "BallSmall.vtu": lambda: ball(12),
     "CubeSmall.vtu": lambda: cube(8, 0.55),
+    "KittenPolycube.vtu": lambda: drawn_polycube(*KITTEN_CUBES),
+    "HorsePolycube.vtu": lambda: drawn_polycube(*HORSE_CUBES),
+    "SkullPolycube.vtu": lambda: drawn_polycube(*SKULL_CUBES),
     "RandomFeatures.onnx": random_features,
 }
 
@@ -56,6 +63,8 @@ LARGE = {
     "PhantomBrain.vtp": lambda: brain(44),
     "FigureA.vtp": lambda: figure_a(0.0146),
     "FigureB.vtp": lambda: figure_b(0.0146),
+    "Kitten.vtp": lambda: creature(KITTEN, 0.03),
+    "Horse.vtp": lambda: creature(HORSE, 0.03),
     "BentBar.vtu": lambda: bar_solid(20, *BEND),
     "TwistedBar.vtu": lambda: bar_solid(20, *BEND_AND_TWIST),
     "Ball.vtu": lambda: ball(40),

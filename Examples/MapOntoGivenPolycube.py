@@ -11,7 +11,7 @@ folder = sys.argv[1] if len(sys.argv) > 1 else '.'
 cells = Calculator(Input=Wavelet(WholeExtent=[-10, 10, -6, 6, -2, 2]), ResultArrayName='Hole',
                    Function='max(abs(abs(coordsX)-4),abs(coordsY))')
 walls = Threshold(Input=PointDatatoCellData(Input=cells), Scalars=['CELLS', 'Hole'], LowerThreshold=2.0, UpperThreshold=20)
-polycube = Triangulate(Input=ExtractSurface(Input=walls))
+polycube = ExtractSurface(Input=walls)
 
 # Landmarks at both ends, and in the middles of the walls of both holes.
 torus = ShapeExample(Shape='Two-Holed Torus')
@@ -20,18 +20,16 @@ bounds = torus.GetDataInformation().GetBounds()
 places = [(-10, 0, 0), (10, 0, 0)]
 places += [(x + dx, dy, 0) for x in (-4, 4) for dx, dy in ((-2, 0), (2, 0), (0, -2), (0, 2))]
 scales = [(bounds[1] - bounds[0]) / 20, (bounds[3] - bounds[2]) / 12, (bounds[5] - bounds[4]) / 4]
-landmarks = ShapeLandmarks(SurfaceA=torus, SurfaceB=polycube,
-                           PointsA=[x * scale for place in places for x, scale in zip(place, scales)],
-                           PointsB=[x for place in places for x in place])
-match = ShapeCorrespondence(SurfaceA=torus, SurfaceB=polycube, Landmarks=landmarks, Method='CommonBase')
+landmarks = ShapeLandmarks(SurfaceA=polycube, SurfaceB=torus, PointsA=[x for place in places for x in place],
+                           PointsB=[x * scale for place in places for x, scale in zip(place, scales)])
+match = ShapeCorrespondence(SurfaceA=polycube, SurfaceB=torus, Landmarks=landmarks, Method='CommonBase')
 match.UpdatePipeline()
 facts = shapemap.facts(match)
 print('%d landmarks, %d triangles flipped' % (facts['Landmarks'], facts['FlippedTriangles']))
 assert facts['GenusOfA'] == 2 and facts['FlippedTriangles'] == 0
 
 # The harmonic volume map of the polycube, whose boundary goes onto the torus, carries its cells.
-source = Calculator(Input=OutputPort(match, 1), ResultArrayName='SourcePosition', Function='TargetPosition')
-hexahedra = ShapeHexRemesh(Surface=torus, Polycube=source, CellSize=0.2)
+hexahedra = ShapeHexRemesh(Surface=torus, Polycube=match, CellSize=0.2)
 hexahedra.UpdatePipeline()
 minimum, maximum = hexahedra.CellData['ScaledJacobian'].GetRange()
 print('scaled Jacobian of the hexahedra: %.2f to %.2f' % (minimum, maximum))

@@ -7,7 +7,7 @@ harmonic map that knows the surfaces alone misses the skeleton.
 
 import numpy as np
 
-from . import meshes
+from .limbs import Body, foot_on
 
 SHOULDER = 0.80  # the height of the arms' axis
 BLEND = 0.02
@@ -34,43 +34,6 @@ BONES = np.array([
 RAISE = np.radians(25)
 MARROW = 0.04  # how far from the bones the flesh holds on to them
 FLESH = 0.033  # how far it moves beyond
-
-
-def limbs():
-    """Both sides of LIMBS."""
-    for a, b, *radii in LIMBS:
-        for mirror in (1, -1) if a[0] else (1,):
-            side = np.array([mirror, 1, 1])
-            yield (side * a, side * b, *radii)
-
-
-def foot_on(a, b, p):
-    """The share of the way from a to b at which the segment is nearest to each point."""
-    return np.clip((p - a) @ (b - a) / ((b - a) @ (b - a)), 0, 1)
-
-
-def distance_and_gradient(p):
-    """A soft minimum of the limbs' distance functions; figure A's surface is where it is zero."""
-    values, gradients = [], []
-    for a, b, first, last in limbs():
-        share = foot_on(a, b, p)
-        offset = p - a - share[:, None] * (b - a)
-        length = np.linalg.norm(offset, axis=1)
-        values.append(length - first - (last - first) * share)
-        taper = np.where((share > 0) & (share < 1), (last - first) / ((b - a) @ (b - a)), 0)
-        gradients.append(offset / np.maximum(length, 1e-12)[:, None] - taper[:, None] * (b - a))
-    near = np.min(values, axis=0)
-    weights = np.exp((near - np.array(values)) / BLEND)
-    total = weights.sum(axis=0)
-    return near - BLEND * np.log(total), np.einsum("li,lij->ij", weights / total, gradients)
-
-
-def project(points, steps):
-    """Newton steps along the gradient, onto figure A's surface."""
-    for _ in range(steps):
-        value, gradient = distance_and_gradient(points)
-        points = points - (value / (gradient**2).sum(axis=1))[:, None] * gradient
-    return points
 
 
 def step(t):
@@ -126,15 +89,8 @@ def figure_a(voxel):
     count = np.ceil(np.array([0.58, 0.16, 1.06]) / voxel).astype(int)
     low = np.array([-count[0], -count[1], 0]) * voxel + np.array([0, 0.02, -0.02])
     shape = count * np.array([2, 2, 1])
-    centres = low + voxel * (np.stack(np.indices(shape), axis=-1).reshape(-1, 3) + 0.5)
-    lattice, quads = meshes.voxel_surface((distance_and_gradient(centres)[0] < 0).reshape(shape))
-    points = low + voxel * lattice
-    average = meshes.NeighbourAverage(quads, len(points))
-    points = project(meshes.taubin(points, quads, 2), 8)
-    for _ in range(12):
-        points = project(points + 0.5 * (average(points) - points), 1)
-    points = project(points, 6)
-    return points, meshes.split_quads(points, quads), deform(points)
+    points, triangles = Body(LIMBS, BLEND).surface(voxel, low, shape)
+    return points, triangles, deform(points)
 
 
 def figure_b(voxel):

@@ -39,6 +39,10 @@ SURFACES = {
 }
 # Of each pair of figures: points.
 FIGURES = {"Small": 1134, "": 6310}
+# Of each creature, without a map: points, Euler number.
+CREATURES = {"KittenSmall": (1352, 0), "Kitten": (3082, 0), "HorseSmall": (1650, 2), "Horse": (3048, 2)}
+# Of each polycube drawn by hand: unit cubes, Euler number of the boundary, which is that of its solid.
+DRAWN = {"Kitten": (39, 0), "Horse": (40, 2), "Skull": (45, -2)}
 # Of each solid: points, hexahedra, a lower bound on the scaled Jacobian.
 SOLIDS = {
     "BentBarSmall": (1225, 864, 0.99),
@@ -69,6 +73,9 @@ POLYCUBES = {
                voxels((-3, 3, 0), (-1, 9, 2)), voxels((-9, 2, 0), (-1, 3, 2))], 482 * V**2),
     "brain": ([voxels((-2.5, -4, 0), (2.5, 1, 5))], [], 6 * (5 * V)**2),
 }
+# The corners of a unit cube in VTK's order, and its faces, seen from outside.
+CUBE = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]])
+FACES = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [2, 3, 7, 6], [0, 4, 7, 3], [1, 2, 6, 5]]
 # Bend and twist (radians) of a bar of length 4.
 BARS = {"BentBar": (np.pi / 2, 0), "TwistedBar": (2 * np.pi / 3, np.pi / 2)}
 
@@ -284,6 +291,31 @@ def check_surface(name, points, triangles, target):
         assert abs(bent(name, target) - points).max() < 1e-12, f"{name}: not the bend of its target"
 
 
+def check_creature(name, points, triangles, target):
+    count, euler = CREATURES[name]
+    assert len(points) == count and target is None, f"{name}: {len(points)} points, not {count}"
+    assert_closed_manifold(name, triangles, count, euler)
+    assert volume(points, triangles) > 0, f"{name}: oriented inward"
+    assert piercings(points, triangles) == 0, f"{name}: meets itself"
+
+
+def check_drawn(name, points, hexahedra, drawn):
+    """Unit cubes at integers, as many as said, whose boundary is a closed manifold; they are drawn in their order."""
+    count, euler = DRAWN[name]
+    assert len(hexahedra) == count, f"{name}: {len(hexahedra)} cubes, not {count}"
+    assert (points == np.rint(points)).all(), f"{name}: points off the lattice"
+    corners = points[hexahedra]
+    assert (corners - corners[:, :1] == CUBE).all(), f"{name}: a cell is no unit cube"
+    assert ((drawn[hexahedra] - drawn[hexahedra[:, 0]][:, None] > 0) == (CUBE > 0)).all(), f"{name}: drawn turned"
+    faces = hexahedra[:, FACES].reshape(-1, 4)
+    _, first, times = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
+    assert times.max() == 2, f"{name}: a face of {times.max()} cubes"
+    quads = faces[first[times == 1]]
+    triangles = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+    used, triangles = np.unique(triangles, return_inverse=True)
+    assert_closed_manifold(name, triangles.reshape(-1, 3), len(used), euler)
+
+
 def jacobians(move, points):
     """The determinant of the map `move` at each point, by central differences."""
     step = 1e-6 * np.eye(3)
@@ -447,6 +479,10 @@ def main(generated, committed):
     for name in SOLIDS:
         path = generated / f"{name}.vtu"
         check_solid(path, *read(path))
+    for name in CREATURES:
+        check_creature(name, *read(generated / f"{name}.vtp"))
+    for name in DRAWN:
+        check_drawn(name, *read(generated / f"{name}Polycube.vtu"))
     check_figures(generated, figures.deform)
     check_charges(generated)
     for size in ("Small", ""):

@@ -9,7 +9,8 @@ import window
 
 DIALOG = 'QuickLaunchDialog'
 # What a solid without a map can be an input of, or a grid of polygons, which has the same type.
-SOLID = ['Shape Apply Volume Map', 'Shape Boundary Distance', 'Shape Cage Deform', 'Shape Coupling', 'Shape Deform',
+SOLID = ['Shape Apply Volume Map', 'Shape Boundary Distance', 'Shape Cage Deform', 'Shape Correspondence',
+         'Shape Coupling', 'Shape Deform',
          'Shape Harmonic Volume Map', 'Shape Solidify', 'Shape Transfer Fields', 'Shape Untangle']
 # What needs a solid, or a table, beside a surface.
 NOT_HERE = ['Shape Untangle', 'Shape From Operators']

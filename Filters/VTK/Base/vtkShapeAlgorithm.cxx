@@ -10,6 +10,7 @@
 #include "vtkShapeProgress.h"
 #include "vtkShapeRepair.h"
 #include "vtkShapeRequests.h"
+#include "vtkShapeSurfaces.h"
 #include "vtkShapeTurn.h"
 
 #include "vtkDataObjectTypes.h"
@@ -230,7 +231,13 @@ void vtkShapeAlgorithm::GatherInput(int port, int connection)
     this->GatheredInputs[port].push_back(whole);
     return;
   }
-  whole.Data = vtkShapeGather::Gather(input, declared.Name,
+  // Inputs that name this type take solids, too: what is meant is their boundary.
+  vtkSmartPointer<vtkDataObject> surface = input;
+  if (std::count(declared.Types.begin(), declared.Types.end(), "vtkUnstructuredGrid") > 0)
+  {
+    surface = vtkShapeSurfaces::SolidAsBoundary(input, declared.Name, this->Controller);
+  }
+  whole.Data = vtkShapeGather::Gather(surface, declared.Name,
     declared.Data == PortData::Whole ? vtkShapeGather::Joined::Copies
                                      : vtkShapeGather::Joined::Coincident,
     this->Controller, whole.OwnPoints);

@@ -1,5 +1,10 @@
 #include "vtkShapeSurfaces.h"
 
+#include "vtkShapeComposite.h"
+#include "vtkShapeGather.h"
+#include "vtkShapeSolid.h"
+
+#include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -11,11 +16,13 @@
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include "Base/Errors.h"
+#include "IO/BoundaryPatches.h"
 
 #include <algorithm>
 #include <array>
@@ -106,6 +113,54 @@ std::array<std::vector<vtkIdType>, 4> SortCells(vtkUnstructuredGrid* grid, const
   return ofKind;
 }
 
+bool IsSolid(vtkDataSet* data)
+{
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+  for (vtkIdType cell = 0; grid && cell < grid->GetNumberOfCells(); ++cell)
+  {
+    if (grid->GetCell(cell)->GetCellDimension() == 3)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> BoundaryOf(vtkUnstructuredGrid* solid, const std::string& name)
+{
+  const shape::SolidFaces faces =
+    shape::FindBoundaryFaces(vtkShapeSolid::Read(solid, "the input '" + name + "'"));
+  auto boundary = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(solid->GetPoints()->GetDataType());
+  vtkPointData* atPoints = boundary->GetPointData();
+  vtkCellData* atCells = boundary->GetCellData();
+  atPoints->CopyAllocate(solid->GetPointData());
+  atCells->CopyAllocate(solid->GetCellData(), faces.Corners.rows());
+  std::vector<vtkIdType> numbers(solid->GetNumberOfPoints(), -1);
+  boundary->Allocate(faces.Corners.rows());
+  for (Eigen::Index face = 0; face < faces.Corners.rows(); ++face)
+  {
+    const int size = faces.Corners(face, 3) < 0 ? 3 : 4;
+    std::array<vtkIdType, 4> corners{};
+    for (int k = 0; k < size; ++k)
+    {
+      const int point = faces.Corners(face, k);
+      if (numbers[point] < 0)
+      {
+        numbers[point] = points->InsertNextPoint(solid->GetPoint(point));
+        atPoints->CopyData(solid->GetPointData(), point, numbers[point]);
+      }
+      corners[k] = numbers[point];
+    }
+    boundary->InsertNextCell(size == 3 ? VTK_TRIANGLE : VTK_QUAD, size, corners.data());
+    atCells->CopyData(solid->GetCellData(), faces.Cell(face), face);
+  }
+  boundary->SetPoints(points);
+  boundary->GetFieldData()->ShallowCopy(solid->GetFieldData());
+  return boundary;
+}
+
 } // namespace
 
 std::vector<vtkSmartPointer<vtkPolyData>> vtkShapeSurfaces::Of(
@@ -176,4 +231,36 @@ vtkSmartPointer<vtkPolyData> vtkShapeSurfaces::ToSurface(vtkDataSet* data, const
   surface->GetPointData()->ShallowCopy(grid->GetPointData());
   surface->GetFieldData()->ShallowCopy(grid->GetFieldData());
   return surface;
+}
+
+vtkSmartPointer<vtkDataObject> vtkShapeSurfaces::SolidAsBoundary(
+  vtkDataObject* data, const std::string& name, vtkMultiProcessController* controller)
+{
+  double counts[2] = { 0.0, 0.0 }; // of solids, and of other pieces
+  vtkShapeGather::RunOnAllOrFail(controller,
+    [&]
+    {
+      for (vtkDataSet* piece : vtkShapeComposite::Of(data))
+      {
+        counts[IsSolid(piece) ? 0 : 1] += piece->GetNumberOfCells() > 0 ? 1.0 : 0.0;
+      }
+    });
+  vtkShapeGather::Reduce(controller, counts, 2, vtkShapeGather::Reduction::Sum);
+  auto* solid = vtkUnstructuredGrid::SafeDownCast(data);
+  vtkSmartPointer<vtkDataObject> result = data;
+  vtkShapeGather::RunOnAllOrFail(controller,
+    [&]
+    {
+      if (counts[0] > 0.0 && (counts[0] + counts[1] > 1.0 || !solid))
+      {
+        throw shape::InvalidInput("the input '" + name +
+          "' has solid cells in several blocks or pieces; apply Extract Surface first, or make one "
+          "unstructured grid of them with Merge Blocks");
+      }
+      if (solid && IsSolid(solid))
+      {
+        result = BoundaryOf(solid, name);
+      }
+    });
+  return result;
 }

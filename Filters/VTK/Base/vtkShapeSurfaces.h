@@ -7,10 +7,11 @@
 
 class vtkDataObject;
 class vtkDataSet;
+class vtkMultiProcessController;
 class vtkPolyData;
 
-/// The surfaces in a data object: vtkPolyData, and unstructured grids of surface cells. `name`
-/// denotes the input in errors.
+/// The surfaces in a data object: vtkPolyData, unstructured grids of surface cells, and boundaries
+/// of solids. `name` denotes the input in errors.
 namespace vtkShapeSurfaces
 {
 
@@ -25,5 +26,15 @@ std::vector<vtkSmartPointer<vtkPolyData>> Of(vtkDataObject* data, const std::str
  * number and first of all other cells.
  */
 vtkSmartPointer<vtkPolyData> ToSurface(vtkDataSet* data, const std::string& name);
+
+/**
+ * Returns `data`, or the boundary of a solid: an unstructured grid of the faces that belong to one
+ * cell alone, in the order of the cells, facing outwards. It has only the points of these faces,
+ * with their arrays, and the cell arrays of the cells that the faces belong to. Collective
+ * (vtkShapeGather). Throws shape::InvalidInput on every process if there are several blocks or
+ * pieces, or if the solid has cells other than tetrahedra, pyramids, wedges, hexahedra and voxels.
+ */
+vtkSmartPointer<vtkDataObject> SolidAsBoundary(
+  vtkDataObject* data, const std::string& name, vtkMultiProcessController* controller);
 
 } // namespace vtkShapeSurfaces

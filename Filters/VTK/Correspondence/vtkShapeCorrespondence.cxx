@@ -7,6 +7,7 @@
 #include "vtkShapeList.h"
 #include "vtkShapeMapColors.h"
 #include "vtkShapeRepair.h"
+#include "vtkShapeSurfaces.h"
 
 #include "Base/Errors.h"
 #include "Base/FormatNumber.h"
@@ -181,8 +182,10 @@ void vtkShapeCorrespondence::SetTransferArrays(int index, const std::string& nam
 
 vtkShapeCorrespondence::vtkShapeCorrespondence()
 {
-  this->DeclareInput("SurfaceA", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
-  this->DeclareInput("SurfaceB", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
+  this->DeclareInput("SurfaceA", PortData::WholeSurface, PortUse::Required,
+    { "vtkPolyData", "vtkUnstructuredGrid" });
+  this->DeclareInput("SurfaceB", PortData::WholeSurface, PortUse::Required,
+    { "vtkPolyData", "vtkUnstructuredGrid" });
   this->DeclareInput("Landmarks", PortData::WholeGrid, PortUse::Optional, { "vtkDataSet" });
   this->DeclareInput("TargetLandmarks", PortData::WholeGrid, PortUse::Optional, { "vtkDataSet" });
   this->DeclareInput("FunctionalMap", PortData::Table, PortUse::Optional, { "vtkTable" });
@@ -503,7 +506,10 @@ void vtkShapeCorrespondence::WriteMap(int port, const shape::CorrespondenceResul
     }
   }
   vtkDataObject* output = this->GetOutputDataObject(port);
-  vtkShapeComposite::AddPointFields(this->GetInputDataObject(port, 0), output, fields);
+  vtkShapeComposite::AddPointFields(
+    vtkShapeSurfaces::SolidAsBoundary(
+      this->GetInputDataObject(port, 0), this->GetInputName(port), this->GetController()),
+    output, fields);
   if (this->OutputEigenfunctions)
   {
     output->GetAttributesAsFieldData(vtkDataObject::FIELD)

@@ -4,9 +4,11 @@
  *
  * Inputs
  * - SurfaceA, SurfaceB: oriented 2-manifolds that face outwards. Polygons are triangulated
- *   internally. shape::RequireMethodInput states which methods accept boundaries, handles or
- *   several components. Blocks and distributed pieces are joined before the computation, and each
- *   process gets its own pieces back.
+ *   internally. An unstructured grid of solid cells stands for its boundary, such as a polycube of
+ *   hexahedra or voxels: the output then has the faces of the boundary and their points.
+ *   shape::RequireMethodInput states which methods accept boundaries, handles or several
+ *   components. Blocks and distributed pieces are joined before the computation, and each process
+ *   gets its own pieces back.
  * - Landmarks (optional): points and polylines on SurfaceA. Their point array `TargetPosition`
  *   gives the corresponding positions on SurfaceB. Each position is replaced by the nearest point
  *   of its surface. If two landmarks have the same point on a surface, only the first landmark is

@@ -39,7 +39,8 @@ vtkShapeHarmonicVolumeMap::vtkShapeHarmonicVolumeMap()
   this->DeclareInput("Domain", PortData::Pieces, PortUse::Required, { "vtkDataSet" });
   // Any data set, although a surface is needed: ParaView only enables the filter if the selection
   // is valid for the alphabetically first input, and users select the solid.
-  this->DeclareInput("Boundary", PortData::WholeSurface, PortUse::Required, { "vtkDataSet" });
+  this->DeclareInput(
+    "Boundary", PortData::WholeSurface, PortUse::Required, { "vtkDataSet", "vtkUnstructuredGrid" });
   this->DeclareInput("Features", PortData::Whole, PortUse::OptionalRepeatable, { "vtkPolyData" });
   this->DeclareInput(
     "TargetFeatures", PortData::Whole, PortUse::OptionalRepeatable, { "vtkPolyData" });

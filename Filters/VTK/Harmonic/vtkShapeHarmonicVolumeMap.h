@@ -10,7 +10,7 @@
  * Inputs
  * - Domain: any data set, which may be composite or distributed.
  * - Boundary: the closed surface that bounds the solid and its voids, with the map array (double,
- *   3) at its points.
+ *   3) at its points. An unstructured grid of solid cells stands for its boundary.
  * - Features (optional, repeatable): points, curves or surfaces inside the solid, whose images are
  *   fitted in the least-squares sense. The images are given by the map array of the Features or, if
  *   there is none, by the TargetFeatures. The point array `Weight` (one component) is optional; its

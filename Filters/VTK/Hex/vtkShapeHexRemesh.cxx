@@ -13,6 +13,7 @@
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
@@ -34,7 +35,8 @@ vtkStandardNewMacro(vtkShapeHexRemesh);
 vtkShapeHexRemesh::vtkShapeHexRemesh()
 {
   this->DeclareInput("Surface", PortData::WholeSurface, PortUse::Optional, { "vtkPolyData" });
-  this->DeclareInput("Polycube", PortData::WholeSurface, PortUse::Optional, { "vtkPolyData" });
+  this->DeclareInput("Polycube", PortData::WholeSurface, PortUse::Optional,
+    { "vtkPolyData", "vtkUnstructuredGrid" });
   this->DeclareInput(
     "InnerSurfaces", PortData::WholeSurface, PortUse::OptionalRepeatable, { "vtkPolyData" });
   this->DeclareInput("Labels", PortData::Pieces, PortUse::Optional, { "vtkImageData" });
@@ -91,18 +93,42 @@ shape::Mesh WithPoints(const shape::Mesh& surface, const std::vector<int>& used)
 }
 ///@}
 
-/// Polygons are triangulated by their positions on the surface, as by Shape Polycube: on the
-/// polycube a polygon may be bent around an edge.
+/// Returns whether each polygon lies in a plane perpendicular to an axis.
+bool HasFlatPolygons(vtkPolyData* data)
+{
+  const double tolerance = 1e-6 * data->GetLength(); // as for the faces of a GivenPolycube
+  double bounds[6];
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    data->GetCellBounds(cell, bounds);
+    if (std::min({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] }) >
+      tolerance)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Polygons that are bent around edges of the polycube are triangulated by their positions on the
+/// surface, as by Shape Polycube.
 shape::GivenPolycube ToPolycube(vtkPolyData* data)
 {
-  const Eigen::MatrixXd sources =
-    vtkShapeConvert::ToPointArray(data, "SourcePosition", 3, "the Polycube");
-  shape::RequireFinite(sources, "the Polycube's SourcePosition");
-  vtkNew<vtkPoints> positions;
-  positions->SetData(vtkShapeConvert::ToArray(sources, "Points"));
+  const char* array = "SourcePosition";
+  if (!data->GetPointData()->HasArray(array) && data->GetPointData()->HasArray("TargetPosition"))
+  {
+    array = "TargetPosition"; // of Shape Correspondence
+  }
+  const Eigen::MatrixXd sources = vtkShapeConvert::ToPointArray(data, array, 3, "the Polycube");
+  shape::RequireFinite(sources, std::string("the Polycube's ") + array);
   vtkNew<vtkPolyData> unfolded;
   unfolded->ShallowCopy(data);
-  unfolded->SetPoints(positions);
+  if (!HasFlatPolygons(data))
+  {
+    vtkNew<vtkPoints> positions;
+    positions->SetData(vtkShapeConvert::ToArray(sources, "Points"));
+    unfolded->SetPoints(positions);
+  }
   shape::Mesh surface = vtkShapeConvert::ToMesh(unfolded, "the Polycube");
   surface.Points = vtkShapeConvert::ToPoints(data);
   const std::vector<int> used = FindUsed(surface);

@@ -14,9 +14,10 @@
  *   vtkShapeLabelSurfaces makes them. `Regions` has the labels on both sides of each triangle: 0 is
  *   the outside, and the normal leaves the first. All cells are then triangles.
  * - Polycube (optional): a surface whose faces are orthogonal to the axes and lie at integer
- *   multiples of one length, such as the second output of vtkShapePolycube. Its point array
- *   `SourcePosition` (double, 3) gives the corresponding positions on Surface. The cells of this
- *   polycube become the hexahedra.
+ *   multiples of one length, such as the second output of vtkShapePolycube. A solid stands for its
+ *   boundary. Its point array `SourcePosition` (double, 3) gives the corresponding positions on
+ *   Surface. If it has none, `TargetPosition` does, as vtkShapeCorrespondence writes it for a
+ *   polycube as SurfaceA. The cells of this polycube become the hexahedra.
  * - InnerSurfaces (optional, repeatable): closed surfaces inside the solid that are interfaces
  *   between materials. They may be nested. Hexahedra on both sides of an inner surface share points
  *   on it, and its creases are rounded. Inner surfaces need the Grid method.
