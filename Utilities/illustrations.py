@@ -454,6 +454,24 @@ def FromOperators():
 
 
 @drawing
+def Collection():
+    """Balls whose horns grow, at their coordinates, and one whose horn is elsewhere."""
+    ball = Clean(Input=Sphere(Radius=0.5, ThetaResolution=48, PhiResolution=48))
+    horn = 'coords*(1 + %g*exp(8*(2*%s - 1)))'
+    functions = [horn % (0.2 * k, 'coordsX') for k in range(6)] + [horn % (0.6, 'coordsZ')]
+    made = [Calculator(Input=ball, CoordinateResults=1, Function=each) for each in functions]
+    compared = ShapeCollection(Shapes=GroupDatasets(Input=made))
+    compared.UpdatePipeline()
+    table = servermanager.Fetch(compared, idx=1)
+    places = numpy.array([[table.GetColumnByName('Embedding%d' % k).GetTuple1(i) for k in range(2)]
+                          for i in range(len(made))])
+    places *= 7.0 / numpy.ptp(places, axis=0).max()
+    for number, (each, (x, z)) in enumerate(zip(made, places)):
+        show(each, (x, 0, z), colour=ACCENT if table.GetColumnByName('Rank').GetValue(number) == 0 else PLAIN)
+    return (0.0, -1.0, 0.0), FRONT[1]
+
+
+@drawing
 def GeodesicDistance():
     surface = shape('FigureA.vtp')
     seed = PointSource(Center=[0.508, 0.017, 0.792], NumberOfPoints=1, Radius=0.0)

@@ -25,7 +25,7 @@ GIVEN = {'startup', 'shutdown', 'apply', 'reset', 'select', 'deselect', 'setView
 # The types of parameters without a name, which Ctags takes for their names.
 GIVEN |= {'size_t', 'string_view'}
 # These macros declare members or only mark them.
-MACROS = ('vtkShapeOption', 'vtkShapeOptionOf', 'vtkShapeVectorOptionOf', 'vtkShapeEnumOption', 'vtkShapeEnumOptionOf',
+MACROS = ('vtkShapeOption', 'vtkShapeOptionOf', 'vtkShapeVectorOptionOf', 'vtkShapeEnumOption', 'vtkShapeEnumOptionAs', 'vtkShapeEnumOptionOf',
           'vtkTypeMacro', 'vtkSetMacro', 'vtkGetMacro', 'vtkBooleanMacro', 'vtkSetVector3Macro', 'vtkGetVector3Macro',
           'vtkStandardNewMacro', 'vtkSetStdStringFromCharMacro', 'vtkGetCharFromStdStringMacro', 'vtkCxxSetObjectMacro', 'vtkErrorMacro', 'vtkWarningMacro',
           'Handle', 'DEFINE_STANDARD_RTTI_INLINE')

@@ -16,8 +16,8 @@ import pages as pages_of
 
 LONGEST = 110  # characters in a line
 ONE_SCREEN = 64  # lines
-# Forbidden words inside these phrases are the field's.
-ALLOWED = ['at least', 'Least Gain', 'least squares', 'least-squares']
+# Forbidden words inside these phrases are the field's, or ParaView's.
+ALLOWED = ['at least', 'Group Datasets', 'Least Gain', 'least squares', 'least-squares']
 CITATION = re.compile(r'(?:[A-Z][a-z]+(?: et al\.| and others)?,? \(?|", |\()(%s)' % documentation.YEAR)
 
 faults = []

@@ -9,8 +9,8 @@ import xml.etree.ElementTree as ElementTree
 
 LONGEST = 30  # words in a sentence
 TOOLTIP = 400  # characters; what is longer stands on the page of the filter
-# Forbidden words inside these phrases are the field's.
-ALLOWED = re.compile(r'\b(at least|least[- ]squares|least distortion)\b', re.IGNORECASE)
+# Forbidden words inside these phrases are the field's, or ParaView's.
+ALLOWED = re.compile(r'\b(at least|Group Datasets|least[- ]squares|least distortion)\b', re.IGNORECASE)
 # An abbreviation or the name of a fact ends no sentence.
 ABBREVIATION = re.compile(r'\b(et al|e\.g|i\.e)\.')
 

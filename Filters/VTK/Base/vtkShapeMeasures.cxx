@@ -58,9 +58,10 @@ const std::set<std::string> RealMeasures = {
   "SymmetricDirichlet", "ConformalDistortion", "ARAP", "Hencky", "AMIPS", "AreaDistortion",
   "L2Stretch", "LinfStretch", "SmallestSingularValue", "LargestSingularValue", "AreaDifference",
   "ConformalDifference", "AreaEigenfunctions", "ConformalEigenfunctions", "OffsetAreaDifference",
-  "OffsetConformalDifference", "SideLengths", "Angles", "NormalCurvatures", "Eigenfunctions",
-  "Masses", "HeatKernelSignature", "WaveKernelSignature", "Embedding", "ArrivalTime", "Radius",
-  "SplineError"
+  "OffsetConformalDifference", "AreaDeviation", "ConformalDeviation", "PositionDeviation",
+  "AreaVariationFunctions", "ConformalVariationFunctions", "SideLengths", "Angles",
+  "NormalCurvatures", "Eigenfunctions", "Masses", "HeatKernelSignature", "WaveKernelSignature",
+  "Embedding", "ArrivalTime", "Radius", "SplineError"
 };
 
 /// Measures that are counts or Booleans.

@@ -1,0 +1,340 @@
+#include "Correspondence/Evaluate/Collection.h"
+
+#include "Base/Errors.h"
+#include "Correspondence/Evaluate/Private/TriangleProducts.h"
+#include "Geometry/FitRotation.h"
+#include "Linear/SymmetricEigen.h"
+#include "Spectrum/LaplaceEigenproblem.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace shape
+{
+namespace
+{
+
+using Measure = CollectionOptions::MeasureType;
+
+/// The products of functions on the template, G G^T, and functions in which they are orthonormal.
+class ProductBasis
+{
+public:
+  /// functions: n x k. first: the number of functions before them that have no product.
+  ProductBasis(Eigen::MatrixXd functions, const Eigen::MatrixXd& products, Eigen::Index first)
+    : Functions(std::move(functions))
+    , Factor(products)
+    , First(first)
+  {
+    if (this->Factor.info() != Eigen::Success)
+    {
+      throw SolveFailure("the eigenfunctions of the Template are not independent on its triangles; "
+                         "lower BasisSize, or remesh the surface");
+    }
+  }
+
+  /// The symmetric operator G^-1 other G^-T.
+  Eigen::MatrixXd Symmetric(const Eigen::MatrixXd& other) const
+  {
+    const Eigen::MatrixXd half = this->Factor.matrixL().solve(other);
+    const Eigen::MatrixXd result = this->Factor.matrixL().solve(half.transpose());
+    return 0.5 * (result + result.transpose());
+  }
+
+  /// The operator in the eigenbasis, with 0 for the functions that have no product.
+  Eigen::MatrixXd InEigenbasis(const Eigen::MatrixXd& other) const
+  {
+    const Eigen::Index size = other.rows() + this->First;
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
+    matrix.bottomRightCorner(other.rows(), other.rows()) = this->Factor.solve(other);
+    return matrix;
+  }
+
+  /// The operators, and their mean and variance, from the products on each shape.
+  CollectionVariation Vary(const std::vector<Eigen::MatrixXd>& symmetric) const
+  {
+    const auto count = static_cast<double>(symmetric.size());
+    const Eigen::Index size = symmetric[0].rows();
+    Eigen::MatrixXd mean = Eigen::MatrixXd::Zero(size, size), squares = mean;
+    for (const Eigen::MatrixXd& each : symmetric)
+    {
+      mean += each / count;
+    }
+    // At each point, the delta as a combination of the functions, and <d, D d> / <d, d>.
+    const Eigen::MatrixXd deltas = this->Functions * this->Factor.matrixL();
+    const Eigen::VectorXd norms = deltas.rowwise().squaredNorm();
+    Eigen::VectorXd variance = Eigen::VectorXd::Zero(deltas.rows());
+    for (const Eigen::MatrixXd& each : symmetric)
+    {
+      const Eigen::MatrixXd apart = each - mean;
+      squares += apart * apart / count;
+      const Eigen::VectorXd change = (deltas * apart).cwiseProduct(deltas).rowwise().sum();
+      variance +=
+        (norms.array() > 0.0).select(change.cwiseQuotient(norms), 0.0).cwiseAbs2() / count;
+    }
+    CollectionVariation result;
+    result.Deviation = variance.cwiseSqrt();
+    const Eigenpairs pairs = FindLargestEigenpairs(
+      squares, static_cast<int>(std::min<Eigen::Index>(size, VariationFunctions)));
+    result.Variances = pairs.Values.cwiseMax(0.0);
+    result.Functions = this->Functions * this->Factor.matrixU().solve(pairs.Vectors);
+    return result;
+  }
+
+private:
+  Eigen::MatrixXd Functions;
+  Eigen::LLT<Eigen::MatrixXd> Factor;
+  Eigen::Index First;
+};
+
+/// Each column gets the sign that makes its entry of the greatest magnitude positive. Of entries
+/// that differ by rounding, the first one decides.
+void FixSigns(Eigen::MatrixXd& columns)
+{
+  for (Eigen::Index c = 0; c < columns.cols(); ++c)
+  {
+    const double greatest = (1.0 - 1e-6) * columns.col(c).cwiseAbs().maxCoeff();
+    Eigen::Index at = 0;
+    while (std::abs(columns(at, c)) < greatest)
+    {
+      ++at;
+    }
+    if (columns(at, c) < 0.0)
+    {
+      columns.col(c) *= -1.0;
+    }
+  }
+}
+
+void RequireShapes(const Surface& base, const std::vector<CollectionShape>& shapes, Measure measure)
+{
+  if (shapes.empty())
+  {
+    throw InvalidInput("there is no shape to compare");
+  }
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+  {
+    const std::string name = "shape " + std::to_string(i);
+    const Surface& surface = shapes[i].Shape;
+    RequireFinite(surface.Points(), name);
+    if (shapes[i].Images.Triangles.size() > 0)
+    {
+      if (measure == Measure::Procrustes)
+      {
+        throw InvalidInput("Procrustes compares positions of the same points; choose another "
+                           "Measure for shapes with maps");
+      }
+      continue;
+    }
+    if (surface.Points().rows() != base.Points().rows())
+    {
+      throw InvalidInput(name + " has " + std::to_string(surface.Points().rows()) +
+        " points, but the Template has " + std::to_string(base.Points().rows()) +
+        "; map the Template onto each shape first, or set Correspondence to Maps");
+    }
+    if (surface.Triangles().rows() != base.Triangles().rows() ||
+      surface.Triangles() != base.Triangles())
+    {
+      throw InvalidInput(name + " has other triangles than the Template, so its points are in " +
+        "another order; map the Template onto each shape first, or set Correspondence to Maps");
+    }
+  }
+}
+
+/// Returns points moved so that their weighted mean is 0.
+Eigen::MatrixXd Centred(const Eigen::MatrixXd& points, const Eigen::VectorXd& weights)
+{
+  return points.rowwise() - (weights.transpose() * points).eval() / weights.sum();
+}
+
+/// Returns `points` after the rotation that is nearest to `target`; both are centred.
+Eigen::MatrixXd Turned(
+  const Eigen::MatrixXd& points, const Eigen::MatrixXd& target, const Eigen::VectorXd& weights)
+{
+  const Eigen::Matrix3d rotation = FitRotation(target.transpose() * weights.asDiagonal() * points);
+  return points * rotation.transpose();
+}
+
+double RootMeanSquare(const Eigen::MatrixXd& differences, const Eigen::VectorXd& weights)
+{
+  return std::sqrt(weights.dot(differences.rowwise().squaredNorm()) / weights.sum());
+}
+
+/// The distances after the best rigid motion, and the deviation from the mean shape (Gower,
+/// "Generalized Procrustes analysis", 1975).
+void CompareSuperimposed(const std::vector<CollectionShape>& shapes, const Eigen::VectorXd& weights,
+  const Progress& progress, CollectionResult& result)
+{
+  std::vector<Eigen::MatrixXd> points;
+  for (const CollectionShape& shape : shapes)
+  {
+    points.push_back(Centred(shape.Shape.Points(), weights));
+  }
+  const auto count = static_cast<Eigen::Index>(points.size());
+  for (Eigen::Index i = 0; i < count; ++i)
+  {
+    progress(0.9 * static_cast<double>(i) / static_cast<double>(count));
+    for (Eigen::Index j = 0; j < i; ++j)
+    {
+      result.Distances(i, j) = result.Distances(j, i) =
+        RootMeanSquare(Turned(points[i], points[j], weights) - points[j], weights);
+    }
+  }
+  // Rotations to the mean and the mean of the rotated shapes, by turns.
+  Eigen::MatrixXd mean = points[0];
+  constexpr int rounds = 10;
+  for (int round = 0; round < rounds; ++round)
+  {
+    progress(0.9 + 0.1 * round / rounds);
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(mean.rows(), 3);
+    for (Eigen::MatrixXd& each : points)
+    {
+      each = Turned(each, mean, weights);
+      sum += each / static_cast<double>(count);
+    }
+    mean = sum;
+  }
+  Eigen::VectorXd variance = Eigen::VectorXd::Zero(mean.rows());
+  for (const Eigen::MatrixXd& each : points)
+  {
+    variance += (each - mean).rowwise().squaredNorm() / static_cast<double>(count);
+  }
+  result.PositionDeviation = variance.cwiseSqrt();
+}
+
+/// Classical MDS (Torgerson 1952): the eigenvectors of the squared distances, centred twice.
+void Embed(int dimension, CollectionResult& result)
+{
+  const Eigen::Index count = result.Distances.rows();
+  Eigen::MatrixXd squares = result.Distances.cwiseAbs2();
+  squares.rowwise() -= squares.colwise().mean().eval();
+  squares.colwise() -= squares.rowwise().mean().eval();
+  const Eigenpairs pairs = FindLargestEigenpairs(
+    -0.5 * squares, static_cast<int>(std::min<Eigen::Index>(dimension, count)));
+  const Eigen::VectorXd values = pairs.Values.cwiseMax(0.0);
+  result.Embedding = pairs.Vectors * values.cwiseSqrt().asDiagonal();
+  FixSigns(result.Embedding);
+  const double total = -0.5 * squares.trace();
+  result.Shares =
+    total > 0.0 ? Eigen::VectorXd(values / total) : Eigen::VectorXd::Zero(values.size());
+}
+
+void OrderByDissimilarity(CollectionResult& result)
+{
+  const Eigen::Index count = result.Distances.rows();
+  result.Dissimilarities =
+    result.Distances.rowwise().sum() / static_cast<double>(std::max<Eigen::Index>(count - 1, 1));
+  result.Order.resize(count);
+  std::iota(result.Order.begin(), result.Order.end(), 0);
+  std::stable_sort(result.Order.begin(), result.Order.end(),
+    [&](int a, int b) { return result.Dissimilarities(a) > result.Dissimilarities(b); });
+}
+
+/// Adds the squared Frobenius distances of symmetric operators, divided by their size.
+void AddSquaredDistances(const std::vector<Eigen::MatrixXd>& operators, Eigen::MatrixXd& squares)
+{
+  for (Eigen::Index i = 0; i < squares.rows(); ++i)
+  {
+    for (Eigen::Index j = 0; j < squares.cols(); ++j)
+    {
+      squares(i, j) +=
+        (operators[i] - operators[j]).squaredNorm() / static_cast<double>(operators[i].rows());
+    }
+  }
+}
+
+} // namespace
+
+// 1. The eigenfunctions of the template, and their products there.
+// 2. Their products on each shape, and from these the operators.
+// 3. Distances of operators or positions; embedding and order from these.
+CollectionResult CompareCollection(const Surface& base, const std::vector<CollectionShape>& shapes,
+  const CollectionOptions& options, const Progress& progress)
+{
+  const Topology topology = RequireManifold(base, "the Template");
+  RequireShapes(base, shapes, options.Measure);
+  RequireOption(options.EmbeddingDimension >= 1, "EmbeddingDimension", options.EmbeddingDimension,
+    "at least 1");
+  const Eigen::Index points = (topology.ComponentId.array() >= 0).count();
+  const int size = options.BasisSize;
+  RequireOption(size > topology.Components && size <= points, "BasisSize", size,
+    "more than the number of the Template's components, " + std::to_string(topology.Components) +
+      ", and at most the number of its points, " + std::to_string(points));
+  const Eigen::Index constants = topology.Components, varying = size - constants;
+  const LaplaceEigenpairs eigenpairs =
+    SolveLaplaceEigenproblem(base, size, progress.Part(0.0, 0.4, "computing the eigenfunctions"));
+  // The first eigenfunction of each component is constant; solved for each component, they are the
+  // first ones in all.
+  const Eigen::MatrixXd& functions = eigenpairs.Eigenfunctions;
+  const TriangleProducts here = ComputeTriangleProducts(base, functions);
+  const ProductBasis areas(functions, here.Mass, 0),
+    gradients(
+      functions.rightCols(varying), here.Dirichlet.bottomRightCorner(varying, varying), constants);
+
+  const Progress each = progress.Part(0.4, 0.8, "computing the operators");
+  std::vector<Eigen::MatrixXd> ofAreas, ofGradients;
+  CollectionVariation area, conformal;
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+  {
+    each(static_cast<double>(i) / static_cast<double>(shapes.size()));
+    const SurfacePoints& images = shapes[i].Images;
+    const TriangleProducts there = ComputeTriangleProducts(shapes[i].Shape,
+      images.Triangles.size() > 0 ? PullBack(images, base.Triangles(), functions) : functions);
+    const Eigen::MatrixXd dirichlet = there.Dirichlet.bottomRightCorner(varying, varying);
+    ofAreas.push_back(areas.Symmetric(there.Mass));
+    ofGradients.push_back(gradients.Symmetric(dirichlet));
+    area.Operators.push_back(areas.InEigenbasis(there.Mass));
+    conformal.Operators.push_back(gradients.InEigenbasis(dirichlet));
+    if (!area.Operators.back().allFinite() || !conformal.Operators.back().allFinite())
+    {
+      throw InvalidInput("shape " + std::to_string(i) +
+        " has triangles without area, whose angles are unknown; remesh or clean it");
+    }
+  }
+  const Progress last = progress.Part(0.8, 1.0, "comparing the shapes");
+  last(0.0);
+  CollectionResult result;
+  result.Area = areas.Vary(ofAreas);
+  result.Area.Operators = std::move(area.Operators);
+  last(0.3);
+  result.Conformal = gradients.Vary(ofGradients);
+  result.Conformal.Operators = std::move(conformal.Operators);
+  FixSigns(result.Area.Functions);
+  FixSigns(result.Conformal.Functions);
+  const auto count = static_cast<Eigen::Index>(shapes.size());
+  result.Distances = Eigen::MatrixXd::Zero(count, count);
+  if (options.Measure == Measure::Procrustes)
+  {
+    CompareSuperimposed(shapes, eigenpairs.Masses, last.Part(0.6, 0.95), result);
+  }
+  else
+  {
+    if (options.Measure != Measure::Conformal)
+    {
+      AddSquaredDistances(ofAreas, result.Distances);
+    }
+    if (options.Measure != Measure::Area)
+    {
+      AddSquaredDistances(ofGradients, result.Distances);
+    }
+    result.Distances = result.Distances.cwiseSqrt().eval();
+  }
+  last(0.95);
+  Embed(options.EmbeddingDimension, result);
+  OrderByDissimilarity(result);
+  progress(1.0);
+  return result;
+}
+
+int FindNearestToAll(const std::vector<CollectionShape>& shapes, const CollectionOptions& options,
+  const Progress& progress)
+{
+  return CompareCollection(shapes.at(0).Shape, shapes, options, progress).Order.back();
+}
+
+} // namespace shape
