@@ -103,6 +103,7 @@ std::vector<BaseLine> BaseLines(
   return lines;
 }
 
+/// Writes a polyline for each line of the base domain.
 void WriteBase(const std::vector<BaseLine>& base, vtkPolyData* output)
 {
   Eigen::Index count = 0;
