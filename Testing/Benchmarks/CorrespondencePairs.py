@@ -127,6 +127,10 @@ PAIRS = {
                     limbs('turn', CAMEL_FEET, .22, .34, X, (90, 90, -90, -90))
                     + [('turn', (.14, .93, .97), .3, .55, Y, 100)], ('cut', Z, .35)),
     'cactus-turns': ('unseen', 'cactus', None, True, ends((.59, .93, .07), (.03, .96, .11), (.21, .0, .11)), None),
+    # Copies, remeshed and numbered anew, of models on which nothing was chosen either.
+    **{model + '-copied': ('copied', model, None, reflects, [], None) for model, reflects in (
+        ('bear_bis', False), ('bunny00', False), ('retinal', False), ('femur', False), ('knot', True),
+        ('blobby', True), ('helmet', True), ('eight', True))},
 }
 
 
