@@ -150,8 +150,8 @@ def main():
             if found.error:
                 table.print(first, 'refused: ' + found.error)
                 continue
-            rows.append((method, landmarks, pair['group'], {**found.row(), 'pair': pair['name']}))
-            rows.append((method, landmarks, pair['group'], {**found.row(), 'reflects': pair['reflects']}))
+            rows.append((method, landmarks, pair['group'],
+                         {**found.row(), 'pair': pair['name'], 'reflects': pair['reflects']}))
             table.print({**found.row(), **first})
     table = sweep.Table('method:<27', 'landmarks:9d', 'group:<9', 'mean:9.2f', 'trip:7.4f',
                         'dirichlet:9.3f', 'cpu:8.2f')
