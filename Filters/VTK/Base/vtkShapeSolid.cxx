@@ -73,7 +73,7 @@ shape::Cells vtkShapeSolid::Read(vtkUnstructuredGrid* grid, const std::string& n
         throw shape::InvalidInput(name + " has a " +
           vtkCellTypes::GetClassNameFromTypeId(cells.Kinds(cell)) + " (cell " +
           std::to_string(cell) +
-          "), but only tetrahedra, pyramids, wedges and hexahedra are solid cells here; remove the "
+          "), but only tetrahedra, pyramids, wedges and hexahedra are solid cells; remove the "
           "others with Extract Cells By Type, or fill a surface with Shape Tetrahedralize");
     }
   }
