@@ -14,16 +14,6 @@ namespace shape
 namespace
 {
 
-FormValues Plus(const FormValues& one, const FormValues& other, int sign)
-{
-  FormValues sum;
-  for (std::size_t i = 0; i < sum.size(); ++i)
-  {
-    sum[i] = static_cast<signed char>(one[i] + sign * other[i]);
-  }
-  return sum;
-}
-
 /// A path from the first point of a search.
 struct SearchedPath
 {
@@ -77,7 +67,7 @@ PathSearch::PathSearch(const PathSurface& surface, int from, int classes)
     do
     {
       queue.emplace(length + surface.Length(side), surface.End(side),
-        Plus(forms, surface.FormsOf(side), 1), path);
+        AddForms(forms, surface.FormsOf(side)), path);
       side = surface.TurnLeft(side);
     } while (side != first);
   }
@@ -121,7 +111,8 @@ std::vector<SurfaceCycle> HandleLoops::CyclesAt(int point) const
       for (const int back : search.AtPoint[surface.End(side)])
       {
         const SearchedPath &one = search.Paths[there], &other = search.Paths[back];
-        const FormValues forms = Plus(Plus(one.Forms, surface.FormsOf(side), 1), other.Forms, -1);
+        const FormValues forms =
+          AddForms(AddForms(one.Forms, surface.FormsOf(side)), other.Forms, -1);
         const auto sign = std::find_if(forms.begin(), forms.end(), [](int x) { return x != 0; });
         if (sign == forms.end() || *sign < 0)
         {

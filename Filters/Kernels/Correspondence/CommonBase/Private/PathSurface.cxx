@@ -2,30 +2,15 @@
 
 namespace shape
 {
-namespace
-{
-
-FormValues Sum(const FormValues& a, const FormValues& b)
+FormValues AddForms(const FormValues& forms, const FormValues& others, int sign)
 {
   FormValues sum;
   for (std::size_t i = 0; i < sum.size(); ++i)
   {
-    sum[i] = static_cast<signed char>(a[i] + b[i]);
+    sum[i] = static_cast<signed char>(forms[i] + sign * others[i]);
   }
   return sum;
 }
-
-FormValues Opposite(const FormValues& a)
-{
-  FormValues opposite;
-  for (std::size_t i = 0; i < opposite.size(); ++i)
-  {
-    opposite[i] = static_cast<signed char>(-a[i]);
-  }
-  return opposite;
-}
-
-} // namespace
 
 PathSurface::PathSurface(const Surface& given)
   : Twins(given.Twins())
@@ -95,13 +80,13 @@ int PathSurface::Split(int side, double share)
       (1.0 - here) * corners.row(old % 3) + here * corners.row(next % 3);
     // The form is that of the whole edge before the new point for `side`, and 0 after it.
     const FormValues toNew = old == side ? along : FormValues{};
-    const FormValues fromNew = old == side ? FormValues{} : Opposite(along);
+    const FormValues fromNew = old == side ? FormValues{} : AddForms({}, along, -1);
     const FormValues ofNext = this->Forms[next];
-    const FormValues toApex = Sum(fromNew, ofNext);
+    const FormValues toApex = AddForms(fromNew, ofNext);
     this->Corners.insert(this->Corners.end(), { point, q, r });
     this->Twins.insert(this->Twins.end(), { -1, -1, -1 });
     this->Paths.insert(this->Paths.end(), { -1, this->Paths[next], -1 });
-    this->Forms.insert(this->Forms.end(), { fromNew, ofNext, Opposite(toApex) });
+    this->Forms.insert(this->Forms.end(), { fromNew, ofNext, AddForms({}, toApex, -1) });
     this->Givens.push_back(this->Givens[triangle]);
     Eigen::Matrix3d second;
     second << inserted, corners.row(next % 3), corners.row(previous % 3);

@@ -16,6 +16,9 @@ namespace shape
 /// The value of 2 g closed 1-forms on an edge.
 using FormValues = std::array<signed char, 2 * MaximumBaseGenus>;
 
+/// Returns the sum of two values; with a sign of -1, their difference.
+FormValues AddForms(const FormValues& forms, const FormValues& others, int sign = 1);
+
 /// A closed surface whose edges can be split, with paths marked along its edges. Half-edge 3 t + k
 /// runs from corner k of triangle t to the next corner. The given points come first.
 class PathSurface

@@ -33,16 +33,6 @@ std::vector<int> SidesOf(const PathSurface& surface, const SurfaceGap& gap)
   return sides;
 }
 
-FormValues Moved(const FormValues& forms, const FormValues& by, int sign)
-{
-  FormValues moved;
-  for (std::size_t i = 0; i < moved.size(); ++i)
-  {
-    moved[i] = static_cast<signed char>(forms[i] + sign * by[i]);
-  }
-  return moved;
-}
-
 /// A crossing of a half-edge from its own triangle to its twin's. Forms are the integrals from the
 /// beginning of the path to the beginning of the half-edge.
 struct Crossing
@@ -180,7 +170,7 @@ private:
       const int target = arrival->second.Target;
       // The third half-edge of the triangle begins where the crossed one does.
       const FormValues forms =
-        Moved(crossing.Forms, surface.FormsOf(PreviousHalfEdge(arrival->second.Side)), 1);
+        AddForms(crossing.Forms, surface.FormsOf(PreviousHalfEdge(arrival->second.Side)));
       if (this->Found[target].Length < std::numeric_limits<double>::infinity() ||
         (this->Accept && !this->Accept(forms)))
       {
@@ -195,7 +185,7 @@ private:
     for (const int side : { ps, sq })
     {
       const FormValues forms =
-        side == ps ? crossing.Forms : Moved(crossing.Forms, surface.FormsOf(ps), 1);
+        side == ps ? crossing.Forms : AddForms(crossing.Forms, surface.FormsOf(ps));
       const double length = (surface.Midpoint(side) - here).norm();
       this->Push(side, index, crossing.Length + length * this->WeightOf(side), forms);
     }
@@ -237,7 +227,7 @@ private:
       const int entered = this->Searched.Twin(path.Sides.back());
       // From p, where the crossed half-edge begins, to the point s.
       path.Forms =
-        Moved(this->Crossings[index].Forms, this->Searched.FormsOf(NextHalfEdge(entered)), 1);
+        AddForms(this->Crossings[index].Forms, this->Searched.FormsOf(NextHalfEdge(entered)));
     }
   }
 

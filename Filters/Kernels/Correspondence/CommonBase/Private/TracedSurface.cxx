@@ -35,11 +35,7 @@ FormValues TracedSurface::FormsAlong(int path) const
   const std::vector<int>& points = this->Paths[path];
   for (std::size_t i = 1; i < points.size(); ++i)
   {
-    const FormValues& step = this->Surface.FormsOf(this->Surface.Find(points[i - 1], points[i]));
-    for (std::size_t form = 0; form < forms.size(); ++form)
-    {
-      forms[form] = static_cast<signed char>(forms[form] + step[form]);
-    }
+    forms = AddForms(forms, this->Surface.FormsOf(this->Surface.Find(points[i - 1], points[i])));
   }
   return forms;
 }
