@@ -19,8 +19,6 @@ namespace shape
 namespace
 {
 
-constexpr double NoMap = std::numeric_limits<double>::infinity();
-
 /// Appends pairs, except where a point is less than `near` away from one that has a partner, over
 /// the root of the area.
 void Append(const LoopedSurface& a, const std::vector<int>& ofA, const LoopedSurface& b,
@@ -44,8 +42,8 @@ void Append(const LoopedSurface& a, const std::vector<int>& ofA, const LoopedSur
 /// A combination of partners of the first handles.
 struct Combination
 {
-  std::vector<LoopCrossing> Chosen; ///< on B
-  double Value = NoMap;             ///< DistortionOf
+  std::vector<LoopCrossing> Chosen;                       ///< on B
+  double Value = std::numeric_limits<double>::infinity(); ///< DistortionOf
 };
 
 /// Searches partners of the handles of A, added to given landmarks.
@@ -175,23 +173,29 @@ HandleLoop OnFine(const SurfaceCycle& cycle, bool isTunnel, const CoarsePair& pa
   return loop;
 }
 
-/// Returns the mean energy of a map, of both directions; infinite if there is none.
-double EnergyOf(
-  const Surface& a, const Surface& b, const Landmarks& pairs, const Progress& progress)
+/// Returns the map through landmarks; nothing if there is none: paths of other candidates can be
+/// traced where those of this one cannot.
+std::optional<CommonBaseMap> TryMap(const Surface& a, const Surface& b, const Landmarks& pairs,
+  const CommonBaseOptions& options, const Progress& progress)
 {
   try
   {
-    const CommonBaseMap map = MapThroughBase(a, b, pairs, {}, progress);
-    return 0.5 * (map.Energy + map.EnergyBack);
+    return MapThroughBase(a, b, pairs, options, progress);
   }
   catch (const SolveFailure&)
   {
-    return NoMap;
+    return {};
   }
   catch (const InvalidInput&)
   {
-    return NoMap; // paths of other candidates can be traced where those of this one cannot
+    return {};
   }
+}
+
+/// The mean energy of both directions.
+double EnergyOf(const CommonBaseMap& map)
+{
+  return 0.5 * (map.Energy + map.EnergyBack);
 }
 
 /// FindHandleLandmarks for surfaces in an order that their numbers do not change.
@@ -246,11 +250,10 @@ HandleLandmarks FindOrdered(
   {
     const auto share = [&](std::size_t count)
     { return 0.4 + 0.6 * static_cast<double>(count) / static_cast<double>(candidates.size()); };
-    const double energy =
-      EnergyOf(pair.A(), pair.B(), candidates[i], progress.Part(share(i), share(i + 1)));
-    if (energy < NoMap)
+    if (const std::optional<CommonBaseMap> map =
+          TryMap(pair.A(), pair.B(), candidates[i], {}, progress.Part(share(i), share(i + 1))))
     {
-      result.Candidates.push_back({ pair.OnFine(candidates[i]), energy });
+      result.Candidates.push_back({ pair.OnFine(candidates[i]), EnergyOf(*map) });
     }
   }
   if (result.Candidates.empty())
@@ -307,10 +310,14 @@ CommonBaseMap MapByHandles(const Surface& a, const Surface& b, const HandleLandm
     const auto share = [&](std::size_t k)
     { return static_cast<double>(k) / static_cast<double>(count); };
     const HandleCandidate& candidate = handles.Candidates[i];
-    CommonBaseMap map =
-      MapThroughBase(a, b, candidate.Pairs, options, progress.Part(share(i), share(i + 1)));
-    const double energy = 0.5 * (map.Energy + map.EnergyBack);
-    if (!best || energy < 0.5 * (best->Energy + best->EnergyBack))
+    std::optional<CommonBaseMap> map =
+      TryMap(a, b, candidate.Pairs, options, progress.Part(share(i), share(i + 1)));
+    if (!map)
+    {
+      continue;
+    }
+    const double energy = EnergyOf(*map);
+    if (!best || energy < EnergyOf(*best))
     {
       best = std::move(map);
       landmarks = candidate.Pairs;
@@ -319,6 +326,11 @@ CommonBaseMap MapByHandles(const Surface& a, const Surface& b, const HandleLandm
     {
       break;
     }
+  }
+  if (!best)
+  {
+    // Throws the reason for the first.
+    return MapThroughBase(a, b, handles.Candidates.front().Pairs, options, progress);
   }
   return std::move(*best);
 }
