@@ -302,7 +302,7 @@ CommonBaseMap MapByHandles(const Surface& a, const Surface& b, const HandleLandm
   Landmarks& landmarks, const CommonBaseOptions& options, const Progress& progress)
 {
   constexpr std::size_t most = 3;
-  constexpr double enough = 1.25; // times the energy on the coarse surfaces
+  constexpr double enough = 1.25 * 4.0; // the energy of an isometry is 4
   const std::size_t count = std::min(most, handles.Candidates.size());
   std::optional<CommonBaseMap> best;
   for (std::size_t i = 0; i < count; ++i)
@@ -322,7 +322,7 @@ CommonBaseMap MapByHandles(const Surface& a, const Surface& b, const HandleLandm
       best = std::move(map);
       landmarks = candidate.Pairs;
     }
-    if (energy <= enough * candidate.Energy)
+    if (energy <= enough)
     {
       break;
     }

@@ -60,10 +60,10 @@ HandleLandmarks FindHandleLandmarks(
 
 /**
  * Maps the surfaces through a common base by the landmarks of a candidate. Paths may run another
- * way on the given surfaces than on coarse ones: while there is no map, or its energy is more than
- * 1.25 times that on the coarse surfaces, the next candidate is tried, of the first three, and the
- * best map is returned. landmarks: on return, those of the map. Throws the exceptions of
- * MapThroughBase.
+ * way on the given surfaces than on coarse ones, so their order by energy may differ: while there
+ * is no map, or its energy is more than 1.25 times that of an isometry, the next candidate is
+ * tried, of the first three, and the best map is returned. landmarks: on return, those of the map.
+ * Throws the exceptions of MapThroughBase.
  */
 CommonBaseMap MapByHandles(const Surface& a, const Surface& b, const HandleLandmarks& handles,
   Landmarks& landmarks, const CommonBaseOptions& options = {}, const Progress& progress = {});
