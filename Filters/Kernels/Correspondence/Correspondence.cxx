@@ -2,8 +2,6 @@
 
 #include "Base/Errors.h"
 #include "Correspondence/Averages/WeightedAverages.h"
-#include "Correspondence/CommonBase/CommonBaseMap.h"
-#include "Correspondence/CommonBase/HandleLandmarks.h"
 #include "Correspondence/Conformal/BlendedIntrinsic.h"
 #include "Correspondence/Conformal/HyperbolicMap.h"
 #include "Correspondence/Conformal/OrbifoldMap.h"
@@ -21,7 +19,6 @@
 #include "Correspondence/Reversible/ReversibleHarmonic.h"
 #include "Correspondence/Transport/GeneralizedMDS.h"
 #include "Correspondence/Transport/GromovWasserstein.h"
-#include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
 

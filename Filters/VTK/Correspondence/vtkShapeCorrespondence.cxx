@@ -2,6 +2,7 @@
 
 #include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
+#include "vtkShapeCorrespondenceResult.h"
 #include "vtkShapeFunctionalMap.h"
 #include "vtkShapeGivenLandmarks.h"
 #include "vtkShapeList.h"
@@ -14,17 +15,14 @@
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
@@ -46,101 +44,6 @@ constexpr int MatrixPort = 3, CouplingPort = 4, BasePort = 5,
 bool HasNames(const std::vector<std::string>& arrays)
 {
   return std::any_of(arrays.begin(), arrays.end(), vtkShapeConvert::IsChosen);
-}
-
-vtkSmartPointer<vtkIdTypeArray> ToIds(const Eigen::VectorXi& values, const std::string& name)
-{
-  auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
-  ids->SetName(name.c_str());
-  ids->SetNumberOfTuples(values.size());
-  std::copy(values.begin(), values.end(), ids->GetPointer(0));
-  return ids;
-}
-
-/// Writes a row for each candidate. ofA, ofB: their points, as numbered in the inputs.
-void WriteCandidates(const shape::BlendedIntrinsicResult& blended, const Eigen::MatrixXi& ofA,
-  const Eigen::MatrixXi& ofB, vtkTable* table)
-{
-  const std::vector<std::string> places = { "First", "Second", "Third" };
-  for (const auto& [points, side] : { std::pair(&ofA, "OfA"), std::pair(&ofB, "OfB") })
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      table->AddColumn(ToIds(points->col(k), places[k] + side));
-    }
-  }
-  table->AddColumn(vtkShapeConvert::ToArray(blended.Weights, "Weight"));
-  for (Eigen::Index j = 0; j < blended.Consistency.cols(); ++j)
-  {
-    table->AddColumn(vtkShapeConvert::ToArray(blended.Consistency.col(j), std::to_string(j)));
-  }
-}
-
-/// A polyline of the base domain's output.
-struct BaseLine
-{
-  Eigen::MatrixXd OnA, OnB;
-  int Left, Right, IsCurve, Loop;
-};
-
-/// The paths of the base domain, and the loops around handles.
-std::vector<BaseLine> BaseLines(
-  const shape::CorrespondenceResult& result, const shape::Mesh& a, const shape::Mesh& b)
-{
-  std::vector<BaseLine> lines;
-  for (const shape::BasePath& path : result.Base->Paths)
-  {
-    lines.push_back({ path.OnA, path.OnB, path.Left, path.Right, path.IsCurve ? 1 : 0, 0 });
-  }
-  const Eigen::MatrixXd images = shape::PullBack(result.Maps.AToB, b.Triangles, b.Points);
-  const std::vector<shape::HandleLoop> loops =
-    result.Handles ? result.Handles->LoopsOfA : std::vector<shape::HandleLoop>();
-  for (const shape::HandleLoop& loop : loops)
-  {
-    lines.push_back({ a.Points(loop.Points, Eigen::all), images(loop.Points, Eigen::all), -1, -1, 0,
-      loop.IsTunnel ? 2 : 1 });
-  }
-  return lines;
-}
-
-/// Writes a polyline for each line of the base domain.
-void WriteBase(const std::vector<BaseLine>& base, vtkPolyData* output)
-{
-  Eigen::Index count = 0;
-  for (const BaseLine& line : base)
-  {
-    count += line.OnA.rows();
-  }
-  Eigen::MatrixXd onA(count, 3), onB(count, 3);
-  Eigen::VectorXi left(base.size()), right(base.size()), isCurve(base.size()), loop(base.size());
-  vtkNew<vtkCellArray> lines;
-  Eigen::Index first = 0;
-  for (std::size_t i = 0; i < base.size(); ++i)
-  {
-    const Eigen::Index size = base[i].OnA.rows();
-    onA.middleRows(first, size) = base[i].OnA;
-    onB.middleRows(first, size) = base[i].OnB;
-    lines->InsertNextCell(static_cast<int>(size));
-    for (Eigen::Index k = 0; k < size; ++k)
-    {
-      lines->InsertCellPoint(first + k);
-    }
-    const auto row = static_cast<Eigen::Index>(i);
-    left(row) = base[i].Left;
-    right(row) = base[i].Right;
-    isCurve(row) = base[i].IsCurve;
-    loop(row) = base[i].Loop;
-    first += size;
-  }
-  vtkNew<vtkPoints> points;
-  points->SetData(vtkShapeConvert::ToArray(onA, "Points"));
-  output->SetPoints(points);
-  output->SetLines(lines);
-  output->GetPointData()->AddArray(vtkShapeConvert::ToArray(onB, "TargetPosition"));
-  output->GetCellData()->AddArray(ToIds(left, "LeftPatch"));
-  output->GetCellData()->AddArray(ToIds(right, "RightPatch"));
-  output->GetCellData()->AddArray(ToIds(isCurve, "IsCurve"));
-  output->GetCellData()->AddArray(ToIds(loop, "HandleLoop"));
 }
 
 double MeanByArea(const shape::Surface& surface, const Eigen::VectorXd& values)
@@ -329,8 +232,8 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
   }
   if (result.Base && isFirst)
   {
-    WriteBase(
-      BaseLines(result, a, b), vtkPolyData::SafeDownCast(this->GetOutputDataObject(BasePort)));
+    vtkShapeCorrespondenceResult::WriteBase(
+      result, a, b, vtkPolyData::SafeDownCast(this->GetOutputDataObject(BasePort)));
   }
   if (result.Blended && isFirst)
   {
@@ -344,8 +247,8 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
       }
       return numbers;
     };
-    WriteCandidates(*result.Blended, given(0, result.Blended->TriplesOfA),
-      given(1, result.Blended->TriplesOfB),
+    vtkShapeCorrespondenceResult::WriteCandidates(*result.Blended,
+      given(0, result.Blended->TriplesOfA), given(1, result.Blended->TriplesOfB),
       vtkTable::SafeDownCast(this->GetOutputDataObject(CandidatesPort)));
   }
   vtkShapeMapColors::Add(this->GetOutputDataObject(0), "TargetPosition", b);
@@ -532,8 +435,10 @@ double vtkShapeCorrespondence::WriteCoupling(const shape::SampledCoupling& coupl
   if (!this->GetController() || this->GetController()->GetLocalProcessId() == 0)
   {
     auto* table = vtkTable::SafeDownCast(this->GetOutputDataObject(CouplingPort));
-    table->AddColumn(ToIds(given(0, coupling.SamplesOfA, entries.OfA), "SampleOfA"));
-    table->AddColumn(ToIds(given(1, coupling.SamplesOfB, entries.OfB), "SampleOfB"));
+    table->AddColumn(
+      vtkShapeCorrespondenceResult::ToIds(given(0, coupling.SamplesOfA, entries.OfA), "SampleOfA"));
+    table->AddColumn(
+      vtkShapeCorrespondenceResult::ToIds(given(1, coupling.SamplesOfB, entries.OfB), "SampleOfB"));
     table->AddColumn(vtkShapeConvert::ToArray(entries.Masses, "Mass"));
   }
   return coupling.SamplesOfA.empty() ? -1.0 : entries.Omitted;

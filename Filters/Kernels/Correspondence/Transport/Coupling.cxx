@@ -2,12 +2,12 @@
 
 #include "Base/Errors.h"
 #include "Base/Parallel.h"
+#include "Correspondence/Landmarks/DistanceQuantiles.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -126,29 +126,7 @@ Eigen::VectorXd SampledGraph::Weights(int count) const
 Eigen::MatrixXd SampledGraph::Quantiles(int count) const
 {
   constexpr int levels = 32;
-  const double whole = std::max(this->Graph.Weights.sum(), std::numeric_limits<double>::min());
-  Eigen::MatrixXd quantiles(count, levels);
-  std::vector<int> order(this->Distances.rows());
-  for (int k = 0; k < count; ++k)
-  {
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(),
-      [&](int i, int j) {
-        return std::make_pair(this->Distances(i, k), i) < std::make_pair(this->Distances(j, k), j);
-      });
-    double below = 0.0;
-    int level = 0;
-    for (const int node : order)
-    {
-      below += this->Graph.Weights(node);
-      for (; level < levels && below >= (level + 0.5) / levels * whole; ++level)
-      {
-        quantiles(k, level) = this->Distances(node, k);
-      }
-    }
-    quantiles.row(k).tail(levels - level).setConstant(this->Distances.col(k).maxCoeff());
-  }
-  return quantiles;
+  return ComputeDistanceQuantiles(this->From(count), this->Graph.Weights, levels);
 }
 
 /// The squared differences of the rows: a x b.

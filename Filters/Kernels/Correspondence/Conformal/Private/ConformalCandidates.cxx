@@ -2,6 +2,7 @@
 
 #include "Base/Parallel.h"
 #include "Correspondence/Conformal/Private/SampleTriples.h"
+#include "Correspondence/Landmarks/DistanceQuantiles.h"
 #include "Correspondence/Landmarks/FeaturedSurface.h"
 #include "Correspondence/Landmarks/GeodesicSamples.h"
 #include "Correspondence/Pair/MatchingInput.h"
@@ -57,46 +58,19 @@ GeodesicSamples FeatureSamples(
   return SampleSurface(surface, count, progress.Part(0.6, 1.0), first, FindRemotestPoint(surface));
 }
 
-/// The quantiles of the distances of each sample from the surface's points (Memoli 2011, section
-/// 6).
-Eigen::MatrixXd Quantiles(const Surface& surface, const GeodesicSamples& samples)
-{
-  constexpr int count = 10;
-  const Eigen::VectorXd areas = ComputePointAreas(surface);
-  const double total = areas.sum();
-  Eigen::MatrixXd quantiles(count, samples.Distances.cols());
-  std::vector<int> order(areas.size());
-  for (Eigen::Index i = 0; i < quantiles.cols(); ++i)
-  {
-    const auto distances = samples.Distances.col(i);
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(
-      order.begin(), order.end(), [&](int p, int q) { return distances(p) < distances(q); });
-    double sum = 0.0;
-    int next = 0;
-    for (const int p : order)
-    {
-      sum += areas(p);
-      while (next < count && sum >= total * (next + 0.5) / count)
-      {
-        quantiles(next++, i) = distances(p);
-      }
-    }
-  }
-  return quantiles;
-}
-
 /// The mean squared difference of the quantiles of each sample of A and each of B.
 Eigen::MatrixXd LevelDifferences(
   const Surface& a, const GeodesicSamples& onA, const Surface& b, const GeodesicSamples& onB)
 {
-  const Eigen::MatrixXd ofA = Quantiles(a, onA), ofB = Quantiles(b, onB);
-  Eigen::MatrixXd differences(ofA.cols(), ofB.cols());
-  for (Eigen::Index i = 0; i < ofA.cols(); ++i)
+  constexpr int levels = 10;
+  const Eigen::MatrixXd ofA = ComputeDistanceQuantiles(onA.Distances, ComputePointAreas(a), levels),
+                        ofB = ComputeDistanceQuantiles(onB.Distances, ComputePointAreas(b), levels);
+  Eigen::MatrixXd differences(ofA.rows(), ofB.rows());
+  for (Eigen::Index i = 0; i < ofA.rows(); ++i)
   {
-    for (Eigen::Index j = 0; j < ofB.cols(); ++j)
+    for (Eigen::Index j = 0; j < ofB.rows(); ++j)
     {
-      differences(i, j) = (ofA.col(i) - ofB.col(j)).squaredNorm() / ofA.rows();
+      differences(i, j) = (ofA.row(i) - ofB.row(j)).squaredNorm() / levels;
     }
   }
   return differences;

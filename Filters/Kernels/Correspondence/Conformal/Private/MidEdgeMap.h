@@ -16,8 +16,8 @@ struct MidEdgeMap
   /// m x 3: the edge from corner k of triangle t to the next corner
   Eigen::MatrixXi EdgeOf;
   ///@{
-  /// e values: at the midpoint of each edge. Once around `To`, the conjugate function grows by 1 or
-  /// -1, so adding a whole number changes nothing.
+  /// e values: at the midpoint of each edge. The conjugate function changes by 1 or -1
+  /// around `To`, so it is defined up to integers.
   Eigen::VectorXd Harmonic, Conjugate;
   ///@}
   /// n x 2: the places of the surface's points, as points of the complex projective line

@@ -16,7 +16,7 @@ struct TriplePair
 
 /// Returns all pairs of triples of the first `generators` samples in which no distance between two
 /// samples of A differs from that of their partners by more than `tolerance` of the longer one.
-/// betweenA, betweenB: the distances between the samples, square. paired: the first so many samples
+/// betweenA, betweenB: the distances between the samples, square. The first `paired` samples
 /// of A go to those of B with the same index, and no other sample goes there; a triple of them
 /// alone may have any distances.
 std::vector<TriplePair> FindSimilarTriples(const Eigen::MatrixXd& betweenA,
