@@ -26,6 +26,25 @@ struct Pairs
   }
 };
 
+/// The points that triangles use: others have no eigenfunctions.
+std::vector<int> UsedPoints(const SampledSpectrum& surface)
+{
+  std::vector<bool> isUsed(surface.Spectrum.Masses.size(), false);
+  for (const int point : surface.Triangles.reshaped())
+  {
+    isUsed[point] = true;
+  }
+  std::vector<int> used;
+  for (int i = 0; i < static_cast<int>(isUsed.size()); ++i)
+  {
+    if (isUsed[i])
+    {
+      used.push_back(i);
+    }
+  }
+  return used;
+}
+
 } // namespace
 
 Eigen::MatrixXd FitCoefficients(const Eigen::MatrixXd& from, const Eigen::MatrixXd& to)
@@ -53,7 +72,9 @@ FunctionalMaps RefineByZoomOut(const SampledSpectrum& a, const SampledSpectrum& 
   const Eigen::MatrixXd functionsA = a.Spectrum.Eigenfunctions(a.Samples, Eigen::all),
                         functionsB = b.Spectrum.Eigenfunctions(b.Samples, Eigen::all),
                         landmarksA = weight * a.Spectrum.Eigenfunctions(ofA, Eigen::all),
-                        landmarksB = weight * b.Spectrum.Eigenfunctions(ofB, Eigen::all);
+                        landmarksB = weight * b.Spectrum.Eigenfunctions(ofB, Eigen::all),
+                        candidatesA = a.Spectrum.Eigenfunctions(UsedPoints(a), Eigen::all),
+                        candidatesB = b.Spectrum.Eigenfunctions(UsedPoints(b), Eigen::all);
   FunctionalMaps maps = start;
   if (options.Step == 0)
   {
@@ -76,21 +97,19 @@ FunctionalMaps RefineByZoomOut(const SampledSpectrum& a, const SampledSpectrum& 
     const Eigen::Index knownA = maps.AToB.cols(), knownB = maps.AToB.rows(),
                        samplesA = samplesAt(size, functionsA.rows()),
                        samplesB = samplesAt(size, functionsB.rows());
-    // From functional maps to point maps (Melzi et al.): nearest rows, here on triangles instead of
-    // at vertices. A point's row of eigenfunctions on b is its image's row on a times the map's
-    // transpose.
-    const SurfacePoints onA = FindNearestSurfacePoints(functionsB.topLeftCorner(samplesB, knownB),
-                          a.Triangles,
-                          a.Spectrum.Eigenfunctions.leftCols(knownA) * maps.AToB.transpose()),
-                        onB = FindNearestSurfacePoints(functionsA.topLeftCorner(samplesA, knownA),
-                          b.Triangles,
-                          b.Spectrum.Eigenfunctions.leftCols(knownB) * maps.BToA.transpose());
+    // From functional maps to point maps (Melzi et al.): nearest rows, at vertices. Positions on
+    // triangles gave larger errors (Decisions). A point's row of eigenfunctions on b is its image's
+    // row on a times the map's transpose.
+    const Eigen::VectorXi onA = FindNearestRows(functionsB.topLeftCorner(samplesB, knownB),
+                            candidatesA.leftCols(knownA) * maps.AToB.transpose()),
+                          onB = FindNearestRows(functionsA.topLeftCorner(samplesA, knownA),
+                            candidatesB.leftCols(knownB) * maps.BToA.transpose());
     // From point maps to functional maps of the next size. Both point maps and the landmarks enter
     // both fits (MapTree, section 5).
     Pairs pairs{ functionsA.topLeftCorner(samplesA, size),
-      PullBack(onB, b.Triangles, b.Spectrum.Eigenfunctions.leftCols(size)) };
-    pairs.Append(PullBack(onA, a.Triangles, a.Spectrum.Eigenfunctions.leftCols(size)),
-      functionsB.topLeftCorner(samplesB, size));
+      candidatesB.leftCols(size)(onB, Eigen::all) };
+    pairs.Append(
+      candidatesA.leftCols(size)(onA, Eigen::all), functionsB.topLeftCorner(samplesB, size));
     pairs.Append(landmarksA.leftCols(size), landmarksB.leftCols(size));
     maps.AToB = FitCoefficients(pairs.OfA, pairs.OfB);
     maps.BToA = FitCoefficients(pairs.OfB, pairs.OfA);

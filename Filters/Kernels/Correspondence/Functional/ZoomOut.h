@@ -52,7 +52,7 @@ inline FunctionalMaps WithTranspose(const Eigen::MatrixXd& map)
 
 /**
  * Refines a map between two surfaces by alternating between functional maps and point maps, each
- * time adding eigenfunctions. A point map takes each point to the position on the other surface
+ * time adding eigenfunctions. A point map takes each sample to the vertex of the other surface
  * with the nearest eigenfunction values, after the functional map has been applied to them (Melzi,
  * Ren, Rodola, Sharma, Wonka and Ovsjanikov, "ZoomOut: spectral upsampling for efficient shape
  * correspondence", 2019, equations 1 to 3). Both directions are refined together: each functional
