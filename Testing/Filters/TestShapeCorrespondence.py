@@ -89,6 +89,21 @@ assert fact(found, 'Correspondence.Mirrored') == 0
 assert fact(found, 'Correspondence.Landmarks') >= 3
 assert abs(fact(found, 'Correspondence.DirichletEnergy') - 1.0) < 0.3
 
+# Another map: it fits worse, and goes elsewhere. There are so many, and no more.
+assert fact(found, 'Correspondence.Congruence') == 0, 'the poses differ'
+assert fact(found, 'Correspondence.Certain') == (fact(found, 'Correspondence.Confidence') >= 0.1)
+ranked = shapetesting.new(shapemap.vtkShapeCorrespondence, a, b, None, Method=FUNCTIONAL, Rank=1)
+second = shapetesting.outputs(ranked)[0]
+assert fact(second, 'Correspondence.IsometryError') > fact(found, 'Correspondence.IsometryError')
+assert fact(second, 'Correspondence.Confidence') == 0 and fact(second, 'Correspondence.Certain') == 0
+assert errors(second).mean() > 0.05, errors(second).mean()
+ranked.SetRank(int(fact(found, 'Correspondence.Alternatives')))
+assert 'different maps were found' in shapetesting.run(ranked)[0]
+# The figure itself, and its mirror image: it has a mirror symmetry nearly, but its pose has not.
+for factor, relation in ((1.0, 1), (-1.0, 2)):
+    image = surface_of(points(a)[order] @ turn.T * factor, place_of[triangles(a)][:, ::int(factor)])
+    assert int(fact(maps(a, image)[0], 'Correspondence.Congruence')) & relation
+
 # The three arrays say the same place, also where the other surface has vertices before its cells.
 for result, other in ((found, b), (back, a)):
     cells, weights = array(result, 'TargetCell'), array(result, 'TargetBarycentric')

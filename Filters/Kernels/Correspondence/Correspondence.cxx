@@ -22,6 +22,7 @@
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -210,25 +211,12 @@ void RequireRows(const Eigen::MatrixXd& features, const Surface& surface, const 
   }
 }
 
-/// The features of the coarse surfaces' points.
-PairFeatures Features(const PairFeatures& given, const CoarsePair& pair)
+void Renumber(std::vector<int>& indices, const std::vector<int>& points)
 {
-  PairFeatures features{ {}, {}, given.FeatureWeight };
-  if (given.OfA.cols() > 0)
+  for (int& index : indices)
   {
-    std::vector<int> onA(pair.A().Points().rows()), onB(pair.B().Points().rows());
-    for (std::size_t i = 0; i < onA.size(); ++i)
-    {
-      onA[i] = pair.FinePointOfA(static_cast<int>(i));
-    }
-    for (std::size_t i = 0; i < onB.size(); ++i)
-    {
-      onB[i] = pair.FinePointOfB(static_cast<int>(i));
-    }
-    features.OfA = given.OfA(onA, Eigen::all);
-    features.OfB = given.OfB(onB, Eigen::all);
+    index = points[index];
   }
-  return features;
 }
 
 /// Computes the maps of the fine surfaces. landmarks: of the coarse ones; on return, those used.
@@ -248,7 +236,7 @@ SurfaceMaps Find(const CoarsePair& pair, Landmarks& landmarks, const Options& op
       own.Samples = options.Samples;
       own.Eigenpairs = options.CouplingEigenpairs;
       own.Coupling = options.Coupling;
-      own.Features = Features(options.Features, pair);
+      own.Features = OnCoarse(options.Features, pair);
       // Landmarks that were found are a guess: they are starts of the coupling, which may correct
       // them.
       if (result.Found)
@@ -390,6 +378,7 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
     result.Start.Pairs = pair.OnFine(result.Start.Pairs);
     result.Start.Rival = pair.OnFine(result.Start.Rival);
     SetOnFine(pair, result.Coupling);
+    result.Congruent = FindCongruence(pair.A(), pair.B());
   }
   Landmarks kept = own;
   kept.insert(kept.end(), result.Start.Rival.begin(), result.Start.Rival.end());
@@ -447,20 +436,11 @@ CorrespondenceResult ComputeCorrespondence(const Surface& a, const Surface& b,
     }
     for (HandleLoop& loop : result.Handles->LoopsOfA)
     {
-      for (int& point : loop.Points)
-      {
-        point = one.Points[point];
-      }
+      Renumber(loop.Points, one.Points);
     }
   }
-  for (int& sample : result.Coupling.SamplesOfA)
-  {
-    sample = one.Points[sample];
-  }
-  for (int& sample : result.Coupling.SamplesOfB)
-  {
-    sample = two.Points[sample];
-  }
+  Renumber(result.Coupling.SamplesOfA, one.Points);
+  Renumber(result.Coupling.SamplesOfB, two.Points);
   result.Facts = EvaluateMaps(one.Surface, two.Surface, maps);
   if (compare)
   {

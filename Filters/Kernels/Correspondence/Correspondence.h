@@ -3,6 +3,7 @@
 #include "Base/Progress.h"
 #include "Correspondence/CommonBase/HandleLandmarks.h"
 #include "Correspondence/CorrespondenceOptions.h"
+#include "Correspondence/Evaluate/Congruence.h"
 #include "Correspondence/Evaluate/SurfaceMapFacts.h"
 #include "Correspondence/Functional/FunctionalMatrix.h"
 #include "Correspondence/Landmarks/AutomaticLandmarks.h"
@@ -26,6 +27,8 @@ struct CorrespondenceResult
   bool Found = false; ///< whether the landmarks were found automatically
   /// The result of FindLandmarks, if Found is true and FindLandmarksBy is Distances.
   AutomaticLandmarksResult Start;
+  /// Whether the surfaces are the same shape or mirror images, if Found is true.
+  std::optional<Congruence> Congruent;
   int VotingMaps = 0; ///< MoebiusVotes: see MoebiusVotes::Maps; otherwise 0
   /// MoebiusVotes: the mean confidence of the landmarks; otherwise -1.
   double VotingConfidence = -1.0;

@@ -45,6 +45,7 @@ struct CorrespondenceOptions
     MoebiusVotes = 1 ///< VoteByMoebiusMaps: up to 12 pairs of samples; genus 0, complete
   };
   FinderType FindLandmarksBy = FinderType::Distances;
+  int Rank = 0;                 ///< Distances: AutomaticLandmarksOptions::Rank
   int MaximumIterations = 100;  ///< ReversibleHarmonic: maximum number of iterations; >= 1
   int NumberOfEigenpairs = 120; ///< FunctionalMap: maximum number for each surface; >= 10
   int Samples = 500;            ///< GromovWasserstein: samples of each surface; >= 10

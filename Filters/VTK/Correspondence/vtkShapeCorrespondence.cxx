@@ -268,7 +268,14 @@ void vtkShapeCorrespondence::Execute(const shape::Progress& progress)
     add("Distortion", byDistances ? result.Start.Distortion : -1.0);
     add("MirroredDistortion", byDistances ? result.Start.MirroredDistortion : -1.0);
     add("MirrorImage", !byDistances ? -1.0 : result.Start.MirrorImage ? 1.0 : 0.0);
+    add("IsometryError", byDistances ? result.Start.Error : -1.0);
+    add("Alternatives", byDistances ? result.Start.Alternatives : 0.0);
     add("Confidence", byDistances ? result.Start.Confidence : -1.0);
+    add("Certain", !byDistances ? -1.0 : result.Start.Certain ? 1.0 : 0.0);
+    const auto& congruent = result.Congruent;
+    add("Congruence", congruent ? static_cast<double>(congruent->Relation) : -1.0);
+    add("MotionError", congruent ? congruent->MotionError : -1.0);
+    add("ReflectionError", congruent ? congruent->ReflectionError : -1.0);
     add("VotingMaps", result.VotingMaps);
     add("VotingConfidence", result.VotingConfidence);
     add("DirichletEnergy", result.Facts.DirichletEnergy);

@@ -96,8 +96,12 @@
  * - .Landmarks: number of landmarks used. .LandmarksFound: 1 if the filter found the landmarks
  *   itself, otherwise 0. .LandmarkTargets: where the positions on SurfaceB come from,
  *   "TargetPosition" or "TargetLandmarks"; only with Landmarks.
- * - .Distortion, .MirroredDistortion, .MirrorImage, .Confidence: see
- *   shape::AutomaticLandmarksResult. They are -1 unless landmarks were found by Distances.
+ * - .Distortion, .MirroredDistortion, .MirrorImage, .IsometryError (Error), .Alternatives,
+ *   .Confidence, .Certain: see shape::AutomaticLandmarksResult. They are -1, and .Alternatives is
+ * 0, unless landmarks were found by Distances.
+ * - .Congruence: 1 if SurfaceB is SurfaceA, moved and scaled. It is 2 if it is a mirror image, 3 if
+ * it is both, because the shape has a mirror symmetry, and 0 if it is neither. .MotionError and
+ *   .ReflectionError: see shape::Congruence. They are -1 if no landmarks were found.
  * - .VotingMaps, .VotingConfidence: with landmarks found by MoebiusVotes, the number of Moebius
  * maps that voted, and the mean confidence of the landmarks (shape::MoebiusVotes); otherwise 0 and
  * -1.
@@ -213,6 +217,7 @@ public:
   vtkShapeEnumOption(FindLandmarksBy, shape::CorrespondenceOptions::FinderType,
     shape::CorrespondenceOptions::FinderType::Distances,
     shape::CorrespondenceOptions::FinderType::MoebiusVotes);
+  vtkShapeOption(Rank, int);
   vtkShapeOptionAs(Options.Voting.Samples, VotingSamples, int);
   vtkShapeOptionAs(Options.Voting.Generators, VotingGenerators, int);
   vtkShapeOptionAs(Options.Voting.Triples, VotingTriples, int);

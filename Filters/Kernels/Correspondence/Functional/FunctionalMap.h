@@ -3,7 +3,7 @@
 #include "Base/Progress.h"
 #include "Correspondence/Functional/FunctionalGuide.h"
 #include "Correspondence/Functional/FunctionalMapFit.h"
-#include "Correspondence/Functional/ZoomOut.h"
+#include "Correspondence/Pair/ZoomOut.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
 #include "Mesh/Surface.h"
 

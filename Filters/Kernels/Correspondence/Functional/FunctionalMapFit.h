@@ -2,7 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Correspondence/Functional/FunctionalMapFitOptions.h"
-#include "Correspondence/Functional/ZoomOut.h"
+#include "Correspondence/Pair/ZoomOut.h"
 
 #include <Eigen/Core>
 

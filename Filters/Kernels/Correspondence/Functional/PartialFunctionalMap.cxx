@@ -1,7 +1,7 @@
 #include "Correspondence/Functional/PartialFunctionalMap.h"
 
 #include "Base/Errors.h"
-#include "Correspondence/Functional/ZoomOut.h"
+#include "Correspondence/Pair/ZoomOut.h"
 #include "Correspondence/Landmarks/LandmarkEmbedding.h"
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Geodesics/FarthestPoints.h"

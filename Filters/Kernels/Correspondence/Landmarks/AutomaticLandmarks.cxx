@@ -4,6 +4,7 @@
 #include "Correspondence/Landmarks/FeaturedSurface.h"
 #include "Correspondence/Landmarks/LandmarkEmbedding.h"
 #include "Correspondence/Landmarks/Private/FeatureAssignment.h"
+#include "Correspondence/Landmarks/Private/RefinedCandidate.h"
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Search/NearestSurfacePoints.h"
 
@@ -11,6 +12,8 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace shape
@@ -72,12 +75,39 @@ double MeanDifference(
   return a.Weights.dot(differences * a.Weights);
 }
 
-/// The distortions of the two maps of samples that pairs of features determine: the one that keeps
-/// the orientation, and the one that reverses it. They are means over both directions; for a part,
-/// only those of its own map, relative to its length.
+/// A map of the samples, which pairs of features determine.
+struct Candidate
+{
+  Landmarks Pairs;            ///< of features
+  Eigen::VectorXi AToB, BToA; ///< for each sample, its image: a sample of the other surface
+  double Distortion = Infinity;
+  double Error = Infinity; ///< by which candidates are ordered
+};
+
+/// The maps under a hypothesis, the best first; none if no three features agree.
+struct Found
+{
+  SurfacePart::WhichType Part = SurfacePart::WhichType::None;
+  double Share = 1.0;
+  ///@{
+  /// The points of the features; a part has fewer than its surface.
+  std::vector<int> FeaturesOfA, FeaturesOfB;
+  ///@}
+  std::vector<Candidate> Maps;
+  double MirroredDistortion = Infinity;
+
+  double Distortion() const
+  {
+    return this->Maps.empty() ? Infinity : this->Maps.front().Distortion;
+  }
+};
+
+/// The map of samples that pairs of features determine: the one that keeps the orientation, or the
+/// one that reverses it. Its distortion is the mean over both directions; for a part, that of its
+/// own map only, relative to its length.
 /// Assignments have too few distances to be compared by these alone; the map of all samples
 /// distinguishes the wrong ones.
-std::array<double, 2> Distortions(const Hypothesis& pair, const Landmarks& pairs)
+Candidate MapSamples(const Hypothesis& pair, const Landmarks& pairs, bool mirrored)
 {
   const FeaturedSurface &a = pair.A, &b = pair.B;
   std::vector<int> own, other;
@@ -86,95 +116,84 @@ std::array<double, 2> Distortions(const Hypothesis& pair, const Landmarks& pairs
     own.push_back(i);
     other.push_back(j);
   }
-  const Eigen::MatrixXd positionsA = EmbedByDistances(a.ToFeatures, a.Turns, own, 1.0);
-  std::array<double, 2> distortions = {};
-  for (int mirrored = 0; mirrored < 2; ++mirrored)
-  {
-    const Eigen::MatrixXd positionsB =
-      EmbedByDistances(b.ToFeatures, b.Turns, other, mirrored ? -1.0 : 1.0);
-    const double there = pair.Part == SurfacePart::WhichType::SurfaceB
-      ? 0.0
-      : MeanDifference(a, b, FindNearestRows(positionsA, positionsB));
-    const double back = pair.Part == SurfacePart::WhichType::SurfaceA
-      ? 0.0
-      : MeanDifference(b, a, FindNearestRows(positionsB, positionsA));
-    const bool isPart = pair.Part != SurfacePart::WhichType::None;
-    distortions[mirrored] = (isPart ? 1.0 / pair.Length : 0.5) * (there + back);
-  }
-  return distortions;
+  const Eigen::MatrixXd positionsA = EmbedByDistances(a.ToFeatures, a.Turns, own, 1.0),
+                        positionsB =
+                          EmbedByDistances(b.ToFeatures, b.Turns, other, mirrored ? -1.0 : 1.0);
+  Candidate map{ pairs, FindNearestRows(positionsA, positionsB),
+    FindNearestRows(positionsB, positionsA) };
+  const double there =
+    pair.Part == SurfacePart::WhichType::SurfaceB ? 0.0 : MeanDifference(a, b, map.AToB);
+  const double back =
+    pair.Part == SurfacePart::WhichType::SurfaceA ? 0.0 : MeanDifference(b, a, map.BToA);
+  const bool isPart = pair.Part != SurfacePart::WhichType::None;
+  map.Distortion = map.Error = (isPart ? 1.0 / pair.Length : 0.5) * (there + back);
+  return map;
 }
 
-/// Whether at least half of the features of A that both assign go to different features of B.
-bool Contradicts(const Landmarks& pairs, const Landmarks& others)
+/// The first `count` of the maps whose samples have images elsewhere than those of all before them:
+/// by more than a 20th of the root of the area, on average.
+std::vector<Candidate> Distinct(
+  const Hypothesis& pair, const std::vector<Candidate>& maps, std::size_t count)
 {
-  int common = 0, different = 0;
-  for (const auto& [i, j] : pairs)
+  constexpr double least = 0.05; // maps that refine to the same one are nearer
+  const bool fromB = pair.Part == SurfacePart::WhichType::SurfaceB;
+  const FeaturedSurface &from = fromB ? pair.B : pair.A, &to = fromB ? pair.A : pair.B;
+  const auto isNear = [&](const Candidate& one, const Candidate& other)
   {
-    for (const auto& [k, l] : others)
+    const Eigen::VectorXi &images = fromB ? one.BToA : one.AToB,
+                          &others = fromB ? other.BToA : other.AToB;
+    double mean = 0.0;
+    for (Eigen::Index i = 0; i < images.size(); ++i)
     {
-      common += i == k ? 1 : 0;
-      different += i == k && j != l ? 1 : 0;
+      mean += from.Weights(i) * to.Between(images(i), others(i));
+    }
+    return mean <= least;
+  };
+  std::vector<Candidate> distinct;
+  for (const Candidate& map : maps)
+  {
+    if (distinct.size() < count &&
+      std::none_of(distinct.begin(), distinct.end(),
+        [&](const Candidate& other) { return isNear(map, other); }))
+    {
+      distinct.push_back(map);
     }
   }
-  return common > 0 && 2 * different >= common;
+  return distinct;
 }
 
-/// The best result of a hypothesis; its distortions are infinite if no three features agree.
-/// The best candidate has the smallest distortion; its rival is the best one that contradicts it.
-AutomaticLandmarksResult Best(
+void Sort(std::vector<Candidate>& maps)
+{
+  std::stable_sort(maps.begin(), maps.end(),
+    [](const Candidate& one, const Candidate& other) { return one.Error < other.Error; });
+}
+
+/// How many maps are refined, and offered at most. (Of 62 pairs, the right one was the first or
+/// second one before it was refined; twice as many select the same.)
+constexpr std::size_t Offered = 8;
+
+Found FindMaps(
   const Hypothesis& pair, const AutomaticLandmarksOptions& options, const Progress& progress)
 {
   const std::vector<Landmarks> candidates = Candidates(pair, options, progress.Part(0.0, 0.5));
-  std::vector<double> distortions;
-  AutomaticLandmarksResult result;
-  result.Distortion = result.MirroredDistortion = result.RivalDistortion = Infinity;
-  result.Part = pair.Part;
-  std::size_t best = 0;
+  Found found;
+  found.Part = pair.Part;
+  found.FeaturesOfA = pair.A.Features;
+  found.FeaturesOfB = pair.B.Features;
   for (std::size_t c = 0; c < candidates.size(); ++c)
   {
     progress(0.5 + 0.5 * static_cast<double>(c) / static_cast<double>(candidates.size()));
-    const auto [kept, mirrored] = Distortions(pair, candidates[c]);
-    distortions.push_back(kept);
-    best = kept < distortions[best] ? c : best;
-    result.MirroredDistortion = std::min(result.MirroredDistortion, mirrored);
+    found.Maps.push_back(MapSamples(pair, candidates[c], false));
+    found.MirroredDistortion =
+      std::min(found.MirroredDistortion, MapSamples(pair, candidates[c], true).Distortion);
   }
-  if (candidates.empty())
-  {
-    return result;
-  }
-  result.Distortion = distortions[best];
-  std::size_t rival = best;
-  for (std::size_t c = 0; c < candidates.size(); ++c)
-  {
-    if (distortions[c] < result.RivalDistortion && Contradicts(candidates[c], candidates[best]))
-    {
-      result.RivalDistortion = distortions[c];
-      rival = c;
-    }
-  }
-  // A mirror-symmetric shape has equal distortions up to noise: see MirrorImage.
-  constexpr double clear = 0.85;
-  result.MirrorImage = result.MirroredDistortion < clear * result.Distortion;
-  // Of equal surfaces both distortions are 0; the ratio is then 1 and the confidence 0.
-  constexpr double rounding = 1e-9;
-  result.Confidence =
-    std::max(0.0, 1.0 - (result.Distortion + rounding) / (result.RivalDistortion + rounding));
-  const auto points = [&](const Landmarks& features)
-  {
-    Landmarks pairs;
-    for (const auto& [i, j] : features)
-    {
-      pairs.push_back({ pair.A.Features[i], pair.B.Features[j] });
-    }
-    return pairs;
-  };
-  result.Pairs = points(candidates[best]);
-  result.Rival = rival == best ? Landmarks() : points(candidates[rival]);
-  return result;
+  Sort(found.Maps);
+  found.Maps = Distinct(pair, found.Maps, Offered);
+  return found;
 }
 
-/// The best result over several shares of the area that one surface may have of the other one's.
-AutomaticLandmarksResult BestPart(const FeaturedSurface& a, const FeaturedSurface& b,
+/// The maps over several shares of the area that one surface may have of the other one's.
+Found FindMapsOfPart(const FeaturedSurface& a, const FeaturedSurface& b,
   SurfacePart::WhichType which, const AutomaticLandmarksOptions& options, const Progress& progress)
 {
   // Areas of 85 % down to 0.85^10 = 20 %. A neighbouring share differs by 8 % in length, within the
@@ -182,22 +201,23 @@ AutomaticLandmarksResult BestPart(const FeaturedSurface& a, const FeaturedSurfac
   constexpr double largest = 0.85, factor = 0.85;
   constexpr int count = 10;
   const bool isA = which == SurfacePart::WhichType::SurfaceA;
-  std::vector<AutomaticLandmarksResult> tried;
+  std::vector<Found> tried;
   std::size_t best = 0;
   for (int k = 0; k < count; ++k)
   {
     const double share = largest * std::pow(factor, k);
-    tried.push_back(Best({ isA ? RestrictToPart(a, share) : a, isA ? b : RestrictToPart(b, share),
-                           which, std::sqrt(share) },
+    tried.push_back(FindMaps({ isA ? RestrictToPart(a, share) : a,
+                               isA ? b : RestrictToPart(b, share), which, std::sqrt(share) },
       options, progress.Part(k / 10.0, (k + 1) / 10.0)));
-    best = tried[k].Distortion < tried[best].Distortion ? k : best;
+    best = tried[k].Distortion() < tried[best].Distortion() ? k : best;
   }
   // The minimum of the parabola through three distortions gives a share between them.
   double position = static_cast<double>(best);
   if (best > 0 && best + 1 < tried.size())
   {
-    const double minimum = tried[best].Distortion, before = tried[best - 1].Distortion - minimum,
-                 after = tried[best + 1].Distortion - minimum;
+    const double minimum = tried[best].Distortion(),
+                 before = tried[best - 1].Distortion() - minimum,
+                 after = tried[best + 1].Distortion() - minimum;
     position += std::isfinite(before + after) && before + after > 0.0
       ? 0.5 * (before - after) / (before + after)
       : 0.0;
@@ -206,55 +226,156 @@ AutomaticLandmarksResult BestPart(const FeaturedSurface& a, const FeaturedSurfac
   return tried[best];
 }
 
+/// The pairs of features that a refined map takes near each other; all if these are less than
+/// three.
+Landmarks Agreeing(const Landmarks& pairs, const RefinedCandidate& map, const FeaturedSurface& b)
+{
+  constexpr double near = 0.2; // over the root of the area: twice the distance of samples and more
+  Landmarks agreeing;
+  for (const auto& [i, j] : pairs)
+  {
+    if (b.ToFeatures(map.FeaturesToB(i), j) < near)
+    {
+      agreeing.push_back({ i, j });
+    }
+  }
+  constexpr std::size_t fewest = 3;
+  return agreeing.size() < fewest ? pairs : agreeing;
+}
+
+/// Refines the maps of complete surfaces, and orders them by the geometric mean of their three
+/// errors. (Of 39 pairs, it selects the right map of all, as does any mean with that of
+/// commutativity; this one differs most between the right map and its rival, beside its spread.)
+void Refine(const Surface& a, const Surface& b, const Hypothesis& pair,
+  std::vector<Candidate>& maps, const Progress& progress)
+{
+  const CandidateRefinement refinement(a, pair.A, b, pair.B, progress.Part(0.0, 0.4));
+  for (std::size_t k = 0; k < maps.size(); ++k)
+  {
+    const auto done = [&](std::size_t count)
+    { return 0.4 + 0.6 * static_cast<double>(count) / static_cast<double>(maps.size()); };
+    RefinedCandidate refined =
+      refinement.Refine(maps[k].AToB, maps[k].BToA, progress.Part(done(k), done(k + 1)));
+    maps[k].Pairs = Agreeing(maps[k].Pairs, refined, pair.B);
+    maps[k].AToB = std::move(refined.AToB);
+    maps[k].Error = std::cbrt(maps[k].Distortion * refined.Commutativity * refined.Orthonormality);
+  }
+  Sort(maps);
+  maps = Distinct(pair, maps, maps.size());
+}
+
+/// The result: the map of the wanted rank, and the best one of the others. smallest: the smallest
+/// distortion of any map.
+AutomaticLandmarksResult Describe(const Found& found, double smallest, int rank)
+{
+  const auto wanted = static_cast<std::size_t>(rank);
+  if (wanted >= found.Maps.size())
+  {
+    throw InvalidInput("Rank is " + std::to_string(rank) + ", but only " +
+      std::to_string(found.Maps.size()) + " different maps were found; set Rank to at most " +
+      std::to_string(found.Maps.size() - 1));
+  }
+  const auto points = [&](const Landmarks& features)
+  {
+    Landmarks pairs;
+    for (const auto& [i, j] : features)
+    {
+      pairs.push_back({ found.FeaturesOfA[i], found.FeaturesOfB[j] });
+    }
+    return pairs;
+  };
+  const Candidate& map = found.Maps[wanted];
+  AutomaticLandmarksResult result;
+  result.Part = found.Part;
+  result.Share = found.Share;
+  result.Alternatives = static_cast<int>(found.Maps.size());
+  result.Pairs = points(map.Pairs);
+  result.Distortion = map.Distortion;
+  result.Error = map.Error;
+  result.MirroredDistortion = found.MirroredDistortion;
+  // A mirror-symmetric shape has equal distortions up to noise: see MirrorImage.
+  constexpr double clear = 0.85;
+  result.MirrorImage = result.MirroredDistortion < clear * smallest;
+  result.RivalDistortion = result.RivalError = Infinity;
+  if (found.Maps.size() > 1)
+  {
+    const Candidate& rival = found.Maps[wanted == 0 ? 1 : 0];
+    result.Rival = points(rival.Pairs);
+    result.RivalDistortion = rival.Distortion;
+    result.RivalError = rival.Error;
+  }
+  // The errors of equal surfaces are 0; of two symmetric maps, the ratio is then 1 and the
+  // confidence 0.
+  constexpr double rounding = 1e-6; // of the eigenpairs
+  result.Confidence =
+    std::max(0.0, 1.0 - (result.Error + rounding) / (result.RivalError + rounding));
+  constexpr double certain = 0.1;
+  result.Certain = result.Confidence >= certain;
+  return result;
+}
+
 } // namespace
 
 // 1. Find features on both surfaces, and samples described relative to them (FindFeatures).
 // 2. For each hypothesis (both complete, A a part of B, B a part of A), find assignments of
 //    features that agree on the distances between them (Candidates).
-// 3. Let each assignment map the samples, and take the one that changes their distances least
-//    (Best).
+// 3. Let each assignment map the samples, and keep the different maps that change their distances
+//    least (FindMaps).
 // 4. Accept a part only if it explains the distances clearly better than two complete surfaces.
+// 5. Refine the maps of complete surfaces, and order them by what is left of their errors (Refine).
 AutomaticLandmarksResult FindLandmarks(const Surface& a, const Surface& b,
   const AutomaticLandmarksOptions& options, const Progress& progress)
 {
   RequireOption(options.Samples >= 20, "Samples", options.Samples, "at least 20");
   RequireOption(options.Features >= 6, "Features", options.Features, "at least 6");
   RequireOption(options.Candidates >= 1, "Candidates", options.Candidates, "at least 1");
+  RequireOption(options.Rank >= 0, "Rank", options.Rank, "at least 0");
   RequireConnected(a, "surface A");
   RequireConnected(b, "surface B");
   const FeaturedSurface onA = FindFeatures(
-                          a, options.Samples, options.Features, progress.Part(0.0, 0.4)),
+                          a, options.Samples, options.Features, progress.Part(0.0, 0.2)),
                         onB = FindFeatures(
-                          b, options.Samples, options.Features, progress.Part(0.4, 0.8));
+                          b, options.Samples, options.Features, progress.Part(0.2, 0.4));
   using Which = SurfacePart::WhichType;
-  AutomaticLandmarksResult result, part;
-  result.Distortion = part.Distortion = Infinity;
+  const Hypothesis whole{ onA, onB, Which::None, 1.0 };
+  Found found, part;
   if (options.BothWhole)
   {
-    result = Best({ onA, onB, Which::None, 1.0 }, options, progress.Part(0.8, 0.9));
+    found = FindMaps(whole, options, progress.Part(0.4, 0.5));
   }
   const bool isOpenA = onA.DistanceToBoundary.allFinite(),
              isOpenB = onB.DistanceToBoundary.allFinite();
   if (options.PartA && (isOpenA || !options.BothWhole))
   {
-    part = BestPart(onA, onB, Which::SurfaceA, options, progress.Part(0.9, 0.95));
+    part = FindMapsOfPart(onA, onB, Which::SurfaceA, options, progress.Part(0.5, 0.55));
   }
   if (options.PartB && (isOpenB || !options.BothWhole))
   {
-    AutomaticLandmarksResult other =
-      BestPart(onA, onB, Which::SurfaceB, options, progress.Part(0.95, 1.0));
-    part = other.Distortion < part.Distortion ? other : part;
+    Found other = FindMapsOfPart(onA, onB, Which::SurfaceB, options, progress.Part(0.55, 0.6));
+    if (other.Distortion() < part.Distortion())
+    {
+      part = std::move(other);
+    }
   }
   // A part has one parameter more, its share, and only one direction is measured, so it always fits
   // a little better.
   constexpr double better = 0.7; // factor for accepting a part
-  result = part.Distortion < better * result.Distortion ? part : result;
-  if (result.Pairs.empty())
+  if (part.Distortion() < better * found.Distortion())
+  {
+    found = std::move(part);
+  }
+  if (found.Maps.empty())
   {
     throw InvalidInput(
       "no landmarks were found: no three features of surface A are as far apart as "
       "three features of surface B; give Landmarks");
   }
+  const double smallest = found.Distortion();
+  if (found.Part == Which::None)
+  {
+    Refine(a, b, whole, found.Maps, progress.Part(0.6, 1.0));
+  }
+  const AutomaticLandmarksResult result = Describe(found, smallest, options.Rank);
   progress(1.0);
   return result;
 }

@@ -76,6 +76,7 @@ FeaturedSurface FindFeatures(
   found.DistanceToBoundary =
     BoundaryDistances(surface, progress.Part(1.0, 1.0))(found.Features) / sampled.Length;
   found.Apart = 0.5 * (apart + apart.transpose());
+  found.Samples = sampled.Points;
   found.Weights = sampled.Weights;
   found.Between = sampled.Between();
   found.ToFeatures = distances(sampled.Points, Eigen::all);
@@ -104,8 +105,8 @@ FeaturedSurface RestrictToPart(const FeaturedSurface& surface, double share)
     }
   }
   FeaturedSurface part{ {}, scale * surface.Remoteness(kept),
-    scale * surface.DistanceToBoundary(kept), scale * surface.Apart(kept, kept), surface.Weights,
-    scale * surface.Between, scale * surface.ToFeatures(Eigen::all, kept),
+    scale * surface.DistanceToBoundary(kept), scale * surface.Apart(kept, kept), surface.Samples,
+    surface.Weights, scale * surface.Between, scale * surface.ToFeatures(Eigen::all, kept),
     surface.Turns(Eigen::all, columns) };
   for (const int i : kept)
   {

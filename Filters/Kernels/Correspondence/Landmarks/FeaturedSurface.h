@@ -20,6 +20,7 @@ struct FeaturedSurface
   /// k values: distance of each feature from the boundary; infinite without a boundary.
   Eigen::VectorXd DistanceToBoundary;
   Eigen::MatrixXd Apart;      ///< k x k: distances between the features
+  std::vector<int> Samples;   ///< s points
   Eigen::VectorXd Weights;    ///< s values: weights of the samples, with sum 1
   Eigen::MatrixXd Between;    ///< s x s: distances between the samples
   Eigen::MatrixXd ToFeatures; ///< s x k: distances from the samples to the features

@@ -69,6 +69,7 @@ LandmarkSearch SearchLandmarks(const Surface& a, const Surface& b, const Landmar
     return FindByVotes(a, b, given, progress);
   }
   AutomaticLandmarksOptions options;
+  options.Rank = given.Rank;
   options.BothWhole = !isA && !isB;
   options.PartA = isA || part == Part::Automatic;
   options.PartB = isB || part == Part::Automatic;

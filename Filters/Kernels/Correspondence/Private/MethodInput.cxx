@@ -197,4 +197,24 @@ void RequireMethodInput(const Surface& a, const Surface& b, const Landmarks& lan
   }
 }
 
+PairFeatures OnCoarse(const PairFeatures& given, const CoarsePair& pair)
+{
+  PairFeatures features{ {}, {}, given.FeatureWeight };
+  if (given.OfA.cols() > 0)
+  {
+    std::vector<int> onA(pair.A().Points().rows()), onB(pair.B().Points().rows());
+    for (std::size_t i = 0; i < onA.size(); ++i)
+    {
+      onA[i] = pair.FinePointOfA(static_cast<int>(i));
+    }
+    for (std::size_t i = 0; i < onB.size(); ++i)
+    {
+      onB[i] = pair.FinePointOfB(static_cast<int>(i));
+    }
+    features.OfA = given.OfA(onA, Eigen::all);
+    features.OfB = given.OfB(onB, Eigen::all);
+  }
+  return features;
+}
+
 } // namespace shape

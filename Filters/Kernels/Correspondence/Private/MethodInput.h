@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Correspondence/CorrespondenceOptions.h"
+#include "Correspondence/Pair/CoarsePair.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
 #include "Mesh/Surface.h"
 
@@ -25,5 +26,8 @@ namespace shape
  */
 void RequireMethodInput(const Surface& a, const Surface& b, const Landmarks& landmarks,
   const CorrespondenceOptions& options);
+
+/// Returns the features of the coarse surfaces' points.
+PairFeatures OnCoarse(const PairFeatures& given, const CoarsePair& pair);
 
 } // namespace shape

@@ -37,6 +37,7 @@ void RequireMethodOptions(const CorrespondenceOptions& options)
   RequireAtLeast(10, options.NumberOfEigenpairs, "NumberOfEigenpairs");
   RequireOption(options.CoarsePoints == 0 || options.CoarsePoints >= 100, "CoarsePoints",
     options.CoarsePoints, "0 or at least 100");
+  RequireAtLeast(0, options.Rank, "Rank");
   RequireAtLeast(10, options.Samples, "Samples");
   RequireAtLeast(1, options.MaximumIterations, "MaximumIterations");
 

@@ -128,6 +128,39 @@ TEST(AutomaticLandmarks, OrientationTellsTheSidesOfASymmetricAnimal)
   EXPECT_LE(same, static_cast<int>(other.Pairs.size()) / 2); // those in the middle
 }
 
+TEST(AutomaticLandmarks, AreThoseOfTheRankedMap)
+{
+  const shape::Mesh a = Model("bull");
+  const shapetest::Renumbered copy = shapetest::Renumber(a, 7);
+  const auto best = shape::FindLandmarks(a, copy.Mesh);
+  EXPECT_LT(best.Error, 1e-3); // the same triangles
+  EXPECT_TRUE(best.Certain);
+  ASSERT_GE(best.Alternatives, 2);
+  shape::AutomaticLandmarksOptions options;
+  double last = best.Error;
+  for (options.Rank = 1; options.Rank < best.Alternatives; ++options.Rank)
+  {
+    const auto other = shape::FindLandmarks(a, copy.Mesh, options);
+    EXPECT_EQ(other.Alternatives, best.Alternatives);
+    EXPECT_GE(other.Error, last);
+    EXPECT_EQ(other.RivalError, best.Error);
+    EXPECT_EQ(other.Rival, best.Pairs);
+    EXPECT_EQ(other.Confidence, 0.0);
+    EXPECT_FALSE(other.Certain);
+    EXPECT_NE(other.Pairs, best.Pairs);
+    if (options.Rank == 1)
+    {
+      EXPECT_EQ(best.Rival, other.Pairs);
+      EXPECT_EQ(best.RivalError, other.Error);
+    }
+    last = other.Error;
+  }
+  EXPECT_REFUSED(shape::FindLandmarks(a, copy.Mesh, options), "Rank is",
+    "set Rank to at most " + std::to_string(best.Alternatives - 1));
+  options.Rank = -1;
+  EXPECT_REFUSED(shape::FindLandmarks(a, copy.Mesh, options), "Rank is -1");
+}
+
 TEST(AutomaticLandmarks, WorksOnAnyTopology)
 {
   for (const char* name : { "elephant", "elk", "head" }) // of genus 3 and 1; with three borders

@@ -1,4 +1,4 @@
-#include "Correspondence/Functional/ZoomOut.h"
+#include "Correspondence/Pair/ZoomOut.h"
 
 #include "Search/NearestSurfacePoints.h"
 
