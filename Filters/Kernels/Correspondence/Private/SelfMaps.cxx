@@ -1,6 +1,6 @@
 #include "Correspondence/Private/SelfMaps.h"
 
-#include "Correspondence/Functional/ZoomOut.h"
+#include "Correspondence/Pair/ZoomOut.h"
 #include "Search/NearestSurfacePoints.h"
 
 #include <Eigen/SVD>
