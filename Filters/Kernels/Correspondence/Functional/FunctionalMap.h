@@ -3,8 +3,8 @@
 #include "Base/Progress.h"
 #include "Correspondence/Functional/FunctionalGuide.h"
 #include "Correspondence/Functional/FunctionalMapFit.h"
-#include "Correspondence/Pair/ZoomOut.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
+#include "Correspondence/Pair/ZoomOut.h"
 #include "Mesh/Surface.h"
 
 namespace shape

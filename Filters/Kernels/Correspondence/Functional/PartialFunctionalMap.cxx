@@ -1,9 +1,9 @@
 #include "Correspondence/Functional/PartialFunctionalMap.h"
 
 #include "Base/Errors.h"
-#include "Correspondence/Pair/ZoomOut.h"
 #include "Correspondence/Landmarks/LandmarkEmbedding.h"
 #include "Correspondence/Pair/MatchingInput.h"
+#include "Correspondence/Pair/ZoomOut.h"
 #include "Geodesics/FarthestPoints.h"
 #include "Search/NearestSurfacePoints.h"
 #include "Spectrum/LaplaceEigenproblem.h"
