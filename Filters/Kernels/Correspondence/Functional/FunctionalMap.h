@@ -20,7 +20,7 @@ struct FunctionalMapOptions
     Both = 2
   };
   DescriptorType Use = DescriptorType::Both;
-  int Samples = 1000;   ///< points of each surface used by the refinement; >= 10
+  int Samples = 500;    ///< points of each surface used by the refinement; >= 10
   int Descriptors = 25; ///< number of wave kernel energies, and of heat kernel times; >= 1
   FunctionalMapFitOptions Fit;
   ZoomOutOptions Refinement;
