@@ -60,7 +60,7 @@ struct SymmetryResult
  *
  * The group is found by distances on a coarse surface of SearchPoints; a surface with fewer than
  * twice as many points is bisected first. Elements that move points by less than 0.15 of the root
- * of the area on average are not told apart. Each element is then fitted to 40 eigenfunctions of
+ * of the area on average count as one. Each element is then fitted to 40 eigenfunctions of
  * the surface itself, or of a coarse one of CoarsePoints. The quotient by the group is a
  * fundamental domain (Ovsjanikov, Merigot, Patraucean and Guibas, "Shape matching via quotient
  * spaces", 2013).

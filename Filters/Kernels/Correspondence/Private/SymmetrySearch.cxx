@@ -20,7 +20,7 @@ namespace
 
 constexpr int SampleCount = 100;
 /// Lengths are relative to the root of the area. Two maps that take points this near each other are
-/// one map; points nearer than this are not told apart as candidates.
+/// one map; points nearer than this are one candidate.
 constexpr double SameMap = 0.15, Neighbourhood = 0.1;
 /// The largest root mean square difference of distances of a candidate, and the largest distortion
 /// of a map of points to points. These have the errors of the points' spacing.
