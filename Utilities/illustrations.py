@@ -471,20 +471,30 @@ def Collection():
     return (0.0, -1.0, 0.0), FRONT[1]
 
 
-@drawing
-def Symmetry():
-    """A bent figure, and a star of five arms with the curves that reflections keep."""
+def symmetry(surface, x, name):
+    """The surface at x in the colours of its copies, under that name. Returns the filter."""
+    found = ShapeSymmetry(Input=surface)
+    part = Calculator(Input=found, AttributeType='Cell Data', Function='Copy', ResultArrayName=name)
+    part = PassArrays(Input=part, CellDataArrays=[name], PointDataArrays=['Normals'])
+    show(part, (x, 0, 0), array=name, kind='CELLS', preset='Viridis (matplotlib)')
+    return found
+
+
+def symmetry_of_star(x):
+    """A star of five arms with the curves that reflections keep."""
     ball = Clean(Input=Sphere(Radius=0.42, ThetaResolution=72, PhiResolution=72))
     wave = '(1 + 0.45*cos(5*atan(coordsX/coordsZ) + 5*3.14159265*(coordsZ < 0))*((coordsX^2 + coordsZ^2)/0.1764)^2)'
     star = Calculator(Input=ball, CoordinateResults=1,
                       Function='coordsX*%s*iHat + 0.4*coordsY*jHat + (coordsZ*%s + 0.5)*kHat' % (wave, wave))
-    for surface, x, name in ((shape('FigureB.vtp'), -0.75, 'CopyOfFigure'), (star, 0.75, 'CopyOfStar')):
-        found = ShapeSymmetry(Input=surface)
-        part = Calculator(Input=found, AttributeType='Cell Data', Function='Copy', ResultArrayName=name)
-        part = PassArrays(Input=part, CellDataArrays=[name], PointDataArrays=['Normals'])
-        show(part, (x, 0, 0), array=name, kind='CELLS', preset='Viridis (matplotlib)')
-    show(Tube(Input=OutputPort(found, 1), Radius=0.02), (x, 0, 0), colour=ACCENT)  # of the star
+    found = symmetry(star, x, 'CopyOfStar')
+    show(Tube(Input=OutputPort(found, 1), Radius=0.02), (x, 0, 0), colour=ACCENT)
     return FRONT
+
+
+@drawing
+def Symmetry():
+    symmetry(shape('FigureB.vtp'), -0.75, 'CopyOfFigure')
+    return symmetry_of_star(0.75)
 
 
 @drawing

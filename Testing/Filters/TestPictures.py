@@ -129,10 +129,14 @@ def Example():
     return ABOVE
 
 
+def Symmetry():
+    """Of the star only: the middle of a bent figure moves by a triangle with the rounding of another processor."""
+    return illustrations.symmetry_of_star(0)
 
 
 view = illustrations.open_view(SIZE)
-scenes = {scene.__name__: scene for scene in (Landmarks, LandmarksReader, OFFReader, MeditReader, Example, CommonBase)}
+scenes = {scene.__name__: scene for scene in (Landmarks, LandmarksReader, OFFReader, MeditReader, Example, CommonBase,
+                                              Symmetry)}
 # The picture of what Shape Medit Reader and Shape Deck Reader read shows what the writer wrote, too. Others' programs read the files of
 # the other writers, or a test does. The web page of Shape HTML Writer
 # is tested in a browser.
