@@ -38,4 +38,21 @@ Eigenpairs FindLargestEigenpairs(Eigen::MatrixXd matrix, int count, const Progre
   return { values.tail(count).reverse(), matrix.rightCols(count).rowwise().reverse() };
 }
 
+void FixSigns(Eigen::MatrixXd& columns)
+{
+  for (Eigen::Index c = 0; c < columns.cols(); ++c)
+  {
+    const double greatest = (1.0 - 1e-6) * columns.col(c).cwiseAbs().maxCoeff();
+    Eigen::Index at = 0;
+    while (std::abs(columns(at, c)) < greatest)
+    {
+      ++at;
+    }
+    if (columns(at, c) < 0.0)
+    {
+      columns.col(c) *= -1.0;
+    }
+  }
+}
+
 } // namespace shape

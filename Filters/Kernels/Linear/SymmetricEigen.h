@@ -19,4 +19,8 @@ struct Eigenpairs
 /// matrix is not finite, std::bad_alloc, and Aborted.
 Eigenpairs FindLargestEigenpairs(Eigen::MatrixXd matrix, int count, const Progress& progress = {});
 
+/// Gives each column the sign that makes its entry of the greatest magnitude positive. Of entries
+/// that differ by rounding, the first one decides.
+void FixSigns(Eigen::MatrixXd& columns);
+
 } // namespace shape

@@ -1,21 +1,15 @@
 #include "vtkShapeCollection.h"
 
-#include "vtkShapeComposite.h"
+#include "vtkShapeBlocks.h"
 #include "vtkShapeConvert.h"
-#include "vtkShapeGather.h"
 #include "vtkShapePreciseMap.h"
 
-#include "vtkDataObjectTreeIterator.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkInformation.h"
 #include "vtkIntArray.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPartitionedDataSet.h"
-#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
@@ -37,67 +31,6 @@ namespace
 
 /// The outputs that are tables.
 constexpr int ShapesPort = 1, DistancesPort = 2, OperatorsPort = 3;
-
-/// A surface of the collection, which is the same on every process.
-struct CollectionBlock
-{
-  vtkSmartPointer<vtkPolyData> Data;
-  std::string Name;
-};
-
-/// The data and the name of each block of the top level; both may be missing on this process.
-std::vector<std::pair<vtkDataObject*, std::string>> ListBlocks(vtkDataObject* data)
-{
-  std::vector<std::pair<vtkDataObject*, std::string>> blocks;
-  const auto add = [&](vtkDataObject* block, vtkInformation* about)
-  {
-    const char* name = about ? about->Get(vtkCompositeDataSet::NAME()) : nullptr;
-    blocks.emplace_back(block, name ? name : "");
-  };
-  if (auto* tree = vtkMultiBlockDataSet::SafeDownCast(data))
-  {
-    for (unsigned int i = 0; i < tree->GetNumberOfBlocks(); ++i)
-    {
-      add(tree->GetBlock(i), tree->HasMetaData(i) ? tree->GetMetaData(i) : nullptr);
-    }
-  }
-  else if (auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(data))
-  {
-    for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
-    {
-      add(collection->GetPartitionedDataSet(i),
-        collection->HasMetaData(i) ? collection->GetMetaData(i) : nullptr);
-    }
-  }
-  else
-  {
-    add(data, nullptr);
-  }
-  return blocks;
-}
-
-/// Returns the shapes of all processes. Empty blocks are left out.
-std::vector<CollectionBlock> GatherBlocks(
-  vtkDataObject* data, vtkMultiProcessController* controller)
-{
-  vtkShapeGather::RunOnAllOrFail(controller, [&] { vtkShapeComposite::RequireDataSets(data); });
-  std::vector<std::pair<vtkDataObject*, std::string>> own = ListBlocks(data);
-  auto count = static_cast<double>(own.size());
-  vtkShapeGather::Reduce(controller, &count, 1, vtkShapeGather::Reduction::Maximum);
-  own.resize(static_cast<std::size_t>(count));
-  std::vector<CollectionBlock> blocks;
-  for (const auto& [block, name] : own)
-  {
-    if (vtkShapeGather::CountPoints(block, controller) > 0)
-    {
-      std::vector<int> ownPoints;
-      blocks.push_back({ vtkShapeGather::Gather(block, "Shapes", vtkShapeGather::Joined::Coincident,
-                           controller, ownPoints),
-        name });
-    }
-  }
-  return blocks;
-}
 
 /// Reads the map of a shape onto the template.
 shape::SurfacePoints ReadImages(vtkPolyData* data, const std::string& name,
@@ -192,8 +125,8 @@ void vtkShapeCollection::WriteTables(
 // 3. Every process computes the same. The first one writes it.
 void vtkShapeCollection::Execute(const shape::Progress& progress)
 {
-  const std::vector<CollectionBlock> blocks =
-    GatherBlocks(this->GetInputDataObject(0, 0), this->GetController());
+  const std::vector<vtkShapeBlocks::Block> blocks =
+    vtkShapeBlocks::Gather(this->GetInputDataObject(0, 0), this->GetController());
   const bool given = this->GetNumberOfInputConnections(1) > 0,
              mapped = this->Correspondence == CorrespondenceType::Maps;
   if (mapped && !given)

@@ -2,7 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Correspondence/Evaluate/Private/TriangleProducts.h"
-#include "Geometry/FitRotation.h"
+#include "Geometry/Procrustes.h"
 #include "Linear/SymmetricEigen.h"
 #include "Spectrum/LaplaceEigenproblem.h"
 
@@ -92,25 +92,6 @@ private:
   Eigen::Index First;
 };
 
-/// Each column gets the sign that makes its entry of the greatest magnitude positive. Of entries
-/// that differ by rounding, the first one decides.
-void FixSigns(Eigen::MatrixXd& columns)
-{
-  for (Eigen::Index c = 0; c < columns.cols(); ++c)
-  {
-    const double greatest = (1.0 - 1e-6) * columns.col(c).cwiseAbs().maxCoeff();
-    Eigen::Index at = 0;
-    while (std::abs(columns(at, c)) < greatest)
-    {
-      ++at;
-    }
-    if (columns(at, c) < 0.0)
-    {
-      columns.col(c) *= -1.0;
-    }
-  }
-}
-
 void RequireShapes(const Surface& base, const std::vector<CollectionShape>& shapes, Measure measure)
 {
   if (shapes.empty())
@@ -146,34 +127,14 @@ void RequireShapes(const Surface& base, const std::vector<CollectionShape>& shap
   }
 }
 
-/// Returns points moved so that their weighted mean is 0.
-Eigen::MatrixXd Centred(const Eigen::MatrixXd& points, const Eigen::VectorXd& weights)
-{
-  return points.rowwise() - (weights.transpose() * points).eval() / weights.sum();
-}
-
-/// Returns `points` after the rotation that is nearest to `target`; both are centred.
-Eigen::MatrixXd Turned(
-  const Eigen::MatrixXd& points, const Eigen::MatrixXd& target, const Eigen::VectorXd& weights)
-{
-  const Eigen::Matrix3d rotation = FitRotation(target.transpose() * weights.asDiagonal() * points);
-  return points * rotation.transpose();
-}
-
-double RootMeanSquare(const Eigen::MatrixXd& differences, const Eigen::VectorXd& weights)
-{
-  return std::sqrt(weights.dot(differences.rowwise().squaredNorm()) / weights.sum());
-}
-
-/// The distances after the best rigid motion, and the deviation from the mean shape (Gower,
-/// "Generalized Procrustes analysis", 1975).
+/// The distances after the best rigid motion, and the deviation from the mean shape (Superimpose).
 void CompareSuperimposed(const std::vector<CollectionShape>& shapes, const Eigen::VectorXd& weights,
   const Progress& progress, CollectionResult& result)
 {
   std::vector<Eigen::MatrixXd> points;
   for (const CollectionShape& shape : shapes)
   {
-    points.push_back(Centred(shape.Shape.Points(), weights));
+    points.push_back(MoveToCentre(shape.Shape.Points(), weights));
   }
   const auto count = static_cast<Eigen::Index>(points.size());
   for (Eigen::Index i = 0; i < count; ++i)
@@ -181,28 +142,16 @@ void CompareSuperimposed(const std::vector<CollectionShape>& shapes, const Eigen
     progress(0.9 * static_cast<double>(i) / static_cast<double>(count));
     for (Eigen::Index j = 0; j < i; ++j)
     {
+      const Eigen::Matrix3d rotation = FitRotation(points[i], points[j], weights);
       result.Distances(i, j) = result.Distances(j, i) =
-        RootMeanSquare(Turned(points[i], points[j], weights) - points[j], weights);
+        RootMeanSquare(points[i] * rotation.transpose() - points[j], weights);
     }
   }
-  // Rotations to the mean and the mean of the rotated shapes, by turns.
-  Eigen::MatrixXd mean = points[0];
-  constexpr int rounds = 10;
-  for (int round = 0; round < rounds; ++round)
+  const Superimposed all = Superimpose(std::move(points), weights, false, progress.Part(0.9, 1.0));
+  Eigen::VectorXd variance = Eigen::VectorXd::Zero(all.Mean.rows());
+  for (const Eigen::MatrixXd& each : all.Shapes)
   {
-    progress(0.9 + 0.1 * round / rounds);
-    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(mean.rows(), 3);
-    for (Eigen::MatrixXd& each : points)
-    {
-      each = Turned(each, mean, weights);
-      sum += each / static_cast<double>(count);
-    }
-    mean = sum;
-  }
-  Eigen::VectorXd variance = Eigen::VectorXd::Zero(mean.rows());
-  for (const Eigen::MatrixXd& each : points)
-  {
-    variance += (each - mean).rowwise().squaredNorm() / static_cast<double>(count);
+    variance += (each - all.Mean).rowwise().squaredNorm() / static_cast<double>(count);
   }
   result.PositionDeviation = variance.cwiseSqrt();
 }

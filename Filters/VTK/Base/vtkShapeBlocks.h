@@ -1,0 +1,28 @@
+#pragma once
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkMultiProcessController;
+class vtkPolyData;
+
+/// The blocks of composite data, each of which is a shape of a collection.
+namespace vtkShapeBlocks
+{
+
+/// A surface, which is the same on every process.
+struct Block
+{
+  vtkSmartPointer<vtkPolyData> Data;
+  std::string Name; ///< of the block; may be empty
+};
+
+/// Returns the surface of each block of the top level, over all processes: blocks inside it and
+/// pieces of several processes are joined. Empty blocks are left out. Throws shape::InvalidInput on
+/// every process if a block is no surface.
+std::vector<Block> Gather(vtkDataObject* data, vtkMultiProcessController* controller);
+
+} // namespace vtkShapeBlocks
