@@ -454,6 +454,22 @@ def FromOperators():
 
 
 @drawing
+def Atlas():
+    """The mean of ellipsoids with a horn, and two standard deviations of the first two modes."""
+    ball = Clean(Input=Sphere(Radius=0.5, ThetaResolution=48, PhiResolution=48))
+    grown = 'coordsX*iHat + coordsY*%g*jHat + coordsZ*%g*kHat + %g*exp(20*(coordsX - 0.5))*iHat'
+    made = [Calculator(Input=ball, CoordinateResults=1, Function=grown % (0.8, 0.8 + 0.2 * a, 0.4 + 0.25 * b))
+            for a in (-1, 0, 1) for b in (-1, 0, 1)]
+    atlas = ShapeAtlas(Shapes=GroupDatasets(Input=made))
+    show(atlas, (0, 0, 0), array='PositionDeviation', preset='Viridis (matplotlib)')
+    for mode, (x, z) in enumerate(((1.5, 0), (0, 1.2))):
+        for sign in (-1, 1):
+            at = Calculator(Input=atlas, CoordinateResults=1, Function='coords + %d*Mode%d' % (2 * sign, mode))
+            show(at, (sign * x, 0, sign * z), colour=ACCENT if mode else PLAIN)
+    return (0.0, -1.0, 0.0), FRONT[1]
+
+
+@drawing
 def Collection():
     """Balls whose horns grow, at their coordinates, and one whose horn is elsewhere."""
     ball = Clean(Input=Sphere(Radius=0.5, ThetaResolution=48, PhiResolution=48))

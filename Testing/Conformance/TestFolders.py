@@ -14,7 +14,7 @@ ORDER = [
     'Correspondence/Pair', 'Correspondence/Landmarks', 'Correspondence/Functional',
     'Correspondence/Transport', 'Correspondence/Conformal', 'Correspondence/CommonBase', 'Correspondence/Averages',
     'Correspondence/Reversible', 'Correspondence/Evaluate', 'Correspondence',
-    'Fmm', 'Tetrahedra', 'Untangle', 'Harmonic', 'Cage',
+    'Fmm', 'Tetrahedra', 'Untangle', 'Harmonic', 'Cage', 'Atlas',
     'Hex/Voxels', 'Hex/Features', 'Hex/Optimize', 'Hex/Fit', 'Hex/Grid', 'Hex/Polycube', 'Hex',
     'Deform', 'Fill', 'Solidify', 'CutPaste', 'IO']
 # The fast multipole method is a library of its own.
