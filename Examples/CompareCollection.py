@@ -9,10 +9,10 @@ shapes = [Calculator(Input=sphere, CoordinateResults=1, Function=each) for each 
 compared = ShapeCollection(Shapes=GroupDatasets(Input=shapes))
 compared.UpdatePipeline()
 
-table = servermanager.Fetch(compared, idx=1)
+table = servermanager.Fetch(compared, idx=3)
 for row in range(table.GetNumberOfRows()):
     print('shape %d: rank %d, coordinates %6.3f %6.3f' % (row, *(
         table.GetColumnByName(name).GetTuple1(row) for name in ('Rank', 'Embedding0', 'Embedding1'))))
 ranks = [table.GetColumnByName('Rank').GetValue(row) for row in range(10)]
 assert ranks[9] == 0, 'the last shape is the outlier'
-SaveData('where.vtp', compared, DataMode='Binary')
+SaveData('where.vtp', OutputPort(compared, 1), DataMode='Binary')

@@ -478,7 +478,7 @@ def Collection():
     made = [Calculator(Input=ball, CoordinateResults=1, Function=each) for each in functions]
     compared = ShapeCollection(Shapes=GroupDatasets(Input=made))
     compared.UpdatePipeline()
-    table = servermanager.Fetch(compared, idx=1)
+    table = servermanager.Fetch(compared, idx=3)
     places = numpy.array([[table.GetColumnByName('Embedding%d' % k).GetTuple1(i) for k in range(2)]
                           for i in range(len(made))])
     places *= 7.0 / numpy.ptp(places, axis=0).max()

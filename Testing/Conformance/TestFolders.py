@@ -13,9 +13,9 @@ ORDER = [
     'Laplacian', 'Distortion', 'Geodesics', 'Spectrum', 'Network', 'Remesh', 'Skeleton', 'Parameterize', 'ExponentialMap', 'Transfer', 'Materials',
     'Correspondence/Pair', 'Correspondence/Landmarks', 'Correspondence/Functional',
     'Correspondence/Transport', 'Correspondence/Conformal', 'Correspondence/CommonBase', 'Correspondence/Averages',
-    'Correspondence/Reversible', 'Correspondence/Evaluate', 'Correspondence',
-    'Fmm', 'Tetrahedra', 'Untangle', 'Harmonic', 'Cage', 'Atlas',
-    'Hex/Voxels', 'Hex/Features', 'Hex/Optimize', 'Hex/Fit', 'Hex/Grid', 'Hex/Polycube', 'Hex',
+    'Correspondence/Reversible', 'Correspondence/Evaluate', 'Correspondence', 'Correspondence/Consistent',
+    'Fmm', 'Tetrahedra', 'Untangle', 'Harmonic', 'Cage',
+    'Hex/Voxels', 'Hex/Features', 'Hex/Optimize', 'Hex/Fit', 'Hex/Grid', 'Hex/Polycube', 'Hex', 'Atlas',
     'Deform', 'Fill', 'Solidify', 'CutPaste', 'IO']
 # The fast multipole method is a library of its own.
 LIBRARIES = {'Base': [], 'Linear': ['Base'], 'Fmm': ['Base', 'Linear']}

@@ -3,8 +3,9 @@ import numpy
 from paraview import simple
 import shapemap
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
-    vtkCompositeDataSet, vtkMultiBlockDataSet, vtkPartitionedDataSetCollection)
+    vtkCellArray, vtkCompositeDataSet, vtkMultiBlockDataSet, vtkPartitionedDataSetCollection, vtkPolyData)
 
 import shapetesting
 from shapetesting import add_array, array, check_refused, copy, fact, points, read, set_points
@@ -33,6 +34,24 @@ def columns(table, *names):
     return numpy.column_stack([vtk_to_numpy(each) for each in found])
 
 
+def renumbered(data, order, places):
+    """A copy with its points in another order, at other places; order[k] is the old number of point k."""
+    result = vtkPolyData()
+    located = vtkPoints()
+    located.SetDataTypeToDouble()
+    for k in order:
+        located.InsertNextPoint(places[k])
+    result.SetPoints(located)
+    new_number = numpy.argsort(order)
+    cells = vtkCellArray()
+    for k in range(data.GetNumberOfCells()):
+        corners = data.GetCell(k).GetPointIds()
+        cells.InsertNextCell(3, [int(new_number[corners.GetId(c)]) for c in range(3)])
+    result.SetPolys(cells)
+    add_array(result, array(data, 'Number')[order], 'Number')
+    return result
+
+
 # The example: spheres with a bump at the top, and one with a bump at the side.
 sphere = simple.Clean(Input=simple.Sphere(ThetaResolution=24, PhiResolution=24, Radius=1.0))
 bump = 'coords*(1+%g*exp(6*(%s-1)))'
@@ -41,7 +60,8 @@ made = [simple.Calculator(Input=sphere, CoordinateResults=1, Function=bump % (0.
 made.append(simple.Calculator(Input=sphere, CoordinateResults=1, Function=bump % (0.4, 'coordsX')))
 compared = simple.ShapeCollection(Shapes=simple.GroupDatasets(Input=made))
 compared.UpdatePipeline()
-template, table, distances, operators, facts = (shapetesting.output(compared, port) for port in range(5))
+shapes, template, distances, table, operators, facts, resampled = (
+    shapetesting.output(compared, port) for port in range(7))
 assert fact(template, 'Collection.Outlier') == 5 and fact(template, 'Collection.Shapes') == 6
 assert vtk_to_numpy(table.GetColumnByName('Rank'))[5] == 0
 between = columns(distances, 'Distance')
@@ -62,6 +82,19 @@ bottom = (places[:, 2] < -0.8) & (places[:, 0] < 0.3)
 assert array(template, 'AreaDeviation')[bottom].max() < 0.2 * array(template, 'AreaDeviation').max()
 assert array(template, 'AreaVariationFunctions').shape == (template.GetNumberOfPoints(), 10)
 
+# The shapes have their positions on the template, and are resampled by themselves.
+start = int(fact(template, 'Collection.Template'))
+for blocks in (shapes, resampled):
+    assert blocks.GetNumberOfBlocks() == 6
+    for number, each in enumerate(made):
+        assert (points(blocks.GetBlock(number)) == points(shapetesting.output(each))).all()
+        assert (array(blocks.GetBlock(number), 'TargetPosition') == points(template)).all()
+# Of the dendrogram, the two shapes that are most alike are neighbours, and all shapes are leaves.
+leaves = vtk_to_numpy(table.GetColumnByName('Leaf'))
+assert sorted(leaves) == list(range(6))
+nearest = numpy.unravel_index((between + 1e9 * numpy.eye(6)).argmin(), between.shape)
+assert abs(leaves[nearest[0]] - leaves[nearest[1]]) == 1
+
 # Sets of partitions are the same collection.
 data = [copy(shapetesting.output(each)) for each in made]
 partitions = vtkPartitionedDataSetCollection()
@@ -69,7 +102,7 @@ for number, each in enumerate(data):
     partitions.SetPartition(number, 0, each)
 again = outputs(partitions)
 assert (columns(again[2], 'Distance') == between).all()
-named = outputs(group(data))[1].GetColumnByName('Name')
+named = outputs(group(data))[3].GetColumnByName('Name')
 assert [named.GetValue(k) for k in range(6)] == ['number %d' % k for k in range(6)]
 
 # The operators of one shape, the rows with its number, are those of Shape Map Difference.
@@ -89,21 +122,55 @@ stretched = copy(surface)
 set_points(stretched, 2.0 * points(surface))
 mapped = outputs(group([surface, stretched]), surface, Correspondence=1, Measure=0)
 assert abs(columns(mapped[2], 'Distance') - [[0, 3], [3, 0]]).max() < 1e-9, 'areas are 4 times as large'
-assert outputs(group([surface, stretched]), Measure=1)[4].GetColumnByName(
+assert outputs(group([surface, stretched]), Measure=1)[5].GetColumnByName(
     'Collection.LargestDistance').GetValue(0) < 1e-9, 'angles are the same'
 # By positions: every point is as far from its partner as from the centre.
 superimposed = outputs(group([surface, stretched]), surface, Measure=3)
-assert array(superimposed[0], 'PositionDeviation').max() > 0.3
+assert array(superimposed[1], 'PositionDeviation').max() > 0.3
+
+# Procrustes with maps: the shapes in the order of the template's points have the same distances.
+turned = outputs(group([surface, stretched]), surface, Correspondence=1, Measure=3)
+assert abs(columns(turned[2], 'Distance') - columns(superimposed[2], 'Distance')).max() < 1e-6
+for blocks, places in ((turned[6], points(surface)), (turned[0], points(surface))):
+    assert abs(array(blocks.GetBlock(1), 'TargetPosition') - places).max() < 1e-6
+assert abs(points(turned[6].GetBlock(1)) - 2.0 * points(surface)).max() < 1e-6
+
+# Computed: copies of a figure with points in other orders, sizes and places are mapped from the surfaces alone.
+figure = read('FigureASmall.vtp')
+figure.GetPointData().Initialize()
+numbers = numpy.arange(figure.GetNumberOfPoints(), dtype=float)
+add_array(figure, numbers, 'Number')
+copies = [copy(figure)]
+for seed in (1, 2):
+    order = numpy.random.default_rng(seed).permutation(figure.GetNumberOfPoints())
+    copies.append(renumbered(figure, order, (1.0 + seed) * points(figure) + seed))
+found = outputs(group(copies), Correspondence=2)
+size = numpy.ptp(points(figure), axis=0).max()
+assert fact(found[1], 'Collection.Pairs') == 3 and fact(found[1], 'Collection.Triples') == 1
+assert fact(found[1], 'Collection.CycleError') <= fact(found[1], 'Collection.PairwiseCycleError') + 1e-9
+base = int(fact(found[1], 'Collection.Template'))
+for number, each in enumerate(copies):
+    mapped = found[0].GetBlock(number)
+    truth = points(copies[base])[numpy.argsort(array(copies[base], 'Number'))][array(mapped, 'Number').astype(int)]
+    error = numpy.linalg.norm(array(mapped, 'TargetPosition') - truth, axis=1).mean() / numpy.ptp(truth, axis=0).max()
+    print('copy %d: mean error %.1e of the size' % (number, error))
+    assert error < 1e-3
+    # Resampled: arrays are carried, and points have the cells of the template.
+    block = found[6].GetBlock(number)
+    assert block.GetNumberOfCells() == found[1].GetNumberOfCells()
+    assert numpy.median(abs(array(block, 'Number') - array(found[1], 'Number'))) < 1e-6
+    assert (array(block, 'TargetPosition') == points(found[1])).all()
 
 # One shape is compared, with a warning. What does not correspond is refused.
 alone = outputs(surface)
-assert 'only one surface' in fact(alone[0], 'Collection.Warning')
-assert array(alone[0], 'AreaDeviation').max() == 0
+assert 'only one surface' in fact(alone[1], 'Collection.Warning')
+assert array(alone[1], 'AreaDeviation').max() == 0
 check_refused(new(group([surface, read('FigureASmall.vtp')]), surface), 'shape 1', 'points', 'Maps')
 check_refused(new(group([surface, surface]), Correspondence=1), 'Template', 'connect it')
 bare = copy(surface)
 bare.GetPointData().Initialize()
 check_refused(new(group([bare, surface]), surface, Correspondence=1), "no point array 'TargetPosition'")
-check_refused(new(group([surface, surface]), surface, Correspondence=1, Measure=3), 'Procrustes', 'Measure')
+check_refused(new(group([surface, surface, surface]), Correspondence=2, Neighbours=1), 'Neighbours')
+check_refused(new(group([surface]), Correspondence=2), 'two or more')
 for name, value in (('BasisSize', 1), ('BasisSize', 10000), ('EmbeddingDimension', 0)):
     check_refused(new(group([surface, surface]), **{name: value}), name)

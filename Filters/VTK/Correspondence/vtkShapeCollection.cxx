@@ -1,25 +1,34 @@
 #include "vtkShapeCollection.h"
 
 #include "vtkShapeBlocks.h"
+#include "vtkShapeCarry.h"
 #include "vtkShapeConvert.h"
+#include "vtkShapeGather.h"
 #include "vtkShapePreciseMap.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
 #include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
 #include "Base/Errors.h"
+#include "Correspondence/Evaluate/InvertMap.h"
+#include "Mesh/Provenance.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,8 +38,9 @@ vtkStandardNewMacro(vtkShapeCollection);
 namespace
 {
 
-/// The outputs that are tables.
-constexpr int ShapesPort = 1, DistancesPort = 2, OperatorsPort = 3;
+constexpr int ShapesPort = 0, TemplatePort = 1, DistancesPort = 2, ShapesTablePort = 3,
+              OperatorsPort = 4,
+              ResampledPort = 6; // after the facts
 
 /// Reads the map of a shape onto the template.
 shape::SurfacePoints ReadImages(vtkPolyData* data, const std::string& name,
@@ -56,25 +66,77 @@ vtkSmartPointer<vtkIntArray> Numbers(const std::vector<int>& values, const std::
     name);
 }
 
+/// Writes the map of a shape, in place of any that it has.
+void WriteTarget(const shape::SurfacePoints& images, vtkPolyData* templateData,
+  const shape::Mesh& base, vtkPolyData* output)
+{
+  vtkPointData* data = output->GetPointData();
+  data->RemoveArray(vtkShapePreciseMap::Cell.c_str());
+  data->RemoveArray(vtkShapePreciseMap::Barycentric.c_str());
+  if (images.Triangles.size() == 0)
+  {
+    data->AddArray(vtkShapeConvert::ToArray(base.Points, vtkShapePreciseMap::Position));
+    return;
+  }
+  data->AddArray(vtkShapeConvert::ToArray(
+    shape::PullBack(images, base.Triangles, base.Points), vtkShapePreciseMap::Position));
+  data->AddArray(vtkShapeConvert::ToArray(images.Barycentrics, vtkShapePreciseMap::Barycentric));
+  // Cell ids of polygons follow those of vertices and lines.
+  const vtkIdType before = templateData->GetNumberOfVerts() + templateData->GetNumberOfLines();
+  vtkNew<vtkIdTypeArray> cells;
+  cells->SetName(vtkShapePreciseMap::Cell.c_str());
+  cells->SetNumberOfValues(images.Triangles.size());
+  for (Eigen::Index i = 0; i < images.Triangles.size(); ++i)
+  {
+    cells->SetValue(i, before + images.Triangles(i));
+  }
+  data->AddArray(cells);
+}
+
+/// A shape with the points and cells of the template.
+vtkSmartPointer<vtkPolyData> Resample(vtkPolyData* data, const shape::Mesh& mesh,
+  const shape::SurfacePoints& positions, vtkPolyData* templateData, const shape::Mesh& base)
+{
+  const auto output = vtkSmartPointer<vtkPolyData>::New();
+  output->CopyStructure(templateData);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetData(
+    vtkShapeConvert::ToArray(shape::PullBack(positions, mesh.Triangles, mesh.Points), "Points"));
+  output->SetPoints(points);
+  shape::ProvenanceWriter from(mesh.Points.rows());
+  for (Eigen::Index i = 0; i < positions.Triangles.size(); ++i)
+  {
+    from.AddOnTriangle(mesh.Triangles.row(positions.Triangles(i)), positions.Barycentrics.row(i));
+  }
+  const shape::Provenance origin =
+    from.Finish(Eigen::VectorXi::Constant(output->GetNumberOfCells(), -1));
+  vtkShapeCarry::Carry({ { data, origin } }, output);
+  WriteTarget({}, templateData, base, output);
+  return output;
+}
+
 } // namespace
 
 vtkShapeCollection::vtkShapeCollection()
 {
   this->DeclareInput("Shapes", PortData::Pieces, PortUse::Required, { "vtkPolyData" });
   this->DeclareInput("Template", PortData::WholePolygons, PortUse::Optional, { "vtkPolyData" });
-  this->DeclareOutput("vtkPolyData");
-  this->DeclareOutput("vtkTable");
-  this->DeclareOutput("vtkTable");
-  this->DeclareOutput("vtkTable");
+  this->DeclareOutput("vtkMultiBlockDataSet"); // Shapes
+  this->DeclareOutput("vtkPolyData");          // Template
+  this->DeclareOutput("vtkTable");             // Distances
+  this->DeclareOutput("vtkTable");             // Table
+  this->DeclareOutput("vtkTable");             // Operators
   this->DeclareFacts();
+  this->DeclareOutput("vtkMultiBlockDataSet"); // Resampled
   this->DeclareMeasures({ "AreaDeviation", "ConformalDeviation", "AreaVariationFunctions",
     "ConformalVariationFunctions", "PositionDeviation" });
-  this->DeclareShown(0, { "AreaDeviation" });
+  this->DeclareShown(TemplatePort, { "AreaDeviation" });
   this->DeclareMemoryRemedy("lower Basis Size");
 }
 
-void vtkShapeCollection::WriteTables(
-  const shape::CollectionResult& result, const std::vector<std::string>& names)
+void vtkShapeCollection::WriteTables(const shape::CollectionResult& result,
+  const std::vector<std::string>& names, const Eigen::VectorXd& disagreements)
 {
   const auto table = [&](int port)
   { return vtkTable::SafeDownCast(this->GetOutputDataObject(port)); };
@@ -88,20 +150,26 @@ void vtkShapeCollection::WriteTables(
     }
   };
   const int count = static_cast<int>(names.size());
-  std::vector<int> numbers(count), ranks(count);
+  std::vector<int> numbers(count), ranks(count), leaves(count);
   vtkNew<vtkStringArray> words;
   words->SetName("Name");
   for (int i = 0; i < count; ++i)
   {
     numbers[i] = i;
     ranks[result.Order[i]] = i;
+    leaves[result.Leaves[i]] = i;
     words->InsertNextValue(names[i].c_str());
   }
-  vtkTable* shapes = table(ShapesPort);
+  vtkTable* shapes = table(ShapesTablePort);
   shapes->AddColumn(Numbers(numbers, "Shape"));
   shapes->AddColumn(words);
   shapes->AddColumn(vtkShapeConvert::ToArray(result.Dissimilarities, "Dissimilarity"));
   shapes->AddColumn(Numbers(ranks, "Rank"));
+  shapes->AddColumn(Numbers(leaves, "Leaf"));
+  if (disagreements.size() > 0)
+  {
+    shapes->AddColumn(vtkShapeConvert::ToArray(disagreements, "Disagreement"));
+  }
   addColumns(result.Embedding, "Embedding", shapes);
   addColumns(result.Distances, "Distance", table(DistancesPort));
 
@@ -120,15 +188,68 @@ void vtkShapeCollection::WriteTables(
   addColumns(angles, "Conformal", operators);
 }
 
-// 1. The surface of each block, and its map onto the template.
+void vtkShapeCollection::WriteShapes(const std::vector<shape::CollectionShape>& shapes,
+  const std::vector<vtkPolyData*>& data, const std::vector<std::string>& names,
+  const std::vector<shape::SurfacePoints>& inverses, vtkPolyData* templateData,
+  const shape::Mesh& base)
+{
+  auto* mapped = vtkMultiBlockDataSet::SafeDownCast(this->GetOutputDataObject(ShapesPort));
+  auto* resampled = vtkMultiBlockDataSet::SafeDownCast(this->GetOutputDataObject(ResampledPort));
+  const auto add = [](vtkMultiBlockDataSet* blocks, unsigned int number, vtkPolyData* block,
+                     const std::string& name)
+  {
+    blocks->SetBlock(number, block);
+    if (!name.empty())
+    {
+      blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), name.c_str());
+    }
+  };
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+  {
+    const auto number = static_cast<unsigned int>(i);
+    vtkNew<vtkPolyData> block;
+    block->ShallowCopy(data[i]);
+    WriteTarget(shapes[i].Images, templateData, base, block);
+    add(mapped, number, block, names[i]);
+    if (inverses.empty())
+    {
+      add(resampled, number, block, names[i]);
+      continue;
+    }
+    add(resampled, number, Resample(data[i], shapes[i].Shape, inverses[i], templateData, base),
+      names[i]);
+  }
+}
+
+void vtkShapeCollection::WriteFacts(const shape::ConsistentMaps& maps, vtkPolyData* output)
+{
+  double exchanged = 0.0, dropped = 0.0;
+  for (const shape::ConsistentPair& pair : maps.Pairs)
+  {
+    exchanged += pair.Rank > 0 && !pair.Dropped ? 1.0 : 0.0;
+    dropped += pair.Dropped ? 1.0 : 0.0;
+  }
+  const auto add = [&](const std::string& name, double value)
+  { vtkShapeConvert::AddFact(output, "Collection." + name, value); };
+  add("Pairs", static_cast<double>(maps.Pairs.size()));
+  add("ExchangedPairs", exchanged);
+  add("DroppedPairs", dropped);
+  add("CycleError", maps.CycleError);
+  add("PairwiseCycleError", maps.PairwiseCycleError);
+  add("Triples", maps.Triples);
+}
+
+// 1. The surface of each block, and its map onto the template, which is given or computed.
 // 2. The template, if it is not given.
-// 3. Every process computes the same. The first one writes it.
+// 3. The inverse maps, and the comparison.
+// 4. Every process has the same. The first one writes it.
 void vtkShapeCollection::Execute(const shape::Progress& progress)
 {
   const std::vector<vtkShapeBlocks::Block> blocks =
     vtkShapeBlocks::Gather(this->GetInputDataObject(0, 0), this->GetController());
   const bool given = this->GetNumberOfInputConnections(1) > 0,
-             mapped = this->Correspondence == CorrespondenceType::Maps;
+             mapped = this->Correspondence == CorrespondenceType::Maps,
+             computed = this->Correspondence == CorrespondenceType::Computed;
   if (mapped && !given)
   {
     throw shape::InvalidInput("with Correspondence Maps, the shapes are mapped onto the Template; "
@@ -142,19 +263,23 @@ void vtkShapeCollection::Execute(const shape::Progress& progress)
     base = vtkShapeConvert::ToMesh(templateData, "Template");
   }
   std::vector<shape::CollectionShape> shapes;
+  std::vector<shape::Surface> surfaces;
+  std::vector<vtkPolyData*> data;
   std::vector<std::string> names;
-  const shape::Progress reading = progress.Part(0.0, 0.1, "reading the shapes");
+  const shape::Progress reading = progress.Part(0.0, 0.05, "reading the shapes");
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
     reading(static_cast<double>(i) / static_cast<double>(blocks.size()));
     const std::string name = "shape " + std::to_string(i);
-    shapes.push_back({ vtkShapeConvert::ToMesh(blocks[i].Data, name), {} });
+    shapes.push_back({ vtkShapeConvert::ToMesh(blocks[i].Data, name), {}, {} });
     shape::RequireFinite(shapes[i].Shape.Points(), name);
+    surfaces.push_back(shapes[i].Shape);
     if (mapped)
     {
       shape::RequireManifold(base, "the Template");
       shapes[i].Images = ReadImages(blocks[i].Data, name, templateData, base, {});
     }
+    data.push_back(blocks[i].Data);
     names.push_back(blocks[i].Name);
   }
   if (shapes.size() == 1)
@@ -162,20 +287,54 @@ void vtkShapeCollection::Execute(const shape::Progress& progress)
     this->Warn("Shapes has only one surface; put two or more together with Group Datasets");
   }
   int nearest = -1;
-  if (!given)
+  shape::ConsistentMaps maps;
+  if (computed)
   {
-    nearest = shape::FindNearestToAll(shapes, this->Options, progress.Part(0.1, 0.5));
+    shape::PairSharing sharing;
+    if (vtkMultiProcessController* controller = this->GetController())
+    {
+      sharing = { controller->GetLocalProcessId(), controller->GetNumberOfProcesses(),
+        [=](const std::function<void()>& work)
+        { vtkShapeGather::RunOnAllOrFail(controller, work); },
+        [=](double* values, int count)
+        { vtkShapeGather::Reduce(controller, values, count, vtkShapeGather::Reduction::Sum); } };
+    }
+    maps = shape::ComputeConsistentMaps(
+      surfaces, given ? &base : nullptr, this->MapOptions, sharing, progress.Part(0.05, 0.8));
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+    {
+      shapes[i].Images = maps.Maps[i].AToB;
+    }
+    nearest = maps.Template;
+  }
+  else if (!given)
+  {
+    nearest = shape::FindNearestToAll(shapes, this->Options, progress.Part(0.05, 0.5));
+  }
+  if (nearest >= 0)
+  {
     templateData = blocks[nearest].Data;
     base = shapes[nearest].Shape;
   }
-  const shape::CollectionResult result =
-    shape::CompareCollection(base, shapes, this->Options, progress.Part(given ? 0.1 : 0.5, 1.0));
+  std::vector<shape::SurfacePoints> inverses;
+  for (std::size_t i = 0; (mapped || computed) && i < shapes.size(); ++i)
+  {
+    inverses.push_back(
+      computed ? maps.Maps[i].BToA : shape::InvertMap(shapes[i].Shape, shapes[i].Images, base));
+    shapes[i].OnShape =
+      shape::PullBack(inverses[i], shapes[i].Shape.Triangles(), shapes[i].Shape.Points());
+  }
+  const shape::CollectionResult result = shape::CompareCollection(base, shapes, this->Options,
+    progress.Part(computed ? 0.8
+        : given            ? 0.05
+                           : 0.5,
+      1.0));
 
   if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
   {
     return;
   }
-  auto* output = vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
+  auto* output = vtkPolyData::SafeDownCast(this->GetOutputDataObject(TemplatePort));
   output->ShallowCopy(templateData);
   const auto add = [&](const Eigen::MatrixXd& values, const std::string& name)
   { output->GetPointData()->AddArray(vtkShapeConvert::ToArray(values, name)); };
@@ -187,7 +346,8 @@ void vtkShapeCollection::Execute(const shape::Progress& progress)
   {
     add(result.PositionDeviation, "PositionDeviation");
   }
-  this->WriteTables(result, names);
+  this->WriteShapes(shapes, data, names, inverses, templateData, base);
+  this->WriteTables(result, names, maps.Disagreements);
   vtkFieldData* facts = output->GetFieldData();
   vtkShapeConvert::AddFact(output, "Collection.Shapes", static_cast<double>(shapes.size()));
   vtkShapeConvert::AddFact(output, "Collection.Template", nearest);
@@ -197,4 +357,8 @@ void vtkShapeCollection::Execute(const shape::Progress& progress)
   facts->AddArray(vtkShapeConvert::ToArray(result.Area.Variances, "Collection.AreaVariances"));
   facts->AddArray(
     vtkShapeConvert::ToArray(result.Conformal.Variances, "Collection.ConformalVariances"));
+  if (!maps.Pairs.empty())
+  {
+    this->WriteFacts(maps, output);
+  }
 }

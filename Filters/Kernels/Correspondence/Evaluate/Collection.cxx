@@ -105,10 +105,10 @@ void RequireShapes(const Surface& base, const std::vector<CollectionShape>& shap
     RequireFinite(surface.Points(), name);
     if (shapes[i].Images.Triangles.size() > 0)
     {
-      if (measure == Measure::Procrustes)
+      if (measure == Measure::Procrustes && shapes[i].OnShape.rows() != base.Points().rows())
       {
-        throw InvalidInput("Procrustes compares positions of the same points; choose another "
-                           "Measure for shapes with maps");
+        throw InvalidInput("Procrustes compares positions of the Template's points, but " + name +
+          " has " + std::to_string(shapes[i].OnShape.rows()) + " of them; invert its map");
       }
       continue;
     }
@@ -134,7 +134,8 @@ void CompareSuperimposed(const std::vector<CollectionShape>& shapes, const Eigen
   std::vector<Eigen::MatrixXd> points;
   for (const CollectionShape& shape : shapes)
   {
-    points.push_back(MoveToCentre(shape.Shape.Points(), weights));
+    points.push_back(
+      MoveToCentre(shape.OnShape.rows() > 0 ? shape.OnShape : shape.Shape.Points(), weights));
   }
   const auto count = static_cast<Eigen::Index>(points.size());
   for (Eigen::Index i = 0; i < count; ++i)
@@ -182,6 +183,53 @@ void OrderByDissimilarity(CollectionResult& result)
   std::iota(result.Order.begin(), result.Order.end(), 0);
   std::stable_sort(result.Order.begin(), result.Order.end(),
     [&](int a, int b) { return result.Dissimilarities(a) > result.Dissimilarities(b); });
+}
+
+/// Average linkage: the two nearest clusters become one, whose distance from another one is the
+/// mean over its shapes. The cluster with the first shape comes first.
+std::vector<int> OrderLeaves(const Eigen::MatrixXd& distances)
+{
+  std::vector<std::vector<int>> clusters(distances.rows());
+  for (int i = 0; i < static_cast<int>(clusters.size()); ++i)
+  {
+    clusters[i] = { i };
+  }
+  Eigen::MatrixXd between = distances;
+  while (clusters.size() > 1)
+  {
+    const auto count = static_cast<Eigen::Index>(clusters.size());
+    Eigen::Index a = 0, b = 1;
+    for (Eigen::Index i = 0; i < count; ++i)
+    {
+      for (Eigen::Index j = i + 1; j < count; ++j)
+      {
+        if (between(i, j) < between(a, b))
+        {
+          a = i;
+          b = j;
+        }
+      }
+    }
+    const auto sizeA = static_cast<double>(clusters[a].size()),
+               sizeB = static_cast<double>(clusters[b].size());
+    const Eigen::VectorXd mean =
+      (sizeA * between.col(a) + sizeB * between.col(b)) / (sizeA + sizeB);
+    between.col(a) = mean;
+    between.row(a) = mean.transpose();
+    clusters[a].insert(clusters[a].end(), clusters[b].begin(), clusters[b].end());
+    clusters.erase(clusters.begin() + b);
+    // Without row and column b.
+    std::vector<int> kept;
+    for (int i = 0; i < static_cast<int>(count); ++i)
+    {
+      if (i != b)
+      {
+        kept.push_back(i);
+      }
+    }
+    between = between(kept, kept).eval();
+  }
+  return clusters.front();
 }
 
 /// Adds the squared Frobenius distances of symmetric operators, divided by their size.
@@ -276,6 +324,7 @@ CollectionResult CompareCollection(const Surface& base, const std::vector<Collec
   last(0.95);
   Embed(options.EmbeddingDimension, result);
   OrderByDissimilarity(result);
+  result.Leaves = OrderLeaves(result.Distances);
   progress(1.0);
   return result;
 }

@@ -35,6 +35,9 @@ struct CollectionShape
   /// The images of the shape's points on the template. If there are none, the shape has the points
   /// and triangles of the template, in the same order.
   SurfacePoints Images;
+  /// With Images and Procrustes: the positions on the shape of the template's points, one row each
+  /// (InvertMap).
+  Eigen::MatrixXd OnShape;
 };
 
 /// The differences of one kind over the collection.
@@ -62,6 +65,8 @@ struct CollectionResult
   Eigen::VectorXd Shares; ///< d values: the part of the squared distances; 0 if shapes are alike
   Eigen::VectorXd Dissimilarities; ///< N values: the mean distance to the other shapes
   std::vector<int> Order;          ///< the shapes, the most dissimilar one first
+  /// The shapes in the order of the leaves of their dendrogram: similar ones are neighbours.
+  std::vector<int> Leaves;
   /// n values, with Procrustes: the standard deviation of the position about the mean shape.
   Eigen::VectorXd PositionDeviation;
 };
@@ -79,11 +84,13 @@ inline constexpr int VariationFunctions = 10;
  * their matrices, divided by the square root of their size: 0 if a map between them keeps areas
  * (Area) or angles (Conformal), whatever the pose. With Procrustes, it is the root mean square
  * distance of corresponding points after the best rigid motion, weighted by the template's areas.
+ * The dendrogram is that of average linkage (Sokal and Michener, "A statistical method for
+ * evaluating systematic relationships", 1958).
  *
  * base: the template, a 2-manifold, open or closed. Throws InvalidInput if there is no shape, if a
  * shape without Images has other triangles than the template, if positions are not finite, if
- * Procrustes is asked of shapes with Images, or if an option is out of range; SolveFailure;
- * Aborted.
+ * Procrustes is asked of a shape with Images and without OnShape, or if an option is out of range;
+ * SolveFailure; Aborted.
  */
 CollectionResult CompareCollection(const Surface& base, const std::vector<CollectionShape>& shapes,
   const CollectionOptions& options = {}, const Progress& progress = {});

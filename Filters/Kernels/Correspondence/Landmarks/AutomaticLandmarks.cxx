@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Correspondence/Landmarks/FeaturedSurface.h"
+#include "Correspondence/Landmarks/LandmarkCandidates.h"
 #include "Correspondence/Landmarks/LandmarkEmbedding.h"
 #include "Correspondence/Landmarks/Private/FeatureAssignment.h"
 #include "Correspondence/Landmarks/Private/RefinedCandidate.h"
@@ -82,6 +83,7 @@ struct Candidate
   Eigen::VectorXi AToB, BToA; ///< for each sample, its image: a sample of the other surface
   double Distortion = Infinity;
   double Error = Infinity; ///< by which candidates are ordered
+  FunctionalMaps Maps;     ///< of complete surfaces: the refined map
 };
 
 /// The maps under a hypothesis, the best first; none if no three features agree.
@@ -246,22 +248,51 @@ Landmarks Agreeing(const Landmarks& pairs, const RefinedCandidate& map, const Fe
 /// Refines the maps of complete surfaces, and orders them by the geometric mean of their three
 /// errors. (Of 39 pairs, it selects the right map of all, as does any mean with that of
 /// commutativity; this one differs most between the right map and its rival, beside its spread.)
-void Refine(const Surface& a, const Surface& b, const Hypothesis& pair,
-  std::vector<Candidate>& maps, const Progress& progress)
+void Refine(const MatchedSurface& a, const MatchedSurface& b, std::vector<Candidate>& maps,
+  const Progress& progress)
 {
-  const CandidateRefinement refinement(a, pair.A, b, pair.B, progress.Part(0.0, 0.4));
+  const CandidateRefinement refinement(a, b);
   for (std::size_t k = 0; k < maps.size(); ++k)
   {
     const auto done = [&](std::size_t count)
-    { return 0.4 + 0.6 * static_cast<double>(count) / static_cast<double>(maps.size()); };
+    { return static_cast<double>(count) / static_cast<double>(maps.size()); };
     RefinedCandidate refined =
       refinement.Refine(maps[k].AToB, maps[k].BToA, progress.Part(done(k), done(k + 1)));
-    maps[k].Pairs = Agreeing(maps[k].Pairs, refined, pair.B);
+    maps[k].Pairs = Agreeing(maps[k].Pairs, refined, b.Featured);
     maps[k].AToB = std::move(refined.AToB);
+    maps[k].Maps = std::move(refined.Maps);
     maps[k].Error = std::cbrt(maps[k].Distortion * refined.Commutativity * refined.Orthonormality);
   }
   Sort(maps);
-  maps = Distinct(pair, maps, maps.size());
+  maps = Distinct({ a.Featured, b.Featured, SurfacePart::WhichType::None, 1.0 }, maps, maps.size());
+}
+
+/// The points of pairs of features.
+Landmarks PointsOfFeatures(
+  const Landmarks& features, const std::vector<int>& ofA, const std::vector<int>& ofB)
+{
+  Landmarks pairs;
+  for (const auto& [i, j] : features)
+  {
+    pairs.push_back({ ofA[i], ofB[j] });
+  }
+  return pairs;
+}
+
+LaplaceEigenpairs SolveScaled(const Surface& surface, int pairs, const Progress& progress)
+{
+  const double length = std::sqrt(ComputePointAreas(surface).sum());
+  constexpr double tolerance = 1e-6; // as precise as the comparison needs
+  return SolveLaplaceEigenproblem({ surface.Points() / length, surface.Triangles() },
+    static_cast<int>(std::min<Eigen::Index>(pairs, surface.Points().rows())), progress, tolerance);
+}
+
+void RequireLandmarkOptions(const AutomaticLandmarksOptions& options)
+{
+  RequireOption(options.Samples >= 20, "Samples", options.Samples, "at least 20");
+  RequireOption(options.Features >= 6, "Features", options.Features, "at least 6");
+  RequireOption(options.Candidates >= 1, "Candidates", options.Candidates, "at least 1");
+  RequireOption(options.Rank >= 0, "Rank", options.Rank, "at least 0");
 }
 
 /// The result: the map of the wanted rank, and the best one of the others. smallest: the smallest
@@ -276,14 +307,7 @@ AutomaticLandmarksResult Describe(const Found& found, double smallest, int rank)
       std::to_string(found.Maps.size() - 1));
   }
   const auto points = [&](const Landmarks& features)
-  {
-    Landmarks pairs;
-    for (const auto& [i, j] : features)
-    {
-      pairs.push_back({ found.FeaturesOfA[i], found.FeaturesOfB[j] });
-    }
-    return pairs;
-  };
+  { return PointsOfFeatures(features, found.FeaturesOfA, found.FeaturesOfB); };
   const Candidate& map = found.Maps[wanted];
   AutomaticLandmarksResult result;
   result.Part = found.Part;
@@ -326,10 +350,7 @@ AutomaticLandmarksResult Describe(const Found& found, double smallest, int rank)
 AutomaticLandmarksResult FindLandmarks(const Surface& a, const Surface& b,
   const AutomaticLandmarksOptions& options, const Progress& progress)
 {
-  RequireOption(options.Samples >= 20, "Samples", options.Samples, "at least 20");
-  RequireOption(options.Features >= 6, "Features", options.Features, "at least 6");
-  RequireOption(options.Candidates >= 1, "Candidates", options.Candidates, "at least 1");
-  RequireOption(options.Rank >= 0, "Rank", options.Rank, "at least 0");
+  RequireLandmarkOptions(options);
   RequireConnected(a, "surface A");
   RequireConnected(b, "surface B");
   const FeaturedSurface onA = FindFeatures(
@@ -373,11 +394,41 @@ AutomaticLandmarksResult FindLandmarks(const Surface& a, const Surface& b,
   const double smallest = found.Distortion();
   if (found.Part == Which::None)
   {
-    Refine(a, b, whole, found.Maps, progress.Part(0.6, 1.0));
+    const int pairs = static_cast<int>(std::min<Eigen::Index>(
+      { CandidateRefinement::Functions, a.Points().rows(), b.Points().rows() }));
+    const MatchedSurface one{ a.Triangles(), onA, SolveScaled(a, pairs, progress.Part(0.6, 0.68)) };
+    const MatchedSurface two{ b.Triangles(), onB,
+      SolveScaled(b, pairs, progress.Part(0.68, 0.76)) };
+    Refine(one, two, found.Maps, progress.Part(0.76, 1.0));
   }
   const AutomaticLandmarksResult result = Describe(found, smallest, options.Rank);
   progress(1.0);
   return result;
+}
+
+MatchedSurface PrepareMatching(const Surface& surface, int pairs,
+  const AutomaticLandmarksOptions& options, const Progress& progress)
+{
+  RequireLandmarkOptions(options);
+  RequireConnected(surface, "the surface");
+  return { surface.Triangles(),
+    FindFeatures(surface, options.Samples, options.Features, progress.Part(0.0, 0.5)),
+    SolveScaled(surface, pairs, progress.Part(0.5, 1.0)) };
+}
+
+std::vector<LandmarkCandidate> FindLandmarkCandidates(const MatchedSurface& a,
+  const MatchedSurface& b, const AutomaticLandmarksOptions& options, const Progress& progress)
+{
+  Found found = FindMaps({ a.Featured, b.Featured, SurfacePart::WhichType::None, 1.0 }, options,
+    progress.Part(0.0, 0.4));
+  Refine(a, b, found.Maps, progress.Part(0.4, 1.0));
+  std::vector<LandmarkCandidate> candidates;
+  for (Candidate& map : found.Maps)
+  {
+    candidates.push_back({ PointsOfFeatures(map.Pairs, a.Featured.Features, b.Featured.Features),
+      map.Distortion, map.Error, std::move(map.Maps) });
+  }
+  return candidates;
 }
 
 } // namespace shape

@@ -229,6 +229,37 @@ TEST(Collection, MapsOfRenumberedShapesGiveTheSame)
   EXPECT_LT((result.Distances - wanted.Distances).cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_THROW(
     shape::CompareCollection(sphere, mapped, By(Measure::Procrustes)), shape::InvalidInput);
+  // With the positions of the template's points on each shape, the positions are compared.
+  for (std::size_t i = 0; i < mapped.size(); ++i)
+  {
+    mapped[i].OnShape = positions[i];
+  }
+  const Eigen::MatrixXd distances =
+    shape::CompareCollection(sphere, mapped, By(Measure::Procrustes)).Distances;
+  EXPECT_LT((distances -
+              shape::CompareCollection(sphere, Shapes(sphere, positions), By(Measure::Procrustes))
+                .Distances)
+              .cwiseAbs()
+              .maxCoeff(),
+    1e-9);
+}
+
+TEST(Collection, LeavesOfOneGroupAreNeighbours)
+{
+  // Two groups by turns: low bumps, and high ones.
+  const shape::Mesh sphere = shapetest::Icosphere(3);
+  std::vector<Eigen::MatrixXd> positions;
+  for (const double height : { 0.0, 0.8, 0.05, 0.85, 0.1, 0.9 })
+  {
+    positions.push_back(Bump(sphere, height));
+  }
+  const std::vector<int> leaves =
+    shape::CompareCollection(sphere, Shapes(sphere, positions)).Leaves;
+  ASSERT_EQ(leaves.size(), 6U);
+  for (int i = 0; i < 6; ++i)
+  {
+    EXPECT_EQ(leaves[i] % 2, i < 3 ? 0 : 1);
+  }
 }
 
 TEST(Collection, RefusesShapesThatDoNotCorrespond)

@@ -4,13 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace shape
 {
 namespace
 {
 
-constexpr int FewestFunctions = 20, MostFunctions = 60;
+constexpr int FewestFunctions = 20;
 
 double CommutativityError(
   const Eigen::MatrixXd& map, const Eigen::VectorXd& from, const Eigen::VectorXd& to)
@@ -28,23 +30,11 @@ double OrthonormalityError(const Eigen::MatrixXd& map)
 
 } // namespace
 
-CandidateRefinement::Side CandidateRefinement::Prepare(
-  const Surface& surface, const FeaturedSurface& featured, int pairs, const Progress& progress)
-{
-  const double length = std::sqrt(ComputePointAreas(surface).sum());
-  Side side{ { surface.Points() / length, surface.Triangles() }, {}, featured.Features,
-    featured.Samples };
-  constexpr double tolerance = 1e-6; // as precise as the comparison needs
-  side.Spectrum = SolveLaplaceEigenproblem(side.Surface, pairs, progress, tolerance);
-  return side;
-}
-
-CandidateRefinement::CandidateRefinement(const Surface& a, const FeaturedSurface& onA,
-  const Surface& b, const FeaturedSurface& onB, const Progress& progress)
-  : Pairs(static_cast<int>(
-      std::min<Eigen::Index>({ MostFunctions, a.Points().rows(), b.Points().rows() })))
-  , A(Prepare(a, onA, this->Pairs, progress.Part(0.0, 0.5)))
-  , B(Prepare(b, onB, this->Pairs, progress.Part(0.5, 1.0)))
+CandidateRefinement::CandidateRefinement(const MatchedSurface& a, const MatchedSurface& b)
+  : Pairs(static_cast<int>(std::min<Eigen::Index>(
+      { Functions, a.Spectrum.Eigenvalues.size(), b.Spectrum.Eigenvalues.size() })))
+  , A(a)
+  , B(b)
 {
 }
 
@@ -52,28 +42,30 @@ RefinedCandidate CandidateRefinement::Refine(
   const Eigen::VectorXi& aToB, const Eigen::VectorXi& bToA, const Progress& progress) const
 {
   const int first = std::min(FewestFunctions, this->Pairs);
-  const Eigen::MatrixXd ofA = this->A.At(this->A.Samples, first),
-                        ofB = this->B.At(this->B.Samples, first);
+  const auto at = [](const MatchedSurface& side, const std::vector<int>& points, int functions)
+  { return Eigen::MatrixXd(side.Spectrum.Eigenfunctions(points, Eigen::seqN(0, functions))); };
+  const std::vector<int>&samplesA = this->A.Featured.Samples, &samplesB = this->B.Featured.Samples;
+  const Eigen::MatrixXd ofA = at(this->A, samplesA, first), ofB = at(this->B, samplesB, first);
   Eigen::MatrixXd onA(ofA.rows() + ofB.rows(), first), onB(onA.rows(), first);
   onA << ofA, ofA(bToA, Eigen::all);
   onB << ofB(aToB, Eigen::all), ofB;
   ZoomOutOptions options;
   options.Last = this->Pairs;
   options.Step = 10; // smaller steps rank the candidates alike
-  const FunctionalMaps maps = RefineByZoomOut(this->A.Sampled(), this->B.Sampled(),
+  FunctionalMaps maps = RefineByZoomOut({ this->A.Triangles, this->A.Spectrum, samplesA },
+    { this->B.Triangles, this->B.Spectrum, samplesB },
     { FitCoefficients(onA, onB), FitCoefficients(onB, onA) }, {}, options, progress);
 
-  const Eigen::VectorXd &valuesA = this->A.Spectrum.Eigenvalues,
-                        &valuesB = this->B.Spectrum.Eigenvalues;
+  const Eigen::VectorXd valuesA = this->A.Spectrum.Eigenvalues.head(this->Pairs),
+                        valuesB = this->B.Spectrum.Eigenvalues.head(this->Pairs);
   // With C from B to A, phi_A(x) = C phi_B(image of x).
-  const Eigen::MatrixXd samplesOfB =
-    this->B.At(this->B.Samples, this->Pairs) * maps.BToA.transpose();
-  return { FindNearestRows(this->A.At(this->A.Samples, this->Pairs), samplesOfB),
-    FindNearestRows(this->A.At(this->A.Features, this->Pairs), samplesOfB),
+  const Eigen::MatrixXd imagesOnB = at(this->B, samplesB, this->Pairs) * maps.BToA.transpose();
+  return { FindNearestRows(at(this->A, samplesA, this->Pairs), imagesOnB),
+    FindNearestRows(at(this->A, this->A.Featured.Features, this->Pairs), imagesOnB),
     0.5 *
       (CommutativityError(maps.AToB, valuesA, valuesB) +
         CommutativityError(maps.BToA, valuesB, valuesA)),
-    0.5 * (OrthonormalityError(maps.AToB) + OrthonormalityError(maps.BToA)) };
+    0.5 * (OrthonormalityError(maps.AToB) + OrthonormalityError(maps.BToA)), std::move(maps) };
 }
 
 } // namespace shape

@@ -1,10 +1,8 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Correspondence/Landmarks/FeaturedSurface.h"
+#include "Correspondence/Landmarks/LandmarkCandidates.h"
 #include "Correspondence/Pair/ZoomOut.h"
-#include "Mesh/Surface.h"
-#include "Spectrum/LaplaceEigenproblem.h"
 
 #include <Eigen/Core>
 
@@ -22,16 +20,17 @@ struct RefinedCandidate
   /// |L C - C L| / |L| and |C'C - I| / |I|, means over both directions.
   double Commutativity = 0.0, Orthonormality = 0.0;
   ///@}
+  FunctionalMaps Maps; ///< the refined functional maps
 };
 
 /// Refines candidate maps of two surfaces, so that they can be compared.
 class CandidateRefinement
 {
 public:
-  /// a, b: the surfaces, with their featured samples. Computes the 60 smallest eigenpairs of each,
-  /// or as many as there are points. Throws SolveFailure, Aborted.
-  CandidateRefinement(const Surface& a, const FeaturedSurface& onA, const Surface& b,
-    const FeaturedSurface& onB, const Progress& progress = {});
+  /// The number of eigenfunctions of a refined map, unless a surface has fewer.
+  static constexpr int Functions = 60;
+  /// a, b: surfaces with their eigenpairs, which are referred to.
+  CandidateRefinement(const MatchedSurface& a, const MatchedSurface& b);
 
   /**
    * Refines a map by ZoomOut from 20 to 60 eigenfunctions. Functional maps of low frequency remove
@@ -45,27 +44,8 @@ public:
     const Eigen::VectorXi& aToB, const Eigen::VectorXi& bToA, const Progress& progress = {}) const;
 
 private:
-  struct Side
-  {
-    /// Of area 1.
-    shape::Surface Surface;
-    LaplaceEigenpairs Spectrum;
-    const std::vector<int>&Features, &Samples;
-
-    Eigen::MatrixXd At(const std::vector<int>& points, Eigen::Index functions) const
-    {
-      return this->Spectrum.Eigenfunctions(points, Eigen::seqN(0, functions));
-    }
-    SampledSpectrum Sampled() const
-    {
-      return { this->Surface.Triangles(), this->Spectrum, this->Samples };
-    }
-  };
-  static Side Prepare(
-    const Surface& surface, const FeaturedSurface& featured, int pairs, const Progress& progress);
-
   int Pairs; ///< the number of eigenpairs of each surface
-  Side A, B;
+  const MatchedSurface &A, &B;
 };
 
 } // namespace shape

@@ -1,0 +1,104 @@
+#pragma once
+
+#include "Base/Progress.h"
+#include "Correspondence/Landmarks/AutomaticLandmarks.h"
+#include "Correspondence/Pair/SurfaceMaps.h"
+#include "Mesh/Surface.h"
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <vector>
+
+namespace shape
+{
+
+struct ConsistentMapsOptions
+{
+  /// How the maps of pairs become maps onto one template.
+  enum class ConsistencyType
+  {
+    None,      ///< each shape is matched with the template alone
+    LimitShape ///< pairs of similar shapes are matched, and their maps are made consistent
+  };
+  ConsistencyType Consistency = ConsistencyType::LimitShape;
+  /// The method of the maps onto the template.
+  enum class MethodType
+  {
+    FunctionalMap,     ///< nearest rows of the consistent functional maps
+    ReversibleHarmonic ///< CorrespondenceOptions::MethodType, from landmarks of these maps
+  };
+  MethodType Method = MethodType::FunctionalMap;
+  /// LimitShape: each shape is matched with this many others, at least; those with the most similar
+  /// spectrum. >= 2.
+  int Neighbours = 6;
+  /// LimitShape: of each pair, this many different maps of FindLandmarks are compared; >= 1.
+  int Candidates = 4;
+  int Eigenpairs = 120;    ///< maximum number of eigenfunctions of each surface; >= 20
+  int CoarsePoints = 8000; ///< larger surfaces are matched on a coarse copy; 0: none is; or >= 100
+  AutomaticLandmarksOptions Landmarks; ///< Rank is not used
+};
+
+/// The processes that share the pairs: each computes every Processes-th one.
+struct PairSharing
+{
+  int Process = 0, Processes = 1;
+  /// Calls its argument. If that throws on one process, it throws on all.
+  std::function<void(const std::function<void()>&)> Run;
+  /// Adds the values of all processes, which is the result on each.
+  std::function<void(double* values, int count)> Sum;
+};
+
+/// Two shapes that were matched.
+struct ConsistentPair
+{
+  int A = 0, B = 0; ///< numbers of the shapes; a given template has the last one
+  int Rank = 0;     ///< the candidate that agrees with the other maps; 0 is the pair's own best one
+  double Error = 0.0;        ///< AutomaticLandmarksResult::Error of this candidate
+  double Confidence = 0.0;   ///< AutomaticLandmarksResult::Confidence of the best candidate
+  double Disagreement = 0.0; ///< CandidateChoice::Disagreements
+  bool Dropped = false;      ///< whether the map contradicts the others and was left out
+};
+
+struct ConsistentMaps
+{
+  int Template = -1; ///< number of the shape that is the template, -1 if it was given
+  /// For each shape: AToB are the images of its points on the template, BToA those of the
+  /// template's points on the shape (InvertMap of AToB).
+  std::vector<SurfaceMaps> Maps;
+  std::vector<ConsistentPair> Pairs; ///< with LimitShape
+  /// For each shape, the mean Disagreement of its pairs that were kept; 0 with None.
+  Eigen::VectorXd Disagreements;
+  ///@{
+  /// The mean distance of a point from its image after the way A -> B -> C -> A, over the triples
+  /// of which all pairs were matched, divided by the root of the area: by Maps, and by the best
+  /// functional map of each pair alone. -1 if there is no such triple.
+  double CycleError = -1.0, PairwiseCycleError = -1.0;
+  ///@}
+  int Triples = 0; ///< the number of triples that were measured, at most 300
+};
+
+/**
+ * Maps N surfaces with different points and triangles onto one template, without landmarks.
+ *
+ * Only pairs of similar shapes are matched (Neighbours), and those that connect all. Each offers
+ * several maps (FindLandmarkCandidates). ChooseCandidates selects the ones that agree around cycles
+ * and drops the pairs of which none does. The maps are then refined together: all shapes have
+ * frames of one space of latent functions (AverageFrames), points with the nearest values of these
+ * functions correspond, and these give functional maps of more eigenfunctions (Huang, Ren, Wonka
+ * and Ovsjanikov, "Consistent ZoomOut: efficient spectral map synchronization", 2020). At the end,
+ * each shape is mapped onto the template through the latent functions. The map between two shapes
+ * is the way over the template, so maps around cycles agree as far as each is one to one.
+ *
+ * shapes: surfaces that RequireConnected accepts. base: the template, or null: then it is the shape
+ * whose products of latent functions (Y' Y and Y' L Y, with the eigenvalues L) differ least from
+ * those of the others. With None, it is the shape with the most similar spectra.
+ *
+ * Throws InvalidInput if there are less than two surfaces, if a surface is not as described, if no
+ * landmarks are found, or if an option is out of range; SolveFailure; Aborted.
+ */
+ConsistentMaps ComputeConsistentMaps(const std::vector<Surface>& shapes, const Surface* base,
+  const ConsistentMapsOptions& options = {}, const PairSharing& sharing = {},
+  const Progress& progress = {});
+
+} // namespace shape
