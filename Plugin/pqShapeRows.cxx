@@ -1,5 +1,7 @@
 #include "pqShapeRows.h"
 
+#include "pqShapeSliders.h"
+
 #include "vtkPVXMLElement.h"
 #include "vtkSMDoubleVectorProperty.h"
 #include "vtkSMEnumerationDomain.h"
@@ -179,6 +181,10 @@ pqPropertyWidget* pqShapeRows::createWidgetForProperty(
     return ExplainNumber(numbers ? new pqDoubleVectorPropertyWidget(numbers, proxy, parent)
                                  : pqIntVectorPropertyWidget::createWidget(integers, proxy, parent),
       property, proxy);
+  }
+  if (FindPropertyHint(property, "Sliders"))
+  {
+    return new pqShapeSliders(proxy, property, parent);
   }
   auto* proxies = vtkSMProxyProperty::SafeDownCast(property);
   if (proxies && FindPropertyHint(property, "SelectionInput"))

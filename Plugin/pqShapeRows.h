@@ -16,6 +16,8 @@
  * - A number that is the size of hexahedra says about how many they will be, if the hint
  *   <CellCount size="SurfaceSize" layers="PaddingLayers"/> names the property with volume, area and
  *   longest edge of the solid. on_longest_edge="1": it is the number of cells on that edge instead.
+ * - A list of numbers has a slider for each array of an input (pqShapeSliders), with the hint
+ *   <Sliders input="Atlas" array="Mode"/>.
  * - A selection input says when there is no selection to copy.
  */
 class pqShapeRows

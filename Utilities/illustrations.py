@@ -404,6 +404,24 @@ def Morph():
 
 
 @drawing
+def Synthesize():
+    """Three samples of a bone, whose hexahedra move along: bent either way, longer, and thicker at one end."""
+    ball = Clean(Input=Sphere(Radius=1.0, ThetaResolution=48, PhiResolution=48))
+    bone = Calculator(Input=ball, CoordinateResults=1, Function='1.8*coordsZ*kHat + '
+                      '(0.35 + 0.45*coordsZ^2)*(coordsX*iHat + coordsY*jHat)')
+    atlas = Calculator(Input=bone, ResultArrayName='SourcePosition', Function='coords')
+    modes = ('0.14*(coordsZ^2*iHat - 2*coordsX*coordsZ*kHat)', '0.12*coordsZ*kHat',
+             '0.12*coordsZ*(coordsX*iHat + coordsY*jHat)')
+    for k, mode in enumerate(modes):
+        atlas = Calculator(Input=atlas, ResultArrayName='Mode%d' % k, Function=mode)
+    solid = ShapeHexRemesh(Surface=bone, CellSize=0.13)
+    for weights, x in (([-2, 0, 0], -1.9), ([0, 1, -2], 0.0), ([1.5, -1, 2], 1.7)):
+        sample = OutputPort(ShapeSynthesize(Atlas=atlas, Data=solid, Weights=weights), 1)
+        show(cut(sample, normal=(0, -1, 0)), (x, 0, 0), array='ScaledJacobian', kind='CELLS', preset='quality', limits=(0, 1), edges=True)
+    return FRONT
+
+
+@drawing
 def MapQuality():
     a, b = figures()
     quality = ShapeMapQuality(Input=ShapeCorrespondence(SurfaceA=a, SurfaceB=b))

@@ -28,6 +28,7 @@ OPTIONS = {
     'ShapeHexRemesh': {'Method': 2, 'CellsOnLongestSide': 4},
     'ShapeNetworkDescriptors': {'FileName': shapetesting.data_file('RandomFeatures.onnx')},
     'ShapeLandmarks': {'PointsA': [0.0, 0.0, 1.0, 1.0, 0.0, 0.0]},
+    'ShapeSynthesize': {'Tetrahedra': 2000},
     # One stroke: Set, radius 0.3, strength 1, value 1, six points.
     'ShapePaintArray': {'Strokes': [(0, 0.3, 1.0, 1.0, 6)],
                         'StrokePoints': [(0.1 * i, 0.0, 1.0) for i in range(6)]},
@@ -102,6 +103,14 @@ def divided():
     return grid
 
 
+def modes():
+    """A mean shape, whose template is the unit sphere, with one mode."""
+    mean = shapetesting.read('DentedSphere600.vtp')
+    shapetesting.add_array(mean, shapetesting.array(mean, 'TargetPosition'), 'SourcePosition')
+    shapetesting.add_array(mean, 0.1 * shapetesting.points(mean) * [1.0, 0.0, -1.0], 'Mode0')
+    return mean
+
+
 def operators():
     """The table of Shape Map Difference of the closed surface and itself."""
     algorithm = module.vtkShapeMapDifference()
@@ -126,6 +135,7 @@ NEEDED_INPUTS = {
     ('ShapeLabelSurfaces', 'Input'): segmented,
     ('ShapeImageValues', 'Image'): scanned,
     ('ShapeStructuredBlocks', 'Input'): divided,
+    ('ShapeSynthesize', 'Atlas'): modes,
 }
 
 GetActiveSource()

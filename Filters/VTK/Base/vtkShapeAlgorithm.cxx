@@ -98,10 +98,10 @@ void vtkShapeAlgorithm::DeclareOutputLikeInput(int input)
   this->DeclareOutput("");
 }
 
-void vtkShapeAlgorithm::DeclareMovedOutput()
+void vtkShapeAlgorithm::DeclareMovedOutput(int input)
 {
   this->MovedOutputs.insert(static_cast<int>(this->OutputTypes.size()));
-  this->DeclareOutput("");
+  this->DeclareOutputLikeInput(input);
 }
 
 void vtkShapeAlgorithm::DeclareMeasures(const std::set<std::string>& names)

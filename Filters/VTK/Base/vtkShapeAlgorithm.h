@@ -174,10 +174,9 @@ protected:
   ///@{
   /// Appends an output port with the type of an input, by default the first. With
   /// DeclareOutputLikeInput, the points of the input stay unchanged. With DeclareMovedOutput, the
-  /// points of the first input move, so that image data and rectilinear grids become structured
-  /// grids.
+  /// points of the input move, so that image data and rectilinear grids become structured grids.
   void DeclareOutputLikeInput(int input = 0);
-  void DeclareMovedOutput();
+  void DeclareMovedOutput(int input = 0);
   ///@}
 
   /// Appends the output port Facts. If Execute has called vtkShapeConvert::AddFact with names

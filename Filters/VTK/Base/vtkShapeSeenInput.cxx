@@ -127,6 +127,11 @@ bool vtkShapeSeenInput::IsNew(vtkShapeAlgorithm& filter, int port, vtkPointSet* 
     }
     return !isSame;
   }
+  return this->IsNewHere(filter, port);
+}
+
+bool vtkShapeSeenInput::IsNewHere(vtkShapeAlgorithm& filter, int port)
+{
   vtkDataObject* data = filter.GetInputDataObject(port, 0);
   // The modification time of composite data does not change when a block is modified.
   vtkMTimeType time = data->GetMTime();

@@ -17,6 +17,8 @@ public:
   /// vtkUnstructuredGrid. With several processes, `whole` is compared value by value, because a
   /// change on another process leaves the modification time here unchanged.
   bool IsNew(vtkShapeAlgorithm& filter, int port, vtkPointSet* whole);
+  /// The same for the data of this process alone, for results that other processes do not need.
+  bool IsNewHere(vtkShapeAlgorithm& filter, int port);
 
 private:
   vtkDataObject* Data = nullptr; ///< only compared, since the data may have been deleted

@@ -1,0 +1,102 @@
+"""Hexahedra of a template are carried to 30 samples of three families of shapes: bent bars, dented spheres and
+bones with two regions, at random weights from -2 to 2. None is inverted, the minimum scaled Jacobian is at least
+0.3, and the boundary is at most 0.5 % of the sample's size from it.
+
+The defaults of Shape Synthesize were chosen on another family: spheres with waves, and twisted bars."""
+import sys
+
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+import shapemap
+
+import shapetesting
+from shapetesting import add_array, copy, fact, points
+
+sys.path.insert(0, shapetesting.ROOT + '/Data')
+from shapes import meshes  # noqa: E402
+
+SAMPLES = 10
+
+
+def surface_of(places, triangles):
+    surface, cells = vtkPolyData(), vtkCellArray()
+    surface.SetPoints(vtkPoints())
+    shapetesting.set_points(surface, places)
+    cells.SetData(numpy_to_vtkIdTypeArray(3 * numpy.arange(len(triangles) + 1), deep=True),
+                  numpy_to_vtkIdTypeArray(numpy.asarray(triangles, numpy.int64).ravel(), deep=True))
+    surface.SetPolys(cells)
+    return surface
+
+
+def atlas_of(template, modes):
+    """The template is the mean."""
+    atlas = copy(template)
+    add_array(atlas, points(template), 'SourcePosition')
+    for k, mode in enumerate(modes):
+        add_array(atlas, mode, 'Mode%d' % k)
+    return atlas
+
+
+def bar():
+    """Bent in two planes, and thicker in the middle than at the ends."""
+    across = 8
+    lattice, quads = meshes.box_surface((4 * across, across, across))
+    places = lattice / across - numpy.array([2, 0.5, 0.5])
+    x, y, z = places.T
+    modes = [0.2 * numpy.c_[-x * y, x**2 / 2, 0 * x], 0.15 * numpy.c_[-x * z, 0 * x, x**2 / 2],
+             0.1 * numpy.c_[0 * x, y * (1 - x**2 / 2), z * (1 - x**2 / 2)]]
+    return surface_of(places, meshes.split_quads(places, quads)), (), modes, {'CellSize': 0.125}
+
+
+def dent(places, centre, width):
+    """Along the normals of a sphere."""
+    return numpy.exp(-((places - centre)**2).sum(axis=1) / width**2)[:, None] * places
+
+
+def dented_sphere():
+    places, triangles = meshes.geodesic_sphere(14)
+    modes = [-0.2 * dent(places, [0.6, 0.8, 0.0], 0.5), 0.18 * dent(places, [0.0, -0.6, 0.8], 0.6),
+             -0.15 * (dent(places, [-1.0, 0.0, 0.0], 0.4) + dent(places, [0.0, 0.0, -1.0], 0.4))]
+    return surface_of(places, triangles), (), modes, {'CellSize': 0.12}
+
+
+def bone():
+    """A shaft with thick ends, around a canal: longer, thicker at one end, or bent."""
+    ball, triangles = meshes.geodesic_sphere(14)
+
+    def drawn(scale, length):
+        width = scale * (0.4 + 0.5 * ball[:, 2:]**2)
+        return numpy.c_[width * ball[:, :2], length * ball[:, 2]]
+
+    places = drawn(1.0, 2.0)
+    x, y, z = places.T
+    modes = [0.1 * numpy.c_[0 * x, 0 * y, z], 0.1 * numpy.c_[x * z, y * z, 0 * z],
+             0.12 * numpy.c_[z**2, 0 * y, -2 * x * z]]
+    return surface_of(places, triangles), (surface_of(drawn(0.5, 1.4), triangles),), modes, {'CellSize': 0.1}
+
+
+random = numpy.random.RandomState(20)
+for make in (bar, dented_sphere, bone):
+    template, inner, modes, settings = make()
+    solid = shapetesting.outputs(shapetesting.new(shapemap.vtkShapeHexRemesh, template, None, list(inner), **settings))[0]
+    synthesize = shapetesting.new(shapemap.vtkShapeSynthesize, atlas_of(template, modes), solid)
+    least, farthest, inverted = 1.0, 0.0, 0
+    for sample in range(SAMPLES):
+        for k, weight in enumerate(random.uniform(-2, 2, len(modes))):
+            synthesize.SetWeights(k, weight)
+        moved = shapetesting.outputs(synthesize)[1]
+        assert moved.GetNumberOfCells() == solid.GetNumberOfCells()
+        assert fact(moved, 'Synthesize.OutsidePoints') == 0
+        assert fact(moved, 'Synthesize.InvertedAfter') == 0
+        inverted += fact(moved, 'Synthesize.InvertedBefore')
+        least = min(least, fact(moved, 'Synthesize.MinimumScaledJacobian'))
+        farthest = max(farthest, fact(moved, 'Synthesize.BoundaryDistance'))
+        assert least == min(least, moved.GetCellData().GetArray('ScaledJacobian').GetRange()[0])
+    regions = len(numpy.unique(vtk_to_numpy(moved.GetCellData().GetArray('RegionId')))) \
+        if moved.GetCellData().HasArray('RegionId') else 1
+    print('%s: %d hexahedra, %d region(s), %d inverted by the map; minimum scaled Jacobian %.3f, boundary %.2e off'
+          % (make.__name__, solid.GetNumberOfCells(), regions, inverted, least, farthest))
+    assert regions == (2 if make is bone else 1)
+    assert least >= 0.3 and farthest <= 0.005, make.__name__
