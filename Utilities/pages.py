@@ -23,8 +23,8 @@ ROOT = proxies.ROOT
 SITE = os.path.join(ROOT, 'Documentation', 'Site')
 # The pages besides those of the filters and the tutorials, in the order of the contents.
 FIRST = ['Documentation/Welcome.md', 'Documentation/FirstSteps.md']
-LAST = ['Documentation/DataContract.md', 'Documentation/Glossary.md', 'Documentation/Bibliography.md',
-        'CHANGELOG.md']
+LAST = ['Documentation/Command.md', 'Documentation/DataContract.md', 'Documentation/Glossary.md',
+        'Documentation/Bibliography.md', 'CHANGELOG.md']
 OVERVIEW = 'Documentation/Filters.md'
 EFFECTS = 'Small and large values'
 

@@ -66,6 +66,7 @@ info = 'shapemap-%s.dist-info/' % version
 contents = {name: (open(path, 'rb').read(), os.access(path, os.X_OK)) for name, path in sorted(files.items())}
 contents[info + 'LICENSE'] = open(os.path.join(root, 'LICENSE'), 'rb').read(), False
 contents[info + 'METADATA'] = metadata.encode(), False
+contents[info + 'entry_points.txt'] = b'[console_scripts]\nshapemap = shapemap.__main__:main\n', False
 contents[info + 'WHEEL'] = ('Wheel-Version: 1.0\nGenerator: ShapeMap\nRoot-Is-Purelib: false\nTag: %s\n' % tag).encode(), False
 record = ['%s,sha256=%s,%d' % (
     name, base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b'=').decode(), len(data))

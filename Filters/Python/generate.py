@@ -1,5 +1,5 @@
 """Writes the functions of the package shapemap from the XML files of the filters, which have their
-ports, properties, defaults and help. generate.py FOLDER OUTPUT_FOLDER"""
+ports, properties, defaults and help, and the same as a table. generate.py FOLDER OUTPUT_FOLDER VERSION"""
 import glob
 import keyword
 import os
@@ -115,6 +115,25 @@ class Parameter:
             self.kind = ', '.join(filter(None, [
                 kind if count == 1 else '%d %ss' % (count, kind), self.limits(is_integer), 'default ' + self.default]))
             self.body = ['run.set(%r, %s%s)' % (command, '' if count == 1 else '*', self.name)]
+
+    def row(self):
+        """It in the table, of the classes of properties.py."""
+        element = self.element
+        if element.tag == 'InputProperty':
+            return 'Input(%r, %r, %r, %r, %r, %r)' % (
+                self.name, self.label, self.required, element.get('multiple_input') == '1',
+                tuple(each.get('value') for each in element.iter('DataType')), self.help)
+        words = tuple(each.get('text') for each in element.iter('Entry'))
+        kind = {'IntVectorProperty': 'int', 'DoubleVectorProperty': 'float'}.get(element.tag, 'str')
+        domain = element.find('IntRangeDomain' if kind == 'int' else 'DoubleRangeDomain')
+        bounds = [None if domain is None or domain.get(key) is None else number(domain.get(key), kind == 'int')
+                  for key in ('min', 'max')]
+        repeatable = element.get('repeatable') == '1'
+        return 'Property(%r, %r, %r, %s, %r, %r, %s, %s, %s, %r)' % (
+            self.name, self.label,
+            'str' if words else 'bool' if element.find('BooleanDomain') is not None else kind,
+            element.get('number_of_elements_per_command' if repeatable else 'number_of_elements', '1'),
+            repeatable, words, *bounds, self.default, self.help)
 
     def limits(self, is_integer):
         domain = self.element.find('IntRangeDomain' if is_integer else 'DoubleRangeDomain')
@@ -257,7 +276,7 @@ def read_filters(folder):
     return sorted(found, key=lambda each: each.name)
 
 
-def main(folder, output):
+def main(folder, output, version):
     filters = read_filters(folder)
     functions = {'Shape ' + ' '.join(re.findall('[A-Z][a-z]*', each.name)): each.function for each in filters}
     os.makedirs(output, exist_ok=True)
@@ -281,6 +300,14 @@ __all__ = [
 ''' % ''.join('    %r,\n    %r,\n' % (each.function, each.name + 'Result') for each in filters))
         for each in filters:
             file.write('\n' + each.result() + '\n' + each.code(functions))
+    with open(os.path.join(output, 'filters.py'), 'w') as file:
+        file.write(HEADER % 'What the functions take, as a table.')
+        file.write('from .properties import Filter, Input, Property\n\nVERSION = %r\n\nFILTERS = {\n' % version)
+        for each in filters:
+            file.write('    %r: Filter(\n        %r,\n        (%s),\n        (%s)),\n' % (
+                each.function, words(each.proxy.find('Documentation').get('short_help')),
+                *(''.join('\n            %s,' % row.row() for row in rows) for rows in (each.inputs, each.properties))))
+        file.write('}\n')
     # For type checkers: the extension itself tells them nothing.
     with open(os.path.join(output, 'vtkShapeFilters.pyi'), 'w') as file:
         file.write('from typing import Any\n\n')

@@ -42,6 +42,12 @@ assert any('OpenCASCADE cannot read it as STEP' in text for text in refusals), r
 print(shapemap.__file__.split('/')[-2], 'imported and run')
 PY
 
+echo "the command:"
+mkdir "$prefix/in"
+cp "$root/Data/DentedSphere600.vtp" "$prefix/in"
+"$prefix/bin/shapemap" solidify "$prefix/in" "$prefix/out"
+test -s "$prefix/out/DentedSphere600.vtp"
+
 echo "the CMake package, for the examples in C++:"
 cmake -G Ninja -S "$root/Examples/CPlusPlus" -B "$prefix/examples" -DCMAKE_PREFIX_PATH="$prefix" \
   >"$prefix/log" 2>&1 || { cat "$prefix/log"; exit 1; }

@@ -38,6 +38,7 @@ quality = shapemap.cell_array(made.hexahedra, 'ScaledJacobian')
 assert len(quality) > 50 and quality.min() > 0.1, quality
 print('%s, %s: %d hexahedra' % (described['Version'], described['License'], len(quality)))
 PY
+[ "$("$folder/venv/bin/shapemap" --version)" = "$("$folder/venv/bin/python" -m shapemap --version)" ]
 
 # Without the VTK for which it was made, it says what is missing and what to do.
 "$folder/venv/bin/python" - "$folder/venv" <<'PY'

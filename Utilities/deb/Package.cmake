@@ -31,6 +31,8 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
 set(CPACK_DEBIAN_PACKAGE_DEPENDS
   "paraview (>= 5.11), paraview (<< 5.12~), python3-paraview (>= 5.11), python3-paraview (<< 5.12~), python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
+# It draws the pictures of the command shapemap where there is no display.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "xvfb")
 # Python's compiled files come and go with the package.
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA
   "${CMAKE_CURRENT_LIST_DIR}/postinst" "${CMAKE_CURRENT_LIST_DIR}/prerm")
@@ -56,6 +58,9 @@ install(FILES "${written}/changelog.gz" RENAME changelog.Debian.gz
   DESTINATION "${documents}" COMPONENT deb EXCLUDE_FROM_ALL)
 install(FILES "${written}/CHANGELOG.md.gz" RENAME changelog.gz
   DESTINATION "${documents}" COMPONENT deb EXCLUDE_FROM_ALL)
+configure_file("${CMAKE_CURRENT_LIST_DIR}/shapemap.1" "${written}/shapemap.1" COPYONLY)
+execute_process(COMMAND gzip -9nf "${written}/shapemap.1")
+install(FILES "${written}/shapemap.1.gz" DESTINATION share/man/man1 COMPONENT deb EXCLUDE_FROM_ALL)
 configure_file("${CMAKE_CURRENT_LIST_DIR}/copyright.in" "${written}/copyright" @ONLY)
 install(FILES "${written}/copyright" README.md
   DESTINATION "${documents}" COMPONENT deb EXCLUDE_FROM_ALL)
