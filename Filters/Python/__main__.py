@@ -15,7 +15,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, Optional
 
 import numpy
-from vtkmodules.vtkCommonDataModel import vtkDataSet
+from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkMultiBlockDataSet
 
 from . import batch, files, pictures, report
 from .commands import COMMANDS, Command
@@ -132,7 +132,12 @@ class Batch:
                 raise Usage('two subjects have the name %s; rename one, or give a table with a column "name"' % name)
             subjects[name] = Subject(name, row)
             self.complete(subjects[name])
-        return [subjects[name] for name in sorted(subjects)]
+        found = [subjects[name] for name in sorted(subjects)]
+        if self.command.together:
+            others = {key: path for key, path in found[0].given.items() if key != 'subject'}
+            return [Subject(self.name, {**others, **{'subject %06d' % k: each.given['subject']
+                                                     for k, each in enumerate(found)}})]
+        return found
 
     def rows_of(self, path: str) -> list[dict[str, str]]:
         """The rows of a table, whose files are relative to its folder."""
@@ -207,6 +212,11 @@ class Batch:
             data = [files.as_type(files.read(path), each.types) for path in paths]
             if data:
                 inputs[each.name] = data if each.multiple else data[0]
+            if name == 'subject' and self.command.together:
+                inputs[each.name] = vtkMultiBlockDataSet()
+                for k, (block, path) in enumerate(zip(data, paths)):
+                    inputs[each.name].SetBlock(k, block)
+                    inputs[each.name].GetMetaData(k).Set(vtkMultiBlockDataSet.NAME(), _stem(path))
         return inputs
 
     def run(self) -> int:

@@ -32,6 +32,7 @@ class Command:
     colours: tuple[float, float] = (0.0, 1.0)
     names: Mapping[str, str] = field(default_factory=dict)
     make: Optional[Callable[..., Made]] = None
+    together: bool = False  # whether all subjects are blocks of one input, and give one result
 
     def run(self, inputs: Mapping[str, Any], options: Mapping[str, Any]) -> Made:
         if self.make is not None:
@@ -79,4 +80,7 @@ COMMANDS = {
     'quality': Command(
         'measure the distortion of maps', 'map_quality', 'input',
         'quality maps measured', 'MeanHencky', True, 'Hencky'),
+    'collection': Command(
+        'compare shapes with the same points, or with maps from a template', 'collection', 'shapes',
+        'collection maps compared --template template.vtp --correspondence Maps', together=True),
 }
