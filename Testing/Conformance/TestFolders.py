@@ -26,7 +26,7 @@ USE_OPENCV = ['Kernels/Network/Private/NetworkLibrary.cxx']
 USE_OCCT = ['Kernels/IO/Private/CascadeFile.cxx', 'Kernels/IO/Private/CascadeFile.h',
             'Kernels/IO/Private/CascadeLibrary.cxx', 'Kernels/IO/TestCADReader.cxx']
 # No mathematics, or one line in the wrapper, which its header states: no kernel.
-WITHOUT_KERNEL = ['vtkShapeExample', 'vtkShapeMorph']
+WITHOUT_KERNEL = ['vtkShapeExample']
 # Base classes, whose XML holds what the others inherit.
 BASES = ['vtkShapeAlgorithm', 'vtkShapeDeformingAlgorithm', 'vtkShapeReader', 'vtkShapeWriter']
 OCCT = re.compile(r'(BRep|TopoDS|STEPControl|IGESControl)\w*\.hxx')

@@ -121,6 +121,15 @@ halfway = morph.GetOutputDataObject(0)
 assert abs(points(halfway) - 0.5 * points(mapped) - 0.5 * array(
     mapped, 'TargetPosition')).max() < 1e-15
 
+# The rigid path of a piece is that of the whole, which one process finds alone.
+rigid = {}
+for name, data, controller in (('piece', surface, morph.GetController()), ('whole', whole, None)):
+    morph = shapetesting.new(shapemap.vtkShapeMorph, data, Path=1, Controller=controller)
+    morph.UpdateTimeStep(0.5)
+    rigid[name] = by_place(points(data), points(morph.GetOutputDataObject(0)))
+assert max(abs(rigid['whole'][place] - moved).max() for place, moved in rigid['piece'].items()) < 1e-9
+assert max(abs(moved - numpy.frombuffer(place)).max() for place, moved in rigid['piece'].items()) > 0.01
+
 # Only one process holds the charge set; all move their pieces by it, and back.
 applied = shapemap.vtkShapeApplyVolumeMap()
 applied.SetInputDataObject(0, ball)

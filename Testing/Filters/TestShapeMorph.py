@@ -3,7 +3,8 @@
 As an example: Input carries the map array; press Play, or ask for a time."""
 import numpy
 from paraview import simple
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkMultiBlockDataSet
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkImageData, vtkMultiBlockDataSet, vtkPolyData
 import shapemap
 
 import shapetesting
@@ -97,6 +98,113 @@ resting = points(shapetesting.output(calculator))
 late.UpdatePipeline(time=0.5)
 assert abs(points(shapetesting.output(late)) - resting - [0.5, 0, 0]).max() < 1e-6
 assert list(late.TimestepValues)[-1] == 1.0, 'the time steps of the input came through'
+
+# Targets are blended with their weights. An arm, whose forearm bends in the first and whose shoulder in the second.
+def tube(bend=0.0, shoulder=0.0):
+    """A tube along x from 0 to 6, bent about z near x = 4 and turned about y near x = 2."""
+    around, along = 12, 60
+    angles, x = numpy.meshgrid(numpy.arange(around) * 2 * numpy.pi / around, numpy.linspace(0, 6, along + 1))
+    places = numpy.stack([x, 0.2 * numpy.cos(angles), 0.2 * numpy.sin(angles)], 2).reshape(-1, 3)
+    for angle, at_x, across in ((bend, 4.0, 1), (shoulder, 2.0, 2)):
+        if angle:
+            turned = angle * numpy.clip(places[:, 0] - at_x + 0.5, 0, 1)
+            beyond = numpy.maximum(0, places[:, 0] - at_x - 0.5)
+            radius, moving = 1 / angle, places[:, 0] > at_x - 0.5
+            y = places[:, across].copy()
+            places[moving, 0] = (at_x - 0.5 + (radius - y) * numpy.sin(turned) + beyond * numpy.cos(angle))[moving]
+            places[moving, across] = (radius - (radius - y) * numpy.cos(turned) + beyond * numpy.sin(angle))[moving]
+    rows = numpy.arange(around * along).reshape(along, around)
+    right = numpy.roll(rows, -1, 1)
+    quads = numpy.stack([rows, right, right + around, rows + around], 2).reshape(-1, 4)
+    data = vtkPolyData()
+    data.SetPoints(vtkPoints())
+    shapetesting.set_points(data, places)
+    cells = vtkCellArray()
+    for quad in quads:
+        cells.InsertNextCell(4, quad.tolist())
+    data.SetPolys(cells)
+    return data
+
+
+def forearm(data):
+    """The length of the part from x = 5 to 6."""
+    ends = points(data).reshape(-1, 12, 3)[[50, 60]].mean(1)
+    return numpy.linalg.norm(ends[1] - ends[0])
+
+
+resting, targets = tube(), [tube(bend=2.0), tube(shoulder=1.0)]
+assert abs(forearm(targets[0]) - 1) < 1e-12
+
+
+def blend(path, weights=(), time=1.0, animate=True, shape=resting, poses=targets):
+    algorithm = new(shape)
+    for pose in poses:
+        algorithm.AddInputDataObject(1, pose)
+    algorithm.SetPath(path)
+    algorithm.SetNumberOfWeights(len(weights))
+    for i, weight in enumerate(weights):
+        algorithm.SetWeights(i, weight)
+    algorithm.SetAnimate(animate)
+    return at(algorithm, time)
+
+
+first, second = (points(target) - points(resting) for target in targets)
+for weights, time in (((0.5, 0.25), 1.0), ((1.0, 0.0), 0.3), ((-0.5, 1.5), 0.6), ((1.0,), 0.5)):
+    given = list(weights) + [0.0] * (2 - len(weights))
+    expected = points(resting) + time * (given[0] * first + given[1] * second)
+    assert abs(points(blend(0, weights, time)) - expected).max() < 1e-14, weights
+assert abs(points(blend(0)) - points(resting) - (first + second) / 2).max() < 1e-14, 'without weights: the mean'
+assert (points(blend(0, (1, 0), 0.2, animate=False)) == points(blend(0, (1, 0), 1.0))).all()
+
+# Rigid: targets are reached, and a forearm keeps its length, which shrinks by a fifth in straight lines.
+for path in (0, 1):
+    assert abs(points(blend(path, (1, 0))) - points(targets[0])).max() < 1e-11
+    assert abs(points(blend(path, (0, 1), 0.0)) - points(resting)).max() < 1e-11
+assert abs(forearm(blend(1, (1, 0), 0.5)) - 1) < 0.005 and forearm(blend(0, (1, 0), 0.5)) < 0.8
+assert abs(forearm(blend(1, (0.6, 0.7))) - 1) < 0.01
+# Another weight in the same filter gives what a new filter gives.
+algorithm = new(resting)
+algorithm.AddInputDataObject(1, targets[0])
+algorithm.SetPath(1)
+algorithm.SetNumberOfWeights(1)
+for weight in (0.3, 0.8):
+    algorithm.SetWeights(0, weight)
+    assert (points(at(algorithm, 1.0)) == points(blend(1, (weight,), poses=targets[:1]))).all()
+
+# Two blocks of one surface move as the whole, and solids as their hexahedra.
+def in_halves(data):
+    count = data.GetNumberOfCells()
+    both = vtkMultiBlockDataSet()
+    for i, cells in enumerate((range(count // 2), range(count // 2, count))):
+        both.SetBlock(i, shapetesting.with_cells(data, list(cells)))
+    return both
+
+
+halves, pose_halves = (in_halves(data) for data in (resting, targets[0]))
+whole = blend(1, (1.0,), 0.5, poses=targets[:1])
+parts = blend(1, (1.0,), 0.5, shape=halves, poses=[pose_halves])
+for part in range(2):
+    own, source = (points(data.GetBlock(part)) for data in (parts, halves))
+    rows = [numpy.argmin(abs(points(resting) - place).sum(1)) for place in source]
+    assert abs(own - points(whole)[rows]).max() < 1e-9
+bar = read('BentBarSmall.vtu')
+half = new(bar)
+half.SetPath(1)
+assert abs(points(at(half, 1.0)) - array(bar, 'TargetPosition')).max() < 1e-10
+
+# Targets with other points, and too many weights.
+algorithm = new(resting)
+algorithm.AddInputDataObject(1, surface)
+message = ' '.join(shapetesting.run(algorithm))
+assert 'target 0 of Targets has %d points, and the Input has 732' % len(start) in message, message
+algorithm = new(resting)
+algorithm.AddInputDataObject(1, targets[0])
+algorithm.SetNumberOfWeights(3)
+warned = []
+algorithm.AddObserver('WarningEvent', lambda caller, event: warned.append(event))
+assert not shapetesting.run(algorithm) and warned == ['WarningEvent']
+algorithm.SetNumberOfWeights(1)
+assert not shapetesting.run(algorithm) and len(warned) == 1
 
 # Wrong maps: the error names the filter, the fact and what is there instead.
 algorithm = new(surface)

@@ -1,0 +1,340 @@
+#include "vtkShapeMorph.h"
+
+#include "vtkShapeComposite.h"
+#include "vtkShapeConvert.h"
+#include "vtkShapeGather.h"
+#include "vtkShapeHandle.h"
+#include "vtkShapeList.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkDataObjectTypes.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
+
+#include "Base/Errors.h"
+#include "Deform/Morph.h"
+#include "Mesh/Topology.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+vtkStandardNewMacro(vtkShapeMorph);
+
+/// The rigid morph of the last run, which fits all times and weights while the inputs stay the
+/// same.
+struct vtkShapeMorph::Kept
+{
+  const shape::RigidMorph& Prepare(const shape::ShapeElements& shape,
+    const std::vector<Eigen::MatrixXd>& targets, const shape::Progress& progress)
+  {
+    const auto same = [](const auto& a, const auto& b)
+    { return a.rows() == b.rows() && a.cols() == b.cols() && a == b; };
+    const bool isKnown = this->Morph && same(this->Shape.Points, shape.Points) &&
+      same(this->Shape.Lines, shape.Lines) && same(this->Shape.Triangles, shape.Triangles) &&
+      same(this->Shape.Tetrahedra, shape.Tetrahedra) && this->Targets.size() == targets.size() &&
+      std::equal(targets.begin(), targets.end(), this->Targets.begin(), same);
+    if (!isKnown)
+    {
+      this->Morph.reset();
+      this->Morph.emplace(shape, targets, progress);
+      this->Shape = shape;
+      this->Targets = targets;
+    }
+    return *this->Morph;
+  }
+
+private:
+  shape::ShapeElements Shape;
+  std::vector<Eigen::MatrixXd> Targets;
+  std::optional<shape::RigidMorph> Morph;
+};
+
+vtkShapeMorph::vtkShapeMorph()
+  : Cache(std::make_unique<Kept>())
+{
+  this->DeclareInput("Input", PortData::Pieces, PortUse::Required, { "vtkDataSet" });
+  this->DeclareInput("Targets", PortData::Pieces, PortUse::OptionalRepeatable, { "vtkDataSet" });
+  this->DeclareMovedOutput();
+}
+
+vtkShapeMorph::~vtkShapeMorph() = default;
+
+void vtkShapeMorph::AddTargets(vtkAlgorithmOutput* target)
+{
+  this->AddInputConnection(1, target);
+}
+
+void vtkShapeMorph::RemoveAllTargets()
+{
+  this->SetInputConnection(1, nullptr);
+}
+
+void vtkShapeMorph::SetNumberOfWeights(int count)
+{
+  vtkShapeList::Resize(this, this->Weights, count);
+}
+
+void vtkShapeMorph::SetWeights(int index, double weight)
+{
+  vtkShapeList::Set(this, "Weights", this->Weights, index, { weight });
+}
+
+void vtkShapeMorph::DescribeOutputs(vtkInformationVector**, vtkInformationVector* outputs)
+{
+  std::array<double, 41> steps;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+  {
+    steps[i] = static_cast<double>(i) / (steps.size() - 1);
+  }
+  const double range[2] = { 0.0, 1.0 };
+  vtkInformation* info = outputs->GetInformationObject(0);
+  info->Set(Pipeline::TIME_STEPS(), steps.data(), static_cast<int>(steps.size()));
+  info->Set(Pipeline::TIME_RANGE(), range, 2);
+}
+
+/// The output's time is the parameter of the morph; each input is read at its own first time.
+void vtkShapeMorph::RequestInputs(vtkInformationVector** inputs, vtkInformationVector*)
+{
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* info = inputs[port]->GetInformationObject(i);
+      if (info->Has(Pipeline::TIME_STEPS()))
+      {
+        info->Set(Pipeline::UPDATE_TIME_STEP(), info->Get(Pipeline::TIME_STEPS(), 0));
+      }
+      else if (info->Has(Pipeline::TIME_RANGE()))
+      {
+        info->Set(Pipeline::UPDATE_TIME_STEP(), info->Get(Pipeline::TIME_RANGE(), 0));
+      }
+      else
+      {
+        info->Remove(Pipeline::UPDATE_TIME_STEP());
+      }
+    }
+  }
+}
+
+namespace
+{
+
+/// The points of one block of the input, here and in the targets.
+struct MorphBlock
+{
+  Eigen::MatrixXd Points;
+  std::vector<Eigen::MatrixXd> Targets;
+};
+
+void RequireSameBlocks(const std::vector<vtkDataSet*>& blocks,
+  const std::vector<vtkDataSet*>& targets, const std::string& name)
+{
+  if (targets.size() != blocks.size())
+  {
+    throw shape::InvalidInput(name + " has " + std::to_string(targets.size()) +
+      " blocks, and the Input has " + std::to_string(blocks.size()) +
+      "; connect targets with the blocks of the Input");
+  }
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    if (targets[i]->GetNumberOfPoints() != blocks[i]->GetNumberOfPoints())
+    {
+      throw shape::InvalidInput(name + " has " + std::to_string(targets[i]->GetNumberOfPoints()) +
+        " points, and the Input has " + std::to_string(blocks[i]->GetNumberOfPoints()) +
+        "; connect the same shape in another pose, or map other shapes by Shape Correspondence");
+    }
+  }
+}
+
+Eigen::MatrixXd Blend(const MorphBlock& block, const std::vector<double>& weights)
+{
+  Eigen::MatrixXd moved = block.Points;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+  {
+    moved += weights[i] * (block.Targets[i] - block.Points);
+  }
+  return moved;
+}
+
+std::string NameOfTarget(std::size_t target)
+{
+  return "Morph.Target" + std::to_string(target);
+}
+
+/// Returns the points of a block in the complete shape, by their positions in the shape and all
+/// targets: points that have them in common move as one.
+std::vector<double> KeyOf(
+  const Eigen::MatrixXd& points, const std::vector<Eigen::MatrixXd>& targets, Eigen::Index i)
+{
+  std::vector<double> key = { points(i, 0), points(i, 1), points(i, 2) };
+  for (const Eigen::MatrixXd& target : targets)
+  {
+    key.insert(key.end(), { target(i, 0), target(i, 1), target(i, 2) });
+  }
+  return key;
+}
+
+/// The blocks at the positions `moved` of the points of the complete shape.
+std::vector<Eigen::MatrixXd> PickBlocks(const std::vector<MorphBlock>& blocks,
+  const Eigen::MatrixXd& points, const std::vector<Eigen::MatrixXd>& targets,
+  const Eigen::MatrixXd& moved)
+{
+  std::vector<Eigen::MatrixXd> picked;
+  if (blocks.size() == 1 && blocks[0].Points.rows() == points.rows() && blocks[0].Points == points)
+  {
+    return { moved };
+  }
+  std::map<std::vector<double>, Eigen::Index> rows;
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+  {
+    rows.emplace(KeyOf(points, targets, i), i);
+  }
+  for (const MorphBlock& block : blocks)
+  {
+    Eigen::MatrixXd& own = picked.emplace_back(block.Points);
+    for (Eigen::Index i = 0; i < own.rows(); ++i)
+    {
+      const auto row = rows.find(KeyOf(block.Points, block.Targets, i));
+      if (row == rows.end())
+      {
+        throw shape::InvalidInput("point " + std::to_string(i) +
+          " of a piece of the Input belongs only to ghost cells that no process owns; remove it "
+          "with Clean to Grid");
+      }
+      own.row(i) = moved.row(row->second);
+    }
+  }
+  return picked;
+}
+
+} // namespace
+
+std::vector<double> vtkShapeMorph::BlendWeights(std::size_t targets)
+{
+  if (this->Weights.empty())
+  {
+    return std::vector<double>(targets, 1.0 / static_cast<double>(targets));
+  }
+  if (this->Weights.size() > targets)
+  {
+    this->Warn("there are " + std::to_string(this->Weights.size()) + " Weights for " +
+      std::to_string(targets) + " targets; the others are not used");
+  }
+  std::vector<double> weights = this->Weights;
+  weights.resize(targets, 0.0);
+  return weights;
+}
+
+void vtkShapeMorph::Execute(const shape::Progress& progress)
+{
+  vtkInformation* request = this->GetOutputInformation(0);
+  const double requested = request->Has(Pipeline::UPDATE_TIME_STEP())
+    ? std::clamp(request->Get(Pipeline::UPDATE_TIME_STEP()), 0.0, 1.0)
+    : 0.0;
+  const double time = this->Animate ? requested : 1.0;
+  vtkDataObject* input = this->GetInputDataObject(0, 0);
+  vtkDataObject* output = this->GetOutputDataObject(0);
+  vtkMultiProcessController* controller = this->GetController();
+  const int connections = this->GetNumberOfInputConnections(1);
+
+  std::vector<MorphBlock> blocks;
+  vtkShapeGather::RunOnAllOrFail(controller,
+    [&]
+    {
+      const std::vector<vtkDataSet*> from = vtkShapeComposite::Of(input);
+      for (vtkDataSet* block : from)
+      {
+        blocks.push_back({ vtkShapeConvert::ToPoints(block), {} });
+        shape::RequireFinite(blocks.back().Points, "the Input");
+        if (connections == 0)
+        {
+          blocks.back().Targets.push_back(
+            vtkShapeConvert::ToPointArray(block, this->MapArray, 3, "the Input"));
+          shape::RequireFinite(blocks.back().Targets.back(), "the map array of the Input");
+        }
+      }
+      for (int i = 0; i < connections; ++i)
+      {
+        const std::string name = "target " + std::to_string(i) + " of Targets";
+        const std::vector<vtkDataSet*> to = vtkShapeComposite::Of(this->GetInputDataObject(1, i));
+        RequireSameBlocks(from, to, name);
+        for (std::size_t k = 0; k < to.size(); ++k)
+        {
+          blocks[k].Targets.push_back(vtkShapeConvert::ToPoints(to[k]));
+          shape::RequireFinite(blocks[k].Targets.back(), name);
+        }
+      }
+    });
+  progress(0.2);
+  std::vector<double> weights =
+    this->BlendWeights(connections == 0 ? 1 : static_cast<std::size_t>(connections));
+  for (double& weight : weights)
+  {
+    weight *= time;
+  }
+
+  std::vector<Eigen::MatrixXd> moved;
+  if (this->Path == PathType::Straight)
+  {
+    for (const MorphBlock& block : blocks)
+    {
+      moved.push_back(Blend(block, weights));
+    }
+  }
+  else
+  {
+    std::vector<vtkShapeComposite::PointField> fields;
+    for (std::size_t i = 0; i < weights.size(); ++i)
+    {
+      Eigen::Index rows = 0;
+      for (const MorphBlock& block : blocks)
+      {
+        rows += block.Points.rows();
+      }
+      fields.push_back({ NameOfTarget(i), Eigen::MatrixXd(rows, 3) });
+      rows = 0;
+      for (const MorphBlock& block : blocks)
+      {
+        fields.back().Values.middleRows(rows, block.Points.rows()) = block.Targets[i];
+        rows += block.Points.rows();
+      }
+    }
+    const auto named = vtkSmartPointer<vtkDataObject>::Take(vtkDataObjectTypes::NewDataObject(
+      vtkShapeComposite::FindOutputType(input, vtkShapeComposite::Points::Kept).c_str()));
+    vtkShapeComposite::AddPointFields(input, named, fields);
+    const vtkSmartPointer<vtkUnstructuredGrid> grid = vtkShapeGather::GatherGrid(named, controller);
+    const shape::ShapeElements shape = vtkShapeHandle::ToElements(grid, "the Input");
+    std::vector<Eigen::MatrixXd> targets;
+    for (std::size_t i = 0; i < weights.size(); ++i)
+    {
+      targets.push_back(vtkShapeConvert::ToPointArray(grid, NameOfTarget(i), 3, "the Input"));
+    }
+    const shape::RigidMorph& morph =
+      this->Cache->Prepare(shape, targets, progress.Part(0.3, 0.8, "preparing the motion"));
+    moved = PickBlocks(blocks, shape.Points, targets,
+      morph.At(weights, progress.Part(0.8, 0.95, "moving the points")));
+  }
+  std::size_t next = 0;
+  vtkShapeComposite::ForEach(input, output, vtkShapeComposite::Points::Moved,
+    [&](vtkDataSet* from, vtkDataSet* to)
+    {
+      vtkShapeComposite::Move(from, moved[next], to);
+      to->GetPointData()->AddArray(vtkShapeConvert::ToArray(blocks[next].Points, "SourcePosition"));
+      ++next;
+      progress(0.95 + 0.05 * static_cast<double>(next) / static_cast<double>(blocks.size()));
+    });
+  output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), requested);
+}
