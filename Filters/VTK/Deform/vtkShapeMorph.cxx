@@ -240,6 +240,8 @@ std::vector<double> vtkShapeMorph::BlendWeights(std::size_t targets)
 
 void vtkShapeMorph::Execute(const shape::Progress& progress)
 {
+  const shape::Progress reading = progress.Part(0.0, 0.3, "reading the targets");
+  const shape::Progress writing = progress.Part(0.9, 1.0, "moving the points");
   vtkInformation* request = this->GetOutputInformation(0);
   const double requested = request->Has(Pipeline::UPDATE_TIME_STEP())
     ? std::clamp(request->Get(Pipeline::UPDATE_TIME_STEP()), 0.0, 1.0)
@@ -278,7 +280,7 @@ void vtkShapeMorph::Execute(const shape::Progress& progress)
         }
       }
     });
-  progress(0.2);
+  reading(1.0);
   std::vector<double> weights =
     this->BlendWeights(connections == 0 ? 1 : static_cast<std::size_t>(connections));
   for (double& weight : weights)
@@ -325,7 +327,7 @@ void vtkShapeMorph::Execute(const shape::Progress& progress)
     const shape::RigidMorph& morph =
       this->Cache->Prepare(shape, targets, progress.Part(0.3, 0.8, "preparing the motion"));
     moved = PickBlocks(blocks, shape.Points, targets,
-      morph.At(weights, progress.Part(0.8, 0.95, "moving the points")));
+      morph.At(weights, progress.Part(0.8, 0.9, "moving the points")));
   }
   std::size_t next = 0;
   vtkShapeComposite::ForEach(input, output, vtkShapeComposite::Points::Moved,
@@ -334,7 +336,7 @@ void vtkShapeMorph::Execute(const shape::Progress& progress)
       vtkShapeComposite::Move(from, moved[next], to);
       to->GetPointData()->AddArray(vtkShapeConvert::ToArray(blocks[next].Points, "SourcePosition"));
       ++next;
-      progress(0.95 + 0.05 * static_cast<double>(next) / static_cast<double>(blocks.size()));
+      writing(static_cast<double>(next) / static_cast<double>(blocks.size()));
     });
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), requested);
 }
