@@ -134,6 +134,7 @@ for k, each in enumerate(shapes):
 mapped = outputs(group(shuffled), Correspondence=1)
 assert value(mapped, 'Template') == 0 and value(mapped, 'LargestGap') < 1e-6
 assert abs(points(mapped[0]) - points(same[0])).max() < 1e-6
+assert (points(outputs(group(shuffled))[0]) == points(mapped[0])).all(), 'maps are noticed'
 
 # What cannot be used is refused.
 two = outputs(group(data[:2]))

@@ -190,6 +190,23 @@ int FindTemplate(const std::vector<shape::Mesh>& meshes, const std::vector<shape
                             "TargetPosition maps the shapes");
 }
 
+bool HaveMaps(const std::vector<vtkShapeBlocks::Block>& blocks)
+{
+  return std::all_of(blocks.begin(), blocks.end(),
+    [](const vtkShapeBlocks::Block& block)
+    { return block.Data->GetPointData()->HasArray(vtkShapePreciseMap::Position); });
+}
+
+bool HaveCellsOf(const shape::Mesh& base, const std::vector<shape::Mesh>& meshes)
+{
+  return std::all_of(meshes.begin(), meshes.end(),
+    [&](const shape::Mesh& mesh)
+    {
+      return mesh.Points.rows() == base.Points.rows() &&
+        mesh.Triangles.rows() == base.Triangles.rows() && mesh.Triangles == base.Triangles;
+    });
+}
+
 void RequireTemplateCells(const AtlasPopulation& population, const std::vector<shape::Mesh>& meshes)
 {
   const shape::Mesh& base = population.Template;
@@ -316,16 +333,19 @@ void vtkShapeAtlas::Execute(const shape::Progress& progress)
     meshes.push_back(vtkShapeConvert::ToMesh(blocks[i].Data, name));
     shape::RequireFinite(meshes[i].Points, name);
   }
-  const bool mapped = this->Correspondence == CorrespondenceType::Maps;
-  const std::vector<shape::Mesh> images =
-    mapped ? ReadMapped(blocks, meshes) : std::vector<shape::Mesh>();
-  if (this->GetNumberOfInputConnections(1) > 0)
+  const bool given = this->GetNumberOfInputConnections(1) > 0;
+  if (given)
   {
     population.TemplateData = this->GetGatheredInput(1).Data;
     population.Template = vtkShapeConvert::ToMesh(population.TemplateData, "the Template");
     shape::RequireFinite(population.Template.Points, "the Template");
   }
-  else
+  const bool mapped = this->Correspondence == CorrespondenceType::Maps ||
+    (this->Correspondence == CorrespondenceType::Automatic && HaveMaps(blocks) &&
+      !HaveCellsOf(given ? population.Template : meshes.front(), meshes));
+  const std::vector<shape::Mesh> images =
+    mapped ? ReadMapped(blocks, meshes) : std::vector<shape::Mesh>();
+  if (!given)
   {
     population.TemplateNumber = mapped ? FindTemplate(meshes, images) : 0;
     population.TemplateData = blocks[population.TemplateNumber].Data;

@@ -4,9 +4,10 @@
  *
  * Inputs
  * - Shapes: surfaces, at least three for statistics, as the blocks of composite data, for instance
- * of Group Datasets. Each block of the top level is a shape; blocks inside it and pieces of several
- * processes are joined. With Correspondence SamePoints, all shapes have the same points and
- * triangles in the same order. With Maps, each shape has `TargetPosition` on the template.
+ * of Group Datasets or the Shapes of vtkShapeCollection. Each block of the top level is a shape;
+ * blocks inside it and pieces of several processes are joined. With Correspondence SamePoints, all
+ * shapes have the same points and triangles in the same order. With Maps, each shape has
+ * `TargetPosition` on the template.
  * - Template: optional. By default, it is the first shape or, with Maps, the shape that is mapped
  * to itself.
  * - Table: optional, a row for each shape. If a column of words has the names of all blocks, rows
@@ -64,14 +65,15 @@ public:
   enum class CorrespondenceType
   {
     SamePoints,
-    Maps
+    Maps,
+    Automatic ///< Maps if there are maps and a shape has other triangles than the template
   };
 
   ///@{
   /// The properties. Effects and ranges: vtkShapeAtlas.xml. Enumerations and defaults:
   /// shape::AtlasOptions.
   vtkShapeEnumOptionAs(Correspondence, Correspondence, CorrespondenceType,
-    CorrespondenceType::SamePoints, CorrespondenceType::Maps);
+    CorrespondenceType::SamePoints, CorrespondenceType::Automatic);
   vtkShapeOption(Scale, bool);
   vtkShapeOption(NumberOfModes, int);
   vtkShapeOption(SpecificitySamples, int);
@@ -93,7 +95,7 @@ private:
   vtkShapeAtlas(const vtkShapeAtlas&) = delete;
   void operator=(const vtkShapeAtlas&) = delete;
 
-  CorrespondenceType Correspondence = CorrespondenceType::SamePoints;
+  CorrespondenceType Correspondence = CorrespondenceType::Automatic;
   std::string Groups;
   std::string Regression;
   shape::AtlasOptions Options;

@@ -82,8 +82,8 @@ struct Candidate
   Landmarks Pairs;            ///< of features
   Eigen::VectorXi AToB, BToA; ///< for each sample, its image: a sample of the other surface
   double Distortion = Infinity;
-  double Error = Infinity; ///< by which candidates are ordered
-  FunctionalMaps Maps;     ///< of complete surfaces: the refined map
+  double Error = Infinity;  ///< by which candidates are ordered
+  FunctionalMaps Maps = {}; ///< of complete surfaces: the refined map
 };
 
 /// The maps under a hypothesis, the best first; none if no three features agree.
