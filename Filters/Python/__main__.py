@@ -188,8 +188,8 @@ class Batch:
             sizes = {}
             # The main result comes last: if it is there, all are.
             for k, (name, data) in reversed(list(enumerate(made.outputs.items()))):
-                place = '' if k == 0 else name
-                for path in files.write(data, os.path.join(self.folder, place), subject.name,
+                place, _, block = ('', '', '') if k == 0 else name.partition('/')
+                for path in files.write(data, os.path.join(self.folder, place), block or subject.name,
                                         self.options.format if k == 0 else None):
                     path = os.path.join(place, path)
                     sizes[path] = os.path.getsize(os.path.join(self.folder, path))

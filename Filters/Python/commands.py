@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Optional
 
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet, vtkTable
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet, vtkMultiBlockDataSet, vtkTable
 
 from . import functions
 
@@ -42,11 +42,16 @@ class Command:
 
 
 def outputs_of(result: Any) -> dict[str, vtkDataObject]:
-    """The outputs of a function that are not empty, by their names."""
+    """The outputs of a function that are not empty, by their names; blocks, as `output/block`, come last."""
     found = {name: getattr(result, name) for name in result.__dataclass_fields__ if name != 'facts'}
-    return {name: data for name, data in found.items()
-            if isinstance(data, vtkDataSet) and data.GetNumberOfPoints() > 0 or
-            isinstance(data, vtkTable) and data.GetNumberOfRows() > 0}
+    whole = {name: data for name, data in found.items()
+             if isinstance(data, vtkDataSet) and data.GetNumberOfPoints() > 0 or
+             isinstance(data, vtkTable) and data.GetNumberOfRows() > 0}
+    for name, data in found.items():
+        for k in range(data.GetNumberOfBlocks() if isinstance(data, vtkMultiBlockDataSet) else 0):
+            block = name + '/' + (data.GetMetaData(k).Get(vtkMultiBlockDataSet.NAME()) or str(k))
+            whole[block + '-%d' % k if block in whole else block] = data.GetBlock(k)
+    return whole
 
 
 def _map(**given: Any) -> Made:
@@ -81,6 +86,9 @@ COMMANDS = {
         'measure the distortion of maps', 'map_quality', 'input',
         'quality maps measured', 'MeanHencky', True, 'Hencky'),
     'collection': Command(
-        'compare shapes with the same points, or with maps from a template', 'collection', 'shapes',
+        'map many shapes onto one of them, and compare them', 'collection', 'shapes',
         'collection maps compared --template template.vtp --correspondence Maps', together=True),
+    'atlas': Command(
+        'compute the mean of many shapes, and the modes in which they vary', 'atlas', 'shapes',
+        'atlas maps average --template template.vtp', together=True),
 }

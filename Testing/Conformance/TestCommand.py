@@ -169,7 +169,9 @@ for name, command in COMMANDS.items():
     output = command.example.split()[2]
     assert code == 0 and len(rows(output)) == (1 if command.together else 2) and os.path.exists(output + '/shapemap.png'), said
     assert command.measure in rows(output)[0] or command.together, command.measure
-assert [float(row['Shapes']) for row in rows('compared')] == [2.0]
+assert [float(row['Shapes']) for row in rows('compared')] == [float(row['Shapes']) for row in rows('average')] == [2.0]
+for made in ('compared/shapes', 'average/aligned'):
+    assert sorted(os.listdir(made)) == ['FigureASmall.vtp', 'FigureBSmall.vtp'], os.listdir(made)
 with open('pairs.csv', 'w') as file:
     file.write('subject,template\nsurfaces/FigureBSmall.vtp,template.vtp\nsurfaces/FigureBSmall.vtp,surfaces/FigureBSmall.vtp\n')
 said, code = shapemap_command('map', 'pairs.csv', 'pairs')

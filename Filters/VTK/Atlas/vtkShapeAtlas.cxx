@@ -194,7 +194,7 @@ bool HaveMaps(const std::vector<vtkShapeBlocks::Block>& blocks)
 {
   return std::all_of(blocks.begin(), blocks.end(),
     [](const vtkShapeBlocks::Block& block)
-    { return block.Data->GetPointData()->HasArray(vtkShapePreciseMap::Position); });
+    { return block.Data->GetPointData()->HasArray(vtkShapePreciseMap::Position.c_str()); });
 }
 
 bool HaveCellsOf(const shape::Mesh& base, const std::vector<shape::Mesh>& meshes)
