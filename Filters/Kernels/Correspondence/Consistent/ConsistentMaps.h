@@ -94,7 +94,7 @@ struct ConsistentMaps
  * whose products of latent functions (Y' Y and Y' L Y, with the eigenvalues L) differ least from
  * those of the others. With None, it is the shape with the most similar spectra.
  *
- * Throws InvalidInput if there are less than two surfaces, if a surface is not as described, if no
+ * Throws InvalidInput if there are fewer than two surfaces, if a surface is not as described, if no
  * landmarks are found, or if an option is out of range; SolveFailure; Aborted.
  */
 ConsistentMaps ComputeConsistentMaps(const std::vector<Surface>& shapes, const Surface* base,
