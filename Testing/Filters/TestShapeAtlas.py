@@ -117,6 +117,7 @@ shapes = [copy(base) for k in range(4)]
 for k, each in enumerate(shapes):
     set_points(each, points(base) * [1.0 + 0.1 * k, 1.0, 1.0 + 0.05 * k * k])
     add_array(each, points(base), 'TargetPosition')
+    add_array(each, 2.0 + k * points(base)[:, 2], 'Thickness')
 same = outputs(group(shapes))
 shuffled = []
 for k, each in enumerate(shapes):
@@ -130,8 +131,24 @@ for k, each in enumerate(shapes):
         polygons.InsertNextCell(3, triangle)
     other.SetPolys(polygons)
     add_array(other, points(base)[swapped], 'TargetPosition')
+    add_array(other, array(each, 'Thickness')[swapped], 'Thickness')
     shuffled.append(other)
 mapped = outputs(group(shuffled), Correspondence=1)
+assert abs(array(same[0], 'ThicknessMean') - 2 - 1.5 * points(base)[:, 2]).max() < 1e-6
+assert abs(array(same[0], 'ThicknessDeviation') - (5 / 3)**0.5 * abs(points(base)[:, 2])).max() < 1e-6
+for name in ('ThicknessMean', 'ThicknessDeviation', 'ThicknessMode0'):
+    assert abs(array(mapped[0], name) - array(same[0], name)).max() < 1e-5, name
+# A sample at the scores of a shape has its thickness.
+made = shapetesting.new(shapemap.vtkShapeSynthesize, same[0])
+scores = [[same[1].GetColumnByName('Score%d' % mode).GetValue(k) for mode in range(int(value(same, 'NumberOfModes')))]
+          for k in range(4)]
+for k, weights in enumerate(scores):
+    made.SetNumberOfWeights(len(weights))
+    for mode, weight in enumerate(weights):
+        made.SetWeights(mode, weight)
+    made.Update()
+    sample = made.GetOutputDataObject(0)
+    assert abs(array(sample, 'Thickness') - array(shapes[k], 'Thickness')).max() < 0.05, k
 assert value(mapped, 'Template') == 0 and value(mapped, 'LargestGap') < 1e-6
 assert abs(points(mapped[0]) - points(same[0])).max() < 1e-6
 assert (points(outputs(group(shuffled))[0]) == points(mapped[0])).all(), 'maps are noticed'

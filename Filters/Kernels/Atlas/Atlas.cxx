@@ -205,6 +205,27 @@ AtlasResult BuildAtlas(const std::vector<Eigen::MatrixXd>& shapes, const Eigen::
   return result;
 }
 
+AtlasField BuildAtlasField(const AtlasResult& atlas, const Eigen::MatrixXd& values)
+{
+  const auto count = static_cast<Eigen::Index>(atlas.Aligned.size());
+  if (values.cols() != count)
+  {
+    throw InvalidInput("there are values of " + std::to_string(values.cols()) + " shapes for " +
+      std::to_string(count) + " shapes; give one column for each shape");
+  }
+  RequireFinite(values, "a quantity of the shapes");
+  AtlasField field;
+  field.Mean = values.rowwise().mean();
+  const Eigen::MatrixXd deviations = values.colwise() - field.Mean;
+  field.Deviations =
+    (deviations.rowwise().squaredNorm() / std::max<double>(1.0, static_cast<double>(count - 1)))
+      .cwiseSqrt();
+  // Scores have the mean 0 and are not correlated, so each mode is a regression of its own.
+  const Eigen::MatrixXd scores = atlas.Scores.leftCols(atlas.NumberOfModes);
+  field.Modes = deviations * scores * scores.colwise().squaredNorm().cwiseInverse().asDiagonal();
+  return field;
+}
+
 TemplateSamples SampleOnTemplate(
   const Mesh& mapped, const Eigen::MatrixXd& points, const Progress& progress)
 {

@@ -82,6 +82,20 @@ AtlasResult BuildAtlas(const std::vector<Eigen::MatrixXd>& shapes, const Eigen::
   const AtlasVariables& variables = {}, const AtlasOptions& options = {},
   const Progress& progress = {});
 
+/// A quantity at the points of the shapes, such as a thickness.
+struct AtlasField
+{
+  Eigen::VectorXd Mean;       ///< n values
+  Eigen::VectorXd Deviations; ///< n values: the standard deviation
+  /// n x K: the change of the quantity for one standard deviation of each mode, by linear
+  /// regression on the scores. A shape of the model with the weights w has Mean + Modes w.
+  Eigen::MatrixXd Modes;
+};
+
+/// Relates a quantity to the modes. values: N columns of n values, in the order of the shapes.
+/// Throws InvalidInput if there are not N columns or a value is not finite.
+AtlasField BuildAtlasField(const AtlasResult& atlas, const Eigen::MatrixXd& values);
+
 /// Where the points of a template come from on a shape that is mapped onto it.
 struct TemplateSamples : SurfacePoints
 {

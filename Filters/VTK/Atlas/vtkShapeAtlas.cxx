@@ -1,5 +1,6 @@
 #include "vtkShapeAtlas.h"
 
+#include "vtkShapeAtlasInput.h"
 #include "vtkShapeBlocks.h"
 #include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
@@ -37,16 +38,6 @@ namespace
 {
 
 constexpr int ScoresPort = 1, StatisticsPort = 2, AlignedPort = 3;
-
-/// The shapes with the points of the template.
-struct AtlasPopulation
-{
-  std::vector<Eigen::MatrixXd> Shapes;
-  vtkSmartPointer<vtkPolyData> TemplateData;
-  shape::Mesh Template;
-  int TemplateNumber = -1;
-  double LargestGap = 0.0;
-};
 
 /// The rows of a table for the shapes.
 struct AtlasRows
@@ -159,76 +150,6 @@ Eigen::VectorXd ReadNumbers(vtkAbstractArray* column, const std::vector<vtkIdTyp
   return values;
 }
 
-/// Moves the points of each shape to its map's images.
-std::vector<shape::Mesh> ReadMapped(
-  const std::vector<vtkShapeBlocks::Block>& blocks, const std::vector<shape::Mesh>& meshes)
-{
-  std::vector<shape::Mesh> mapped;
-  for (std::size_t i = 0; i < blocks.size(); ++i)
-  {
-    const std::string name = "shape " + std::to_string(i);
-    mapped.push_back({ vtkShapeConvert::ToPointArray(blocks[i].Data, vtkShapePreciseMap::Position,
-                         3, name, "map it onto a template with Shape Correspondence"),
-      meshes[i].Triangles });
-    shape::RequireFinite(mapped[i].Points, "TargetPosition of " + name);
-  }
-  return mapped;
-}
-
-/// Returns the number of the shape that is mapped to itself.
-int FindTemplate(const std::vector<shape::Mesh>& meshes, const std::vector<shape::Mesh>& mapped)
-{
-  for (std::size_t i = 0; i < meshes.size(); ++i)
-  {
-    const double size = shape::ComputeLongestBoxEdge(meshes[i].Points);
-    if ((meshes[i].Points - mapped[i].Points).cwiseAbs().maxCoeff() <= 1e-6 * size)
-    {
-      return static_cast<int>(i);
-    }
-  }
-  throw shape::InvalidInput("no shape is mapped to itself; connect the Template onto which "
-                            "TargetPosition maps the shapes");
-}
-
-bool HaveMaps(const std::vector<vtkShapeBlocks::Block>& blocks)
-{
-  return std::all_of(blocks.begin(), blocks.end(),
-    [](const vtkShapeBlocks::Block& block)
-    { return block.Data->GetPointData()->HasArray(vtkShapePreciseMap::Position.c_str()); });
-}
-
-bool HaveCellsOf(const shape::Mesh& base, const std::vector<shape::Mesh>& meshes)
-{
-  return std::all_of(meshes.begin(), meshes.end(),
-    [&](const shape::Mesh& mesh)
-    {
-      return mesh.Points.rows() == base.Points.rows() &&
-        mesh.Triangles.rows() == base.Triangles.rows() && mesh.Triangles == base.Triangles;
-    });
-}
-
-void RequireTemplateCells(const AtlasPopulation& population, const std::vector<shape::Mesh>& meshes)
-{
-  const shape::Mesh& base = population.Template;
-  for (std::size_t i = 0; i < meshes.size(); ++i)
-  {
-    const std::string name = "shape " + std::to_string(i);
-    if (meshes[i].Points.rows() != base.Points.rows())
-    {
-      throw shape::InvalidInput(name + " has " + std::to_string(meshes[i].Points.rows()) +
-        " points, but the template has " + std::to_string(base.Points.rows()) +
-        "; map the shapes onto a template, and set Correspondence to Maps");
-    }
-    if (meshes[i].Triangles.rows() != base.Triangles.rows() ||
-      meshes[i].Triangles != base.Triangles)
-    {
-      throw shape::InvalidInput(name +
-        " has other triangles than the template; map the shapes "
-        "onto a template, and set Correspondence to Maps");
-    }
-  }
-}
-
 vtkSmartPointer<vtkIntArray> Numbered(const std::vector<int>& values, const std::string& name)
 {
   return vtkShapeConvert::ToIntegers(
@@ -325,52 +246,10 @@ void vtkShapeAtlas::Execute(const shape::Progress& progress)
   vtkMultiProcessController* controller = this->GetController();
   const std::vector<vtkShapeBlocks::Block> blocks =
     vtkShapeBlocks::Gather(this->GetInputDataObject(0, 0), controller);
-  AtlasPopulation population;
-  std::vector<shape::Mesh> meshes;
-  for (std::size_t i = 0; i < blocks.size(); ++i)
-  {
-    const std::string name = "shape " + std::to_string(i);
-    meshes.push_back(vtkShapeConvert::ToMesh(blocks[i].Data, name));
-    shape::RequireFinite(meshes[i].Points, name);
-  }
-  const bool given = this->GetNumberOfInputConnections(1) > 0;
-  if (given)
-  {
-    population.TemplateData = this->GetGatheredInput(1).Data;
-    population.Template = vtkShapeConvert::ToMesh(population.TemplateData, "the Template");
-    shape::RequireFinite(population.Template.Points, "the Template");
-  }
-  const bool mapped = this->Correspondence == CorrespondenceType::Maps ||
-    (this->Correspondence == CorrespondenceType::Automatic && HaveMaps(blocks) &&
-      !HaveCellsOf(given ? population.Template : meshes.front(), meshes));
-  const std::vector<shape::Mesh> images =
-    mapped ? ReadMapped(blocks, meshes) : std::vector<shape::Mesh>();
-  if (!given)
-  {
-    population.TemplateNumber = mapped ? FindTemplate(meshes, images) : 0;
-    population.TemplateData = blocks[population.TemplateNumber].Data;
-    population.Template = meshes[population.TemplateNumber];
-  }
+  const vtkShapeAtlasInput::Population population = vtkShapeAtlasInput::Read(blocks,
+    this->GetNumberOfInputConnections(1) > 0 ? this->GetGatheredInput(1).Data : nullptr,
+    this->Correspondence, progress.Part(0.0, 0.2, "reading the shapes"));
   const Eigen::MatrixXd& places = population.Template.Points;
-  if (!mapped)
-  {
-    RequireTemplateCells(population, meshes);
-  }
-  const shape::Progress reading = progress.Part(0.0, 0.2, "reading the shapes");
-  for (std::size_t i = 0; i < meshes.size(); ++i)
-  {
-    const double share = 1.0 / static_cast<double>(meshes.size());
-    if (!mapped)
-    {
-      population.Shapes.push_back(meshes[i].Points);
-      continue;
-    }
-    const shape::TemplateSamples samples = shape::SampleOnTemplate(images[i], places,
-      reading.Part(static_cast<double>(i) * share, (static_cast<double>(i) + 1.0) * share));
-    population.Shapes.push_back(shape::PullBack(samples, meshes[i].Triangles, meshes[i].Points));
-    population.LargestGap =
-      std::max(population.LargestGap, samples.LargestGap / shape::ComputeLongestBoxEdge(places));
-  }
 
   // Only some processes may have the table.
   vtkSmartPointer<vtkTable> table;
@@ -436,6 +315,17 @@ void vtkShapeAtlas::Execute(const shape::Progress& progress)
     add(result.Modes.middleCols(3 * k, 3), "Mode" + std::to_string(k));
   }
   add(result.Deviations, "PositionDeviation");
+  for (const std::string& name : vtkShapeAtlasInput::ListQuantities(blocks))
+  {
+    const shape::AtlasField field =
+      shape::BuildAtlasField(result, vtkShapeAtlasInput::ReadQuantity(name, blocks, population));
+    add(field.Mean, name + "Mean");
+    add(field.Deviations, name + "Deviation");
+    for (int k = 0; k < result.NumberOfModes; ++k)
+    {
+      add(field.Modes.col(k), name + "Mode" + std::to_string(k));
+    }
+  }
   const auto fact = [&](const std::string& name, const auto& value)
   { vtkShapeConvert::AddFact(output, "Atlas." + name, value); };
   fact("Shapes", static_cast<double>(blocks.size()));
@@ -445,7 +335,7 @@ void vtkShapeAtlas::Execute(const shape::Progress& progress)
   fact("Outlier",
     static_cast<double>(std::distance(result.OutlierRanks.begin(),
       std::find(result.OutlierRanks.begin(), result.OutlierRanks.end(), 0))));
-  if (mapped)
+  if (!population.Samples.empty())
   {
     fact("LargestGap", population.LargestGap);
   }

@@ -18,6 +18,8 @@
  * - `Mode0`, `Mode1`, ...: the displacement for one standard deviation. The shape with the weights
  *   w is the position plus the sum of w_k Mode_k.
  * - `PositionDeviation`: the standard deviation of the position.
+ * - For each quantity, a point array of real numbers with one component that all shapes have:
+ *   `<Name>Mean`, `<Name>Deviation`, and `<Name>Mode0`, ..., its change with each mode.
  * - With Groups, `GroupDifference` (second mean minus first), `PValue` and `QValue`.
  * - With Regression, `Slope`, `SlopePValue` and `SlopeQValue`.
  *

@@ -101,6 +101,36 @@ TEST(Atlas, FindsMeanAndModesOfEllipsoids)
   }
 }
 
+TEST(Atlas, QuantitiesThatFollowTheShapesAreMadeByTheModes)
+{
+  // A thickness that depends on the half axes, and a density that does not.
+  const shape::Mesh sphere = shapetest::Icosphere(2);
+  const Eigen::MatrixXd factors = Independent(3);
+  const std::vector<Eigen::MatrixXd> shapes =
+    Ellipsoids(sphere, { 3.0, 2.0, 1.2 }, factors.leftCols(2), Changes, 0.0, 7);
+  const shape::AtlasResult atlas = shape::BuildAtlas(shapes, sphere.Triangles);
+  ASSERT_EQ(atlas.NumberOfModes, 2);
+  const Eigen::VectorXd along = sphere.Points.col(0);
+  const Eigen::MatrixXd thickness =
+    (along * factors.col(0).transpose() +
+      Eigen::VectorXd::Ones(along.size()) * factors.col(1).transpose())
+      .array() +
+    5.0;
+  const shape::AtlasField field = shape::BuildAtlasField(atlas, thickness);
+  EXPECT_LT((field.Mean.array() - 5.0).abs().maxCoeff(), 1e-12);
+  // The modes are not exactly the half axes, because shapes are rotated to the mean.
+  const Eigen::MatrixXd made =
+    (field.Modes * atlas.Scores.leftCols(2).transpose()).colwise() + field.Mean;
+  EXPECT_LT((made - thickness).cwiseAbs().maxCoeff(), 0.02);
+  EXPECT_LT(
+    (field.Deviations - (along.array().square() + 1.0).sqrt().matrix()).cwiseAbs().maxCoeff(),
+    1e-12);
+  const Eigen::MatrixXd density = Eigen::VectorXd::Ones(along.size()) * factors.col(2).transpose();
+  const shape::AtlasField other = shape::BuildAtlasField(atlas, density);
+  EXPECT_LT(other.Modes.cwiseAbs().maxCoeff(), 0.02);
+  EXPECT_THROW(shape::BuildAtlasField(atlas, density.leftCols(3)), shape::InvalidInput);
+}
+
 TEST(Atlas, ScoresTimesModesAreTheShapes)
 {
   const shape::Mesh sphere = shapetest::Icosphere(2);
