@@ -245,6 +245,7 @@ void vtkShapeCollection::WriteFacts(const shape::ConsistentMaps& maps, vtkPolyDa
 // 4. Every process has the same. The first one writes it.
 void vtkShapeCollection::Execute(const shape::Progress& progress)
 {
+  shape::RequireOptions(this->MapOptions);
   const std::vector<vtkShapeBlocks::Block> blocks =
     vtkShapeBlocks::Gather(this->GetInputDataObject(0, 0), this->GetController());
   const bool given = this->GetNumberOfInputConnections(1) > 0,

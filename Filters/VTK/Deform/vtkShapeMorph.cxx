@@ -268,6 +268,7 @@ void vtkShapeMorph::Execute(const shape::Progress& progress)
           shape::RequireFinite(blocks.back().Targets.back(), "the map array of the Input");
         }
       }
+      reading(0.5);
       for (int i = 0; i < connections; ++i)
       {
         const std::string name = "target " + std::to_string(i) + " of Targets";
@@ -329,6 +330,7 @@ void vtkShapeMorph::Execute(const shape::Progress& progress)
     moved = PickBlocks(blocks, shape.Points, targets,
       morph.At(weights, progress.Part(0.8, 0.9, "moving the points")));
   }
+  writing(0.0);
   std::size_t next = 0;
   vtkShapeComposite::ForEach(input, output, vtkShapeComposite::Points::Moved,
     [&](vtkDataSet* from, vtkDataSet* to)

@@ -9,6 +9,7 @@
 #include "Correspondence/Landmarks/LandmarkCandidates.h"
 #include "Correspondence/Pair/CoarsePair.h"
 #include "Correspondence/Pair/MatchingInput.h"
+#include "Correspondence/Pair/ZoomOut.h"
 #include "Geodesics/FarthestPoints.h"
 #include "Remesh/Coarsening.h"
 #include "Search/NearestSurfacePoints.h"
@@ -184,6 +185,26 @@ std::vector<Eigen::MatrixXd> RefineFrames(const std::vector<MatchedSurface>& sha
   return frames;
 }
 
+/// Refines the map of a pair over the latent functions once more for the pair alone: the frames are
+/// a compromise between all pairs.
+SurfaceMaps RefineForPair(const std::vector<MatchedSurface>& shapes,
+  const std::vector<std::vector<int>>& samples, const std::vector<Eigen::MatrixXd>& frames,
+  std::size_t a, std::size_t b, const Progress& progress)
+{
+  constexpr Eigen::Index first = 60; // as many functions as the candidates have
+  const Eigen::Index size = std::min(first, frames[a].rows());
+  const FunctionalMaps start =
+    WithTranspose((frames[b] * frames[a].transpose()).topLeftCorner(size, size));
+  ZoomOutOptions options;
+  options.Last = static_cast<int>(frames[a].rows());
+  const FunctionalMaps maps =
+    RefineByZoomOut({ shapes[a].Triangles, shapes[a].Spectrum, samples[a] },
+      { shapes[b].Triangles, shapes[b].Spectrum, samples[b] }, start, {}, options,
+      progress.Part(0.0, 0.8));
+  return FindPointMaps({ shapes[a].Triangles, shapes[a].Spectrum, samples[a] },
+    { shapes[b].Triangles, shapes[b].Spectrum, samples[b] }, maps, progress.Part(0.8, 1.0));
+}
+
 /// The shape whose products of latent functions differ least from those of the others.
 int FindCentral(const std::vector<MatchedSurface>& shapes,
   const std::vector<Eigen::MatrixXd>& frames, std::size_t count)
@@ -279,21 +300,17 @@ ConsistentMaps MatchWithTemplate(const std::vector<Surface>& shapes, const Surfa
   return result;
 }
 
-void RequireConsistentOptions(const Options& options, std::size_t surfaces)
+} // namespace
+
+void RequireOptions(const ConsistentMapsOptions& options)
 {
-  if (surfaces < 2)
-  {
-    throw InvalidInput("maps need two or more surfaces; put them together with Group Datasets");
-  }
   RequireOption(options.Neighbours >= 2, "Neighbours", options.Neighbours, "at least 2");
   RequireOption(options.Candidates >= 1, "Candidates", options.Candidates, "at least 1");
-  RequireOption(options.Eigenpairs >= FirstFunctions, "Eigenpairs", options.Eigenpairs,
+  RequireOption(options.Eigenpairs >= FirstFunctions, "NumberOfEigenpairs", options.Eigenpairs,
     "at least " + std::to_string(FirstFunctions));
   RequireOption(options.CoarsePoints == 0 || options.CoarsePoints >= 100, "CoarsePoints",
     options.CoarsePoints, "0, or at least 100");
 }
-
-} // namespace
 
 // 1. Prepare each surface once: features, samples, eigenfunctions.
 // 2. Match the pairs of a sparse graph (FindShapeGraph, MatchPairs).
@@ -309,7 +326,11 @@ ConsistentMaps ComputeConsistentMaps(const std::vector<Surface>& shapes, const S
   {
     fine.push_back(*base);
   }
-  RequireConsistentOptions(options, fine.size());
+  RequireOptions(options);
+  if (fine.size() < 2)
+  {
+    throw InvalidInput("maps need two or more surfaces; put them together with Group Datasets");
+  }
   if (options.Consistency == Options::ConsistencyType::None)
   {
     for (std::size_t i = 0; i < fine.size(); ++i)
@@ -400,17 +421,12 @@ ConsistentMaps ComputeConsistentMaps(const std::vector<Surface>& shapes, const S
     }
     else
     {
-      onto = FindNearestSurfacePoints(
-        embedded[i], surfaces[central].Surface.Triangles(), embedded[central], part);
-      if (surfaces[i].Surface.Points().rows() < fine[i].Points().rows() ||
-        surfaces[central].Surface.Points().rows() < fine[central].Points().rows())
-      {
-        SurfacePoints back =
-          FindNearestSurfacePoints(embedded[central], surfaces[i].Surface.Triangles(), embedded[i]);
-        onto = CoarsePair(fine[i], fine[central], {}, options.CoarsePoints)
-                 .OnFine({ std::move(onto), std::move(back) })
-                 .AToB;
-      }
+      SurfaceMaps maps = RefineForPair(matched, samples, frames, i, central, part);
+      const bool coarse = surfaces[i].Surface.Points().rows() < fine[i].Points().rows() ||
+        surfaces[central].Surface.Points().rows() < fine[central].Points().rows();
+      onto = coarse
+        ? CoarsePair(fine[i], fine[central], {}, options.CoarsePoints).OnFine(std::move(maps)).AToB
+        : std::move(maps.AToB);
     }
     result.Maps.push_back(WithInverse(fine[i], fine[central], std::move(onto)));
   }

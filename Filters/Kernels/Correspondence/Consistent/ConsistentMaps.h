@@ -39,6 +39,9 @@ struct ConsistentMapsOptions
   AutomaticLandmarksOptions Landmarks; ///< Rank is not used
 };
 
+/// Throws InvalidInput if an option is out of range.
+void RequireOptions(const ConsistentMapsOptions& options);
+
 /// The processes that share the pairs: each computes every Processes-th one.
 struct PairSharing
 {
@@ -87,7 +90,8 @@ struct ConsistentMaps
  * frames of one space of latent functions (AverageFrames), points with the nearest values of these
  * functions correspond, and these give functional maps of more eigenfunctions (Huang, Ren, Wonka
  * and Ovsjanikov, "Consistent ZoomOut: efficient spectral map synchronization", 2020). At the end,
- * each shape is mapped onto the template through the latent functions. The map between two shapes
+ * the functional map of each shape onto the template, over the latent functions, is refined for
+ * this pair alone (RefineByZoomOut). The map between two shapes
  * is the way over the template, so maps around cycles agree as far as each is one to one.
  *
  * shapes: surfaces that RequireConnected accepts. base: the template, or null: then it is the shape

@@ -6,7 +6,6 @@
 #include "Geodesics/FarthestPoints.h"
 #include "Mesh/Surface.h"
 #include "Mesh/Topology.h"
-#include "Search/NearestSurfacePoints.h"
 #include "Spectrum/SpectralSignatures.h"
 
 #include <algorithm>
@@ -172,17 +171,8 @@ SurfaceMaps ComputeFunctionalMap(const Surface& a, const Surface& b, const Landm
                                              progress.Part(0.4, 0.5, "fitting the functional map"));
   const FunctionalMaps maps = RefineByZoomOut(one.Sampled(), two.Sampled(), start, landmarks,
     refinement, progress.Part(0.5, 0.9, "refining the functional map"));
-  const Eigen::MatrixXd &functionsA = one.Spectrum.Eigenfunctions,
-                        &functionsB = two.Spectrum.Eigenfunctions;
-  // The row of a point's image: with C from B to A, phi_A(x) = C phi_B(image of x), for all
-  // eigenfunctions of the map together.
-  const Eigen::Index ofA = maps.AToB.cols(), ofB = maps.AToB.rows();
-  return { FindNearestSurfacePoints(functionsA.leftCols(ofA), b.Triangles(),
-             functionsB.leftCols(ofB) * maps.BToA.transpose(),
-             progress.Part(0.9, 0.95, "finding the nearest points")),
-    FindNearestSurfacePoints(functionsB.leftCols(ofB), a.Triangles(),
-      functionsA.leftCols(ofA) * maps.AToB.transpose(),
-      progress.Part(0.95, 1.0, "finding the nearest points")) };
+  return FindPointMaps(
+    one.Sampled(), two.Sampled(), maps, progress.Part(0.9, 1.0, "finding the nearest points"));
 }
 
 } // namespace shape

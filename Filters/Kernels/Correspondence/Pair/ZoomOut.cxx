@@ -120,4 +120,18 @@ FunctionalMaps RefineByZoomOut(const SampledSpectrum& a, const SampledSpectrum& 
   }
 }
 
+SurfaceMaps FindPointMaps(const SampledSpectrum& a, const SampledSpectrum& b,
+  const FunctionalMaps& maps, const Progress& progress)
+{
+  // The row of a point's image: with C from B to A, phi_A(x) = C phi_B(image of x), for all
+  // eigenfunctions of the map together.
+  const Eigen::Index ofA = maps.AToB.cols(), ofB = maps.AToB.rows();
+  const auto functionsA = a.Spectrum.Eigenfunctions.leftCols(ofA),
+             functionsB = b.Spectrum.Eigenfunctions.leftCols(ofB);
+  return { FindNearestSurfacePoints(
+             functionsA, b.Triangles, functionsB * maps.BToA.transpose(), progress.Part(0.0, 0.5)),
+    FindNearestSurfacePoints(
+      functionsB, a.Triangles, functionsA * maps.AToB.transpose(), progress.Part(0.5, 1.0)) };
+}
+
 } // namespace shape

@@ -69,4 +69,10 @@ FunctionalMaps RefineByZoomOut(const SampledSpectrum& a, const SampledSpectrum& 
   const FunctionalMaps& start, const Landmarks& landmarks, const ZoomOutOptions& options = {},
   const Progress& progress = {});
 
+/// Returns the point maps of functional maps: each point goes to the position with the nearest row
+/// of eigenfunctions, also inside triangles (Ezuz and Ben-Chen, "Deblurring and denoising of maps
+/// between shapes", 2017). Throws Aborted.
+SurfaceMaps FindPointMaps(const SampledSpectrum& a, const SampledSpectrum& b,
+  const FunctionalMaps& maps, const Progress& progress = {});
+
 } // namespace shape
