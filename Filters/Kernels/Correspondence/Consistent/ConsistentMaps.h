@@ -25,7 +25,7 @@ struct ConsistentMapsOptions
   /// The method of the maps onto the template.
   enum class MethodType
   {
-    FunctionalMap,     ///< nearest rows of the consistent functional maps
+    FunctionalMap,     ///< nearest rows of the functional maps
     ReversibleHarmonic ///< CorrespondenceOptions::MethodType, from landmarks of these maps
   };
   MethodType Method = MethodType::FunctionalMap;
