@@ -247,10 +247,12 @@ void vtkShapeSynthesize::Execute(const shape::Progress& progress)
   shape::RequireOption(this->Amplitude >= 0.0 && std::isfinite(this->Amplitude), "Amplitude",
     this->Amplitude, "at least 0 and finite");
   shape::RequireValid(this->Options);
+  const shape::Progress making = progress.Part(0.0, 0.1, "making the sample");
   vtkPolyData* whole = this->GetGatheredInput(0).Data;
   const int modes = RequireModes(whole);
   vtkShapeAtlasShape atlas;
   atlas.Images = ReadShape(whole, modes);
+  making(0.4);
   const Eigen::VectorXd weights = this->ReadWeights(modes);
   vtkDataObject* output = this->GetOutputDataObject(0);
   vtkShapeComposite::ForEach(this->GetInputDataObject(0, 0), output,
@@ -264,6 +266,7 @@ void vtkShapeSynthesize::Execute(const shape::Progress& progress)
       vtkShapeComposite::Move(from, shape::Synthesize(ReadShape(from, modes), weights), to);
       AddQuantities(from, weights, to);
     });
+  making(0.8);
   const auto addFacts = [&](vtkDataObject* to)
   {
     to->GetAttributesAsFieldData(vtkDataObject::FIELD)
@@ -271,9 +274,10 @@ void vtkShapeSynthesize::Execute(const shape::Progress& progress)
   };
   addFacts(output);
   vtkShapeConvert::AddFact(output, Facts + "Modes", modes);
-  progress(0.1);
+  making(1.0);
   if (this->GetNumberOfInputConnections(1) == 0)
   {
+    progress(1.0);
     return;
   }
 
