@@ -44,7 +44,7 @@
  * - .AreaVariances, .ConformalVariances: of the variation functions.
  * With Computed and LimitShape, also
  * - .Pairs: number of pairs that were matched.
- * - .ExchangedPairs: number of pairs whose map is not their own best one.
+ * - .ExchangedPairs: number of pairs whose best map was exchanged.
  * - .DroppedPairs: number of pairs that were left out, because they contradict the others.
  * - .CycleError, .PairwiseCycleError, .Triples: see shape::ConsistentMaps.
  *
