@@ -141,6 +141,29 @@ def LabelSurfaces():
     return (0.4, -1.0, 0.7), FRONT[1]
 
 
+def image_reader(folder):
+    """A segmentation of two regions with oblique axes: its file is read, and its surface extracted."""
+    path = os.path.join(folder, 'segmentation.nrrd')
+    i, j, k = numpy.indices((24, 20, 10))
+    ball = ((i - 11.5) / 10.0) ** 2 + ((j - 9.5) / 8.0) ** 2 + ((k - 4.5) / 4.0) ** 2 < 1.0
+    labels = numpy.where(ball, numpy.where(i < 12, 1, 2), 0).astype(numpy.uint8)
+    with open(path, 'wb') as file:
+        file.write(b'NRRD0004\ntype: uchar\ndimension: 3\nspace: left-posterior-superior\nsizes: 24 20 10\n'
+                   b'space directions: (-0.8,0,0.6) (0,1,0) (1.2,0,1.6)\nspace origin: (0,0,0)\n'
+                   b'encoding: raw\n\n' + labels.tobytes(order='F'))
+    image = ShapeImageReader(FileNames=[path])
+    layer = ExtractSubset(Input=image, VOI=[0, 23, 0, 19, 5, 5])
+    show(layer, array='ImageScalars', preset='Grayscale')
+    surface = ShapeLabelSurfaces(Input=image)
+    show(surface, (0, 0, -14), array='Patch', kind='CELLS', preset='Turbo', limits=(0, 3), edges=True)
+    return (0.5, -1.0, 0.6), (0, 0, 1)
+
+
+@drawing
+def ImageReader():
+    return image_reader(tempfile.mkdtemp())
+
+
 @drawing
 def ImageValues():
     """A layer of a scan, and the moduli of the cells of a bone."""

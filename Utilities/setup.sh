@@ -16,7 +16,7 @@ packages=(
   # libraries
   libeigen3-dev libtbb-dev libopenblas-dev liblapacke-dev libhwy-dev libnanoflann-dev
   libsuitesparse-dev libtet1.5-dev libocct-data-exchange-dev libopencv-dnn-dev
-  libprotobuf-dev libboost-dev zlib1g-dev libxcb1-dev
+  libprotobuf-dev libinsighttoolkit5-dev libboost-dev zlib1g-dev libxcb1-dev
   # a display and real models
   xvfb xauth libcgal-demo
   # pages of the help and of the site

@@ -25,8 +25,8 @@ def needed(path):
 
 files = {'shapemap/' + os.path.basename(path): path
          for path in glob.glob(os.path.join(package, '*')) if os.path.isfile(path)}
-# Those that call OpenCASCADE and OpenCV lie beside the filters'.
-for path in libraries + glob.glob(os.path.join(os.path.dirname(libraries[0]), 'libshape_[cn]*.so')):
+# Those that call OpenCASCADE, OpenCV and ITK lie beside the filters'.
+for path in libraries + glob.glob(os.path.join(os.path.dirname(libraries[0]), 'libshape_[cin]*.so')):
     files['shapemap/' + os.path.basename(path)] = path
 linked = set().union(*(needed(path) for path in files.values() if '.so' in path))
 linked -= {os.path.basename(path) for path in files}

@@ -64,7 +64,7 @@ def parser_of(name: str, command: Command, filter: Filter) -> argparse.ArgumentP
     """The parser of a subcommand."""
     parser = argparse.ArgumentParser(
         'shapemap ' + name, formatter_class=argparse.RawDescriptionHelpFormatter, allow_abbrev=False,
-        description='%s\n\n%s\n%s' % (command.help.capitalize() + '.', 'Files that are read: ' + ', '.join(files.READ) + '.',
+        description='%s\n\n%s\n%s' % (command.help.capitalize() + '.', 'Files that are read: ' + ', '.join(read_by(command, filter)) + '.',
                                       'Files that are written: ' + ', '.join(files.WRITTEN) + '.'),
         epilog='Example: shapemap %s\n\n%s' % (command.example, _CODES))
     parser.add_argument('inputs', nargs='+', metavar='IN', help='files, folders, patterns, or a table (.csv) with a '
@@ -86,6 +86,11 @@ def parser_of(name: str, command: Command, filter: Filter) -> argparse.ArgumentP
                             help=with_options(each.help, filter).replace('%', '%%') + (' (needed)' if each.required else ''))
     add_properties(parser.add_argument_group('of the filter'), filter)
     return parser
+
+
+def read_by(command: Command, filter: Filter) -> tuple[str, ...]:
+    """The extensions of the subjects."""
+    return files.read_by(next(each.types for each in filter.inputs if each.name == command.subject))
 
 
 def others(command: Command, filter: Filter) -> list[Input]:
@@ -112,19 +117,20 @@ class Batch:
 
     def find_subjects(self) -> list[Subject]:
         rows: list[dict[str, str]] = []
+        reads = read_by(self.command, self.filter)
         for given in self.options.inputs:
             if os.path.isdir(given):
                 found = sorted(os.path.join(given, each) for each in os.listdir(given)
-                               if files.extension(each) in files.READ)
+                               if files.extension(each) in reads)
             else:
                 found = [given] if os.path.exists(given) else sorted(glob.glob(given))
             if not found:
-                raise Usage('there is no file to read at %s; extensions are %s' % (given, ', '.join(files.READ)))
+                raise Usage('there is no file to read at %s; extensions are %s' % (given, ', '.join(reads)))
             for path in found:
                 rows += self.rows_of(path) if files.extension(path) == 'csv' else [{'subject': path}]
-        stems = [_stem(row['subject']) for row in rows]
+        stems = [files.stem(row['subject']) for row in rows]
         if len(set(stems)) < len(stems):
-            stems = ['-'.join(_stem(row[each]) for each in row if each != 'name') for row in rows]
+            stems = ['-'.join(files.stem(row[each]) for each in row if each != 'name') for row in rows]
         subjects = {}
         for row, stem in zip(rows, stems):
             name = row.pop('name', '') or stem
@@ -159,7 +165,7 @@ class Batch:
             name, given = named(self.command, each), getattr(self.options, 'file_' + each.name)
             for k, path in enumerate(given if each.multiple and given else [given] if given else []):
                 if os.path.isdir(path):
-                    inside = sorted(file for file in os.listdir(path) if _stem(file) == subject.name and
+                    inside = sorted(file for file in os.listdir(path) if files.stem(file) == subject.name and
                                     not file.startswith('.'))
                     if len(inside) != 1:
                         raise Usage('%s: %s has %s files named %s; it needs one' % (
@@ -216,7 +222,7 @@ class Batch:
                 inputs[each.name] = vtkMultiBlockDataSet()
                 for k, (block, path) in enumerate(zip(data, paths)):
                     inputs[each.name].SetBlock(k, block)
-                    inputs[each.name].GetMetaData(k).Set(vtkMultiBlockDataSet.NAME(), _stem(path))
+                    inputs[each.name].GetMetaData(k).Set(vtkMultiBlockDataSet.NAME(), files.stem(path))
         return inputs
 
     def run(self) -> int:
@@ -292,12 +298,6 @@ def _positive(text: str) -> int:
     if int(text) < 1:
         raise argparse.ArgumentTypeError('%s is too small; give at least 1' % text)
     return int(text)
-
-
-def _stem(path: str) -> str:
-    """The name of a file without its extension, with two parts for .mrk.json."""
-    stem = os.path.splitext(os.path.basename(path))[0]
-    return stem[:-4] if path.endswith('.mrk.json') else stem
 
 
 if __name__ == '__main__':

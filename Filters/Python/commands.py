@@ -65,6 +65,9 @@ def _map(**given: Any) -> Made:
 
 
 COMMANDS = {
+    'surfaces': Command(
+        'extract the surfaces between the labels of images', 'label_surfaces', 'input',
+        'surfaces segmentations regions', 'Intersections'),
     'hex': Command(
         'fill the solids inside closed surfaces with hexahedra', 'hex_remesh', 'surface',
         'hex surfaces meshes --method Grid --cells-on-longest-side 8 --format inp',

@@ -1,4 +1,4 @@
-"""Files of meshes, landmarks and pictures: which are read and written, by their extensions."""
+"""Files of meshes, images and landmarks: which are read and written, by their extensions."""
 from __future__ import annotations
 
 import importlib
@@ -22,6 +22,9 @@ _READERS = {
     'off': ('shapemap', 'vtkShapeOFFReader'), 'mesh': ('shapemap', 'vtkShapeMeditReader'),
     **dict.fromkeys(('inp', 'k', 'key', 'dyn', 'feb'), ('shapemap', 'vtkShapeDeckReader')),
     **dict.fromkeys(('step', 'stp', 'iges', 'igs', 'brep'), ('shapemap', 'vtkShapeCADReader'))}
+_IMAGES = {
+    'vti': ('vtkmodules.vtkIOXML', 'vtkXMLImageDataReader'),
+    **dict.fromkeys(('nrrd', 'nhdr', 'mha', 'mhd', 'nii', 'nii.gz'), ('shapemap', 'vtkShapeImageReader'))}
 _LANDMARKS = dict.fromkeys(('fcsv', 'json', 'pp', 'pts', 'tps', 'csv'), ('shapemap', 'vtkShapeLandmarksReader'))
 _SURFACE_WRITERS = {
     'vtp': ('vtkmodules.vtkIOXML', 'vtkXMLPolyDataWriter'), 'vtk': ('vtkmodules.vtkIOLegacy', 'vtkDataSetWriter'),
@@ -34,22 +37,41 @@ _SOLID_WRITERS = {
     'msh': ('shapemap', 'vtkShapeGmshWriter'), 'mesh': ('shapemap', 'vtkShapeMeditWriter'),
     'exo': ('shapemap', 'vtkShapeExodusWriter'), 'foam': ('shapemap', 'vtkShapeFoamWriter')}
 
-#: The extensions of meshes that are read.
-READ = tuple(_READERS)
+# Endings of two parts, and the extension for each.
+_DOUBLE = {'.nii.gz': 'nii.gz', '.seg.nrrd': 'nrrd', '.mrk.json': 'json'}
 #: The extensions that are written.
 WRITTEN = tuple(dict.fromkeys((*_SURFACE_WRITERS, *_SOLID_WRITERS)))
 WRITTEN_SOLIDS = tuple(_SOLID_WRITERS)
 WRITTEN_SURFACES = tuple(_SURFACE_WRITERS)
 
 
+def split(path: str) -> tuple[str, str]:
+    """The name of a file without its ending, and its extension: in small letters, without the dot."""
+    name = os.path.basename(path)
+    for ending, extension in _DOUBLE.items():
+        if name.lower().endswith(ending):
+            return name[:-len(ending)], extension
+    stem, last = os.path.splitext(name)
+    return stem, last[1:].lower()
+
+
 def extension(path: str) -> str:
-    """Of a file, in small letters, without the dot."""
-    return os.path.splitext(path)[1][1:].lower()
+    return split(path)[1]
+
+
+def stem(path: str) -> str:
+    return split(path)[0]
+
+
+def read_by(types: tuple[str, ...]) -> tuple[str, ...]:
+    """The extensions of what an input of these classes takes: images, or meshes, or both."""
+    images = 'vtkImageData' in types or 'vtkDataSet' in types
+    return (*(_READERS if set(types) - {'vtkImageData'} else ()), *(_IMAGES if images else ()))
 
 
 def read(path: str) -> vtkDataSet:
     """The mesh or the landmarks of a file. Raises ShapeError if it cannot be read."""
-    kinds = {**_LANDMARKS, **_READERS}
+    kinds = {**_LANDMARKS, **_READERS, **_IMAGES}
     if extension(path) not in kinds:
         raise ShapeError('%s: its extension is unknown; give one of %s' % (path, ', '.join(kinds)))
     module, name = kinds[extension(path)]
@@ -70,6 +92,8 @@ def read(path: str) -> vtkDataSet:
 
 def as_type(data: vtkDataSet, types: tuple[str, ...]) -> vtkDataSet:
     """The data for an input that takes these classes: its surface if the input takes only surfaces."""
+    if data.IsA('vtkImageData') and not {'vtkImageData', 'vtkDataSet'} & set(types):
+        raise ShapeError('it is an image; extract its surfaces with "shapemap surfaces", and give those')
     if not any(data.IsA(each) for each in types) and 'vtkPolyData' in types:
         return _surface_of(data)
     return data

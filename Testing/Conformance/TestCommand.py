@@ -10,6 +10,9 @@ import tempfile
 import time
 
 import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 
 import shapemap
 import shapemap.files
@@ -164,6 +167,21 @@ for name in ('FigureASmall', 'FigureBSmall'):
     shutil.copy(os.path.join(root, 'Data', name + '.vtp'), 'surfaces')
 shutil.copy('surfaces/FigureASmall.vtp', 'template.vtp')
 os.remove('surfaces/BentBarSmall.vtp')
+os.mkdir('segmentations')
+# A ball in two halves, whose first index goes to the patient's right; its name has two endings.
+i, j, k = numpy.indices((9, 9, 9))
+labels = (((i - 4.0) ** 2 + (j - 4.0) ** 2 + (k - 4.0) ** 2 < 12.0) * numpy.where(i < 4.0, 1, 2)).astype(numpy.uint8)
+with open('segmentations/ball.seg.nrrd', 'wb') as file:
+    file.write(b'NRRD0004\ntype: unsigned char\ndimension: 3\nspace: left-posterior-superior\nsizes: 9 9 9\n'
+               b'space directions: (-2,0,0) (0,2,0) (0,0,2)\nkinds: domain domain domain\nencoding: raw\n'
+               b'space origin: (10,0,0)\n\n' + labels.tobytes(order='F'))
+image = vtkImageData()
+image.SetDimensions(9, 9, 9)
+image.GetPointData().SetScalars(numpy_to_vtk(labels.ravel(order='F')))
+writer = vtkXMLImageDataWriter()
+writer.SetFileName('segmentations/other.vti')
+writer.SetInputData(image)
+writer.Write()
 for name, command in COMMANDS.items():
     said, code = shapemap_command(*command.example.split())
     output = command.example.split()[2]
@@ -172,6 +190,13 @@ for name, command in COMMANDS.items():
 assert [float(row['Shapes']) for row in rows('compared')] == [float(row['Shapes']) for row in rows('average')] == [2.0]
 for made in ('compared/shapes', 'average/aligned'):
     assert sorted(os.listdir(made)) == ['FigureASmall.vtp', 'FigureBSmall.vtp'], os.listdir(made)
+ball = shapemap.files.read('regions/ball.vtp')
+assert abs(numpy.array(ball.GetBounds()).reshape(3, 2).mean(axis=1) - [2.0, 8.0, 8.0]).max() < 0.1, ball.GetBounds()
+left, right = (shapemap.points(ball)[shapemap.cells(ball)[shapemap.cell_array(ball, 'Regions')[:, 0] == label]]
+               for label in (1, 2))
+assert left[..., 0].mean() > 2.0 > right[..., 0].mean()
+said, code = shapemap_command('hex', 'segmentations/other.vti', 'boxes', '--no-pictures')
+assert code == 1 and 'shapemap surfaces' in said, said
 with open('pairs.csv', 'w') as file:
     file.write('subject,template\nsurfaces/FigureBSmall.vtp,template.vtp\nsurfaces/FigureBSmall.vtp,surfaces/FigureBSmall.vtp\n')
 said, code = shapemap_command('map', 'pairs.csv', 'pairs')

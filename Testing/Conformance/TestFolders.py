@@ -1,7 +1,7 @@
 """The order of the house. Plugin uses Filters/VTK, which uses Filters/Kernels. A room (a folder of
 kernels) includes only rooms before it, and files include each other without circles. A header in
 Private/ is included from its own room alone; one beside Private/ by another room, by the filters or
-by the room's own headers. Only the files named here include VTK, TetGen, OpenCV or OpenCASCADE. Every filter and
+by the room's own headers. Only the files named here include VTK, TetGen, OpenCV, ITK or OpenCASCADE. Every filter and
 writer has all its parts. Run with python3 TestFolders.py ROOT."""
 import collections
 import os
@@ -23,6 +23,7 @@ USE_VTK = ['Geometry/Private/QuadricSampling.cxx', 'Search/CellLocator.cxx', 'Se
            'Solids/IsoSurface.cxx']
 USE_TETGEN = ['Tetrahedra/Private/TetGen.cxx']
 USE_OPENCV = ['Kernels/Network/Private/NetworkLibrary.cxx']
+USE_ITK = ['Kernels/IO/Private/ImageLibrary.cxx']
 USE_OCCT = ['Kernels/IO/Private/CascadeFile.cxx', 'Kernels/IO/Private/CascadeFile.h',
             'Kernels/IO/Private/CascadeLibrary.cxx', 'Kernels/IO/TestCADReader.cxx']
 # No mathematics, or one line in the wrapper, which its header states: no kernel.
@@ -84,6 +85,8 @@ for part in ('Filters', 'Plugin', 'Testing'):
             faults.append('%s: %s, and no other file, includes tetgen.h' % (path, USE_TETGEN))
         if ('opencv2/dnn.hpp' in includes) != (path in USE_OPENCV):
             faults.append('%s: %s, and no other file, includes OpenCV' % (path, USE_OPENCV))
+        if any(re.match(r'itk\w*\.h', include) for include in includes) != (path in USE_ITK):
+            faults.append('%s: %s, and no other file, includes ITK' % (path, USE_ITK))
         if any(OCCT.match(include) for include in includes) != (path in USE_OCCT):
             faults.append('%s: %s, and no other file, includes OpenCASCADE' % (path, USE_OCCT))
 

@@ -80,6 +80,10 @@ def OFFReader():
     return (0.5, -1.0, 0.8), (0, 0, 1)
 
 
+def ImageReader():
+    return illustrations.image_reader(FOLDER)
+
+
 def MeditReader():
     """The solid of the writer's picture, after the file."""
     path = os.path.join(FOLDER, 'solid.mesh')
@@ -135,7 +139,7 @@ def Symmetry():
 
 
 view = illustrations.open_view(SIZE)
-scenes = {scene.__name__: scene for scene in (Landmarks, LandmarksReader, OFFReader, MeditReader, Example, CommonBase,
+scenes = {scene.__name__: scene for scene in (Landmarks, LandmarksReader, OFFReader, ImageReader, MeditReader, Example, CommonBase,
                                               Symmetry)}
 # The picture of what Shape Medit Reader and Shape Deck Reader read shows what the writer wrote, too. Others' programs read the files of
 # the other writers, or a test does. The web page of Shape HTML Writer

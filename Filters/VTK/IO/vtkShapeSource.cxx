@@ -5,12 +5,15 @@
 #include "vtkDataObject.h"
 #include "vtkDataObjectTypes.h"
 #include "vtkDemandDrivenPipeline.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include "Base/Errors.h"
 
+#include <array>
 #include <new>
 
 vtkShapeSource::vtkShapeSource()
@@ -26,7 +29,8 @@ std::string vtkShapeSource::GetLabel()
 
 int vtkShapeSource::FillOutputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPointSet");
+  info->Set(vtkDataObject::DATA_TYPE_NAME(),
+    this->GetOutputType() == "vtkImageData" ? "vtkImageData" : "vtkPointSet");
   return 1;
 }
 
@@ -38,6 +42,10 @@ vtkTypeBool vtkShapeSource::ProcessRequest(
   {
     this->CreateOutput(outputs);
     return 1;
+  }
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
+  {
+    return this->Try([&]() { this->Announce(outputs->GetInformationObject(0)); }) ? 1 : 0;
   }
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
   {
@@ -75,14 +83,45 @@ int vtkShapeSource::Run(vtkInformationVector* outputs)
       this->UpdateProgress(fraction);
       return !this->GetAbortExecute();
     });
-  std::string message; // empty if the user stopped it
+  bool isStopped = false;
+  const bool isMade = this->Try(
+    [&]()
+    {
+      try
+      {
+        this->Make(vtkDataObject::GetData(outputs), progress);
+      }
+      catch (const shape::Aborted&)
+      {
+        isStopped = true;
+      }
+    });
+  if (!isMade || isStopped)
+  {
+    for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+    {
+      vtkDataObject::GetData(outputs, port)->Initialize();
+    }
+    return isStopped ? 1 : 0;
+  }
+  vtkInformation* const first = outputs->GetInformationObject(0);
+  auto* const image = vtkImageData::SafeDownCast(vtkDataObject::GetData(first));
+  if (image && first->Has(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()))
+  {
+    std::array<int, 6> extent{};
+    first->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
+    image->Crop(extent.data());
+  }
+  return 1;
+}
+
+bool vtkShapeSource::Try(const std::function<void()>& function)
+{
+  std::string message;
   try
   {
-    this->Make(vtkDataObject::GetData(outputs), progress);
-    return 1;
-  }
-  catch (const shape::Aborted&)
-  {
+    function();
+    return true;
   }
   catch (const std::bad_alloc&)
   {
@@ -92,14 +131,6 @@ int vtkShapeSource::Run(vtkInformationVector* outputs)
   {
     message = error.what();
   }
-  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-  {
-    vtkDataObject::GetData(outputs, port)->Initialize();
-  }
-  if (message.empty())
-  {
-    return 1;
-  }
   vtkErrorMacro(<< this->GetLabel() << ": " << message);
-  return 0;
+  return false;
 }

@@ -3,8 +3,8 @@
  * @brief   base of what has no input: readers and example shapes
  *
  * Output: data sets. If the pipeline requests pieces, the first piece is the entire data set, and
- * the others are empty. An error empties the outputs, and its text starts with the label of the
- * source.
+ * the others are empty; an image is cropped to the requested extent. An error empties the outputs,
+ * and its text starts with the label of the source.
  */
 #ifndef vtkShapeSource_h
 #define vtkShapeSource_h
@@ -14,9 +14,11 @@
 
 #include "Base/Progress.h" // for shape::Progress
 
-#include <string> // for names
+#include <functional> // for what may fail
+#include <string>     // for names
 
 class vtkDataObject;
+class vtkInformation;
 
 class VTKSHAPEFILTERS_EXPORT vtkShapeSource : public vtkAlgorithm
 {
@@ -36,6 +38,9 @@ protected:
 
   /// Returns the class name of the outputs, which may depend on properties.
   virtual std::string GetOutputType() = 0;
+  /// Sets what is known of the first output before it is made: the extent, origin, spacing and
+  /// directions of an image. Throws shape::InvalidInput. By default, nothing.
+  virtual void Announce(vtkInformation*) {}
   /// Fills the first output, which is empty, and those of GetFurtherOutput. Throws
   /// shape::InvalidInput, shape::Aborted.
   virtual void Make(vtkDataObject* output, const shape::Progress& progress) = 0;
@@ -48,6 +53,8 @@ private:
 
   void CreateOutput(vtkInformationVector* outputs);
   int Run(vtkInformationVector* outputs);
+  /// Calls a function, and reports its error. Returns whether there was none.
+  bool Try(const std::function<void()>& function);
 
   vtkInformationVector* Outputs = nullptr; ///< of the request that Make serves
 };
