@@ -1,6 +1,6 @@
 #pragma once
 
-#include "IO/ImageReader.h"
+#include "IO/ImageHeader.h"
 
 #include <string>
 
