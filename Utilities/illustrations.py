@@ -155,7 +155,7 @@ def image_reader(folder):
     layer = ExtractSubset(Input=image, VOI=[0, 23, 0, 19, 5, 5])
     show(layer, array='ImageScalars', preset='Grayscale')
     surface = ShapeLabelSurfaces(Input=image)
-    show(surface, (0, 0, -14), array='Patch', kind='CELLS', preset='Turbo', limits=(0, 3), edges=True)
+    show(surface, (0, 0, -22), array='Patch', kind='CELLS', preset='Turbo', limits=(0, 3), edges=True)
     return (0.5, -1.0, 0.6), (0, 0, 1)
 
 

@@ -29,16 +29,18 @@ sphere = shapemap.vtkShapeParameterize()
 sphere.SetInputConnection(source.GetOutputPort())
 sphere.Update()
 assert sphere.GetOutputDataObject(1).GetNumberOfPoints() == 50
-# The library that calls OpenCASCADE lies beside the filters'.
+# The libraries that call OpenCASCADE and ITK lie beside the filters'.
 open(sys.argv[1], 'w').write('ISO-10303-21;\n')
-reader, refusals = shapemap.vtkShapeCADReader(), []
-def hear(caller, event, text):
-    refusals.append(text)
-hear.CallDataType = 'string0'
-reader.AddObserver('ErrorEvent', hear)
-reader.SetFileName(sys.argv[1])
-reader.Update()
-assert any('OpenCASCADE cannot read it as STEP' in text for text in refusals), refusals
+for reader, words in ((shapemap.vtkShapeCADReader(), 'OpenCASCADE cannot read it as STEP'),
+                      (shapemap.vtkShapeImageReader(), 'it is no NRRD, MetaImage or NIfTI image')):
+    refusals = []
+    def hear(caller, event, text):
+        refusals.append(text)
+    hear.CallDataType = 'string0'
+    reader.AddObserver('ErrorEvent', hear)
+    reader.SetFileName(sys.argv[1])
+    reader.Update()
+    assert any(words in text for text in refusals), refusals
 print(shapemap.__file__.split('/')[-2], 'imported and run')
 PY
 

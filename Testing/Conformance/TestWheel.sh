@@ -20,16 +20,18 @@ assert shapemap.__file__.startswith(sys.argv[1]), shapemap.__file__
 described = importlib.metadata.metadata('shapemap')
 assert described['Version'].split('+')[1].startswith(('pv', 'vtk')) and 'BSD-3-Clause' in described['License']
 assert 'shapemap' in open('/proc/self/maps').read().split('libvtkShapeFilters')[0].rsplit('\n', 1)[1]
-# The library that calls OpenCASCADE lies beside the filters'.
+# The libraries that call OpenCASCADE and ITK lie beside the filters'.
 open('broken.step', 'w').write('ISO-10303-21;\n')
-reader, refusals = shapemap.vtkShapeCADReader(), []
-def hear(caller, event, text):
-    refusals.append(text)
-hear.CallDataType = 'string0'
-reader.AddObserver('ErrorEvent', hear)
-reader.SetFileName('broken.step')
-reader.Update()
-assert any('OpenCASCADE cannot read it as STEP' in text for text in refusals), refusals
+for reader, words in ((shapemap.vtkShapeCADReader(), 'OpenCASCADE cannot read it as STEP'),
+                      (shapemap.vtkShapeImageReader(), 'it is no NRRD, MetaImage or NIfTI image')):
+    refusals = []
+    def hear(caller, event, text):
+        refusals.append(text)
+    hear.CallDataType = 'string0'
+    reader.AddObserver('ErrorEvent', hear)
+    reader.SetFileName('broken.step')
+    reader.Update()
+    assert any(words in text for text in refusals), refusals
 source = vtkSphereSource()
 source.Update()
 made = shapemap.hex_remesh(
