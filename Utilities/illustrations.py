@@ -149,13 +149,13 @@ def image_reader(folder):
     labels = numpy.where(ball, numpy.where(i < 12, 1, 2), 0).astype(numpy.uint8)
     with open(path, 'wb') as file:
         file.write(b'NRRD0004\ntype: uchar\ndimension: 3\nspace: left-posterior-superior\nsizes: 24 20 10\n'
-                   b'space directions: (-0.8,0,0.6) (0,1,0) (1.2,0,1.6)\nspace origin: (0,0,0)\n'
+                   b'space directions: (0.8,0,-0.6) (0,1,0) (1.2,0,1.6)\nspace origin: (0,0,0)\n'
                    b'encoding: raw\n\n' + labels.tobytes(order='F'))
     image = ShapeImageReader(FileNames=[path])
-    layer = ExtractSubset(Input=image, VOI=[0, 23, 0, 19, 5, 5])
+    layer = ExtractSurface(Input=ExtractSubset(Input=image, VOI=[0, 23, 0, 19, 5, 5]))
     show(layer, array='ImageScalars', preset='Grayscale')
     surface = ShapeLabelSurfaces(Input=image)
-    show(surface, (0, 0, -22), array='Patch', kind='CELLS', preset='Turbo', limits=(0, 3), edges=True)
+    show(surface, (0, 0, -17), array='Patch', kind='CELLS', preset='Turbo', limits=(0, 3), edges=True)
     return (0.5, -1.0, 0.6), (0, 0, 1)
 
 
