@@ -59,9 +59,9 @@ const std::set<std::string> RealMeasures = {
   "L2Stretch", "LinfStretch", "SmallestSingularValue", "LargestSingularValue", "AreaDifference",
   "ConformalDifference", "AreaEigenfunctions", "ConformalEigenfunctions", "OffsetAreaDifference",
   "OffsetConformalDifference", "AreaDeviation", "ConformalDeviation", "PositionDeviation",
-  "AreaVariationFunctions", "ConformalVariationFunctions", "SideLengths", "Angles",
-  "NormalCurvatures", "Eigenfunctions", "Masses", "HeatKernelSignature", "WaveKernelSignature",
-  "Embedding", "ArrivalTime", "Radius", "SplineError"
+  "AreaVariationFunctions", "ConformalVariationFunctions", "AreaModes", "ConformalModes",
+  "SideLengths", "Angles", "NormalCurvatures", "Eigenfunctions", "Masses", "HeatKernelSignature",
+  "WaveKernelSignature", "Embedding", "ArrivalTime", "Radius", "SplineError"
 };
 
 /// Measures that are counts or Booleans.

@@ -130,7 +130,7 @@ vtkShapeCollection::vtkShapeCollection()
   this->DeclareFacts();
   this->DeclareOutput("vtkMultiBlockDataSet"); // Resampled
   this->DeclareMeasures({ "AreaDeviation", "ConformalDeviation", "AreaVariationFunctions",
-    "ConformalVariationFunctions", "PositionDeviation" });
+    "ConformalVariationFunctions", "AreaModes", "ConformalModes", "PositionDeviation" });
   this->DeclareShown(TemplatePort, { "AreaDeviation" });
   this->DeclareMemoryRemedy("lower Basis Size");
 }
@@ -343,6 +343,8 @@ void vtkShapeCollection::Execute(const shape::Progress& progress)
   add(result.Conformal.Deviation, "ConformalDeviation");
   add(result.Area.Functions, "AreaVariationFunctions");
   add(result.Conformal.Functions, "ConformalVariationFunctions");
+  add(result.Area.Modes, "AreaModes");
+  add(result.Conformal.Modes, "ConformalModes");
   if (result.PositionDeviation.size() > 0)
   {
     add(result.PositionDeviation, "PositionDeviation");

@@ -21,6 +21,8 @@
  *   `AreaDifference` and `ConformalDifference` of vtkShapeMapDifference.
  * - `AreaVariationFunctions`, `ConformalVariationFunctions`: functions that the operators change
  *   most differently (10 components, the most variable one first).
+ * - `AreaModes`, `ConformalModes`: the change of `AreaDifference` and `ConformalDifference` for one
+ *   standard deviation of each coordinate of the embedding (one component each).
  * - `PositionDeviation`, with Measure Procrustes: the standard deviation of the position.
  *
  * Output 2, Distances: a table with the distance of each shape (row) from each other one (column).

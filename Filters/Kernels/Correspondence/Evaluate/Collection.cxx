@@ -36,6 +36,8 @@ public:
       throw SolveFailure("the eigenfunctions of the Template are not independent on its triangles; "
                          "lower BasisSize, or remesh the surface");
     }
+    this->Deltas = this->Functions * this->Factor.matrixL();
+    this->Norms = this->Deltas.rowwise().squaredNorm();
   }
 
   /// The symmetric operator G^-1 other G^-T.
@@ -65,17 +67,12 @@ public:
     {
       mean += each / count;
     }
-    // At each point, the delta as a combination of the functions, and <d, D d> / <d, d>.
-    const Eigen::MatrixXd deltas = this->Functions * this->Factor.matrixL();
-    const Eigen::VectorXd norms = deltas.rowwise().squaredNorm();
-    Eigen::VectorXd variance = Eigen::VectorXd::Zero(deltas.rows());
+    Eigen::VectorXd variance = Eigen::VectorXd::Zero(this->Functions.rows());
     for (const Eigen::MatrixXd& each : symmetric)
     {
       const Eigen::MatrixXd apart = each - mean;
       squares += apart * apart / count;
-      const Eigen::VectorXd change = (deltas * apart).cwiseProduct(deltas).rowwise().sum();
-      variance +=
-        (norms.array() > 0.0).select(change.cwiseQuotient(norms), 0.0).cwiseAbs2() / count;
+      variance += this->Field(apart).cwiseAbs2() / count;
     }
     CollectionVariation result;
     result.Deviation = variance.cwiseSqrt();
@@ -86,10 +83,40 @@ public:
     return result;
   }
 
+  /// The change of the factor for one standard deviation of each coordinate, of mean 0.
+  Eigen::MatrixXd Modes(
+    const std::vector<Eigen::MatrixXd>& symmetric, const Eigen::MatrixXd& coordinates) const
+  {
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(this->Functions.rows(), coordinates.cols());
+    // Shorter columns are rounding.
+    const double shortest = 1e-6 * coordinates.colwise().norm().maxCoeff();
+    for (Eigen::Index k = 0; k < coordinates.cols(); ++k)
+    {
+      const double length = coordinates.col(k).norm();
+      Eigen::MatrixXd mode = Eigen::MatrixXd::Zero(symmetric[0].rows(), symmetric[0].cols());
+      for (std::size_t i = 0; length > shortest && i < symmetric.size(); ++i)
+      {
+        mode += coordinates(static_cast<Eigen::Index>(i), k) / length * symmetric[i];
+      }
+      result.col(k) = this->Field(mode) / std::sqrt(static_cast<double>(symmetric.size()));
+    }
+    return result;
+  }
+
 private:
+  /// At each point, <d, D d> / <d, d> of the delta d there.
+  Eigen::VectorXd Field(const Eigen::MatrixXd& symmetric) const
+  {
+    const Eigen::VectorXd values =
+      (this->Deltas * symmetric).cwiseProduct(this->Deltas).rowwise().sum();
+    return (this->Norms.array() > 0.0).select(values.cwiseQuotient(this->Norms), 0.0);
+  }
+
   Eigen::MatrixXd Functions;
   Eigen::LLT<Eigen::MatrixXd> Factor;
   Eigen::Index First;
+  Eigen::MatrixXd Deltas; ///< the delta at each point as a combination of the functions
+  Eigen::VectorXd Norms;  ///< n: <d, d>
 };
 
 void RequireShapes(const Surface& base, const std::vector<CollectionShape>& shapes, Measure measure)
@@ -323,6 +350,8 @@ CollectionResult CompareCollection(const Surface& base, const std::vector<Collec
   }
   last(0.95);
   Embed(options.EmbeddingDimension, result);
+  result.Area.Modes = areas.Modes(ofAreas, result.Embedding);
+  result.Conformal.Modes = gradients.Modes(ofGradients, result.Embedding);
   OrderByDissimilarity(result);
   result.Leaves = OrderLeaves(result.Distances);
   progress(1.0);

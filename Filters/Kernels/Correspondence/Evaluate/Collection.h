@@ -53,6 +53,9 @@ struct CollectionVariation
   Eigen::MatrixXd Functions;
   /// Descending: the mean, over the shapes, of |(D - mean D) f|^2 for each of these functions.
   Eigen::VectorXd Variances;
+  /// n x d: the change of the factor at the point for one standard deviation of each coordinate of
+  /// CollectionResult::Embedding, by linear regression. 0 if the shapes are alike.
+  Eigen::MatrixXd Modes;
 };
 
 struct CollectionResult
@@ -82,10 +85,11 @@ inline constexpr int VariationFunctions = 10;
  * integrated over the triangles of each shape. In a basis that is orthonormal on the template, each
  * is a symmetric matrix. The distance of two shapes is the Frobenius norm of the difference of
  * their matrices, divided by the square root of their size: 0 if a map between them keeps areas
- * (Area) or angles (Conformal), whatever the pose. With Procrustes, it is the root mean square
- * distance of corresponding points after the best rigid motion, weighted by the template's areas.
- * The dendrogram is that of average linkage (Sokal and Michener, "A statistical method for
- * evaluating systematic relationships", 1958).
+ * (Area) or angles (Conformal), whatever the pose. The coordinates of the embedding are then
+ * the principal components of the matrices, and Modes are their modes. With Procrustes, the
+ * distance is the root mean square distance of corresponding points after the best rigid motion,
+ * weighted by the template's areas. The dendrogram is that of average linkage (Sokal and Michener,
+ * "A statistical method for evaluating systematic relationships", 1958).
  *
  * base: the template, a 2-manifold, open or closed. Throws InvalidInput if there is no shape, if a
  * shape without Images has other triangles than the template, if positions are not finite, if

@@ -163,6 +163,9 @@ TEST(Collection, ScalingChangesAreasAlone)
   EXPECT_LT((areas.Area.Deviation.array() - std::sqrt(98.0 / 9.0)).abs().maxCoeff(), 1e-9);
   EXPECT_LT((areas.Area.Variances.array() - 98.0 / 9.0).abs().maxCoeff(), 1e-9);
   EXPECT_LT(
+    (areas.Area.Modes.col(0).cwiseAbs().array() - std::sqrt(98.0 / 9.0)).abs().maxCoeff(), 1e-9);
+  EXPECT_LT(areas.Conformal.Modes.cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT(
     shape::CompareCollection(sphere, shapes, By(Measure::Conformal)).Distances.maxCoeff(), 1e-9);
   EXPECT_LT(areas.Conformal.Deviation.maxCoeff(), 1e-9);
 }
@@ -186,6 +189,45 @@ TEST(Collection, OperatorsAreThoseOfMapDifference)
   EXPECT_LT(
     (result.Conformal.Operators[0] - difference.Conformal.Matrix).cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_TRUE(result.Area.Operators[1].isIdentity(1e-9));
+}
+
+// All principal components together make each shape's fields of MapDifference again.
+TEST(Collection, CoordinatesTimesModesAreTheDifferences)
+{
+  const shape::Mesh sphere = shapetest::Icosphere(2);
+  const Eigen::Index points = sphere.Points.rows();
+  std::vector<Eigen::MatrixXd> positions;
+  for (const double height : { 0.0, 0.5, 0.2, 0.9 })
+  {
+    positions.push_back(Bump(sphere, height) +
+      0.3 * height * (1.0 - height) * (Bump(sphere, 1.0, { 1, 0, 0 }) - sphere.Points));
+  }
+  shape::CollectionOptions options;
+  options.BasisSize = 20;
+  options.EmbeddingDimension = 3;
+  const shape::CollectionResult result =
+    shape::CompareCollection(sphere, Shapes(sphere, positions), options);
+  EXPECT_NEAR(result.Shares.sum(), 1.0, 1e-9);
+  EXPECT_GT(result.Shares(1), 1e-4) << "there is more than one mode";
+  shape::MapDifferenceOptions alone;
+  alone.NumberOfEigenpairs = 20;
+  alone.Products = shape::MapDifferenceOptions::ProductsType::Triangles;
+  const Eigen::VectorXi same = Eigen::VectorXi::LinSpaced(points, 0, static_cast<int>(points) - 1);
+  Eigen::MatrixXd areas(points, 4), angles(points, 4);
+  for (int i = 0; i < 4; ++i)
+  {
+    const shape::Mesh other{ positions[i], sphere.Triangles };
+    const shape::MapDifferenceResult difference =
+      shape::MapDifference(sphere, other, shape::MakeSurfacePointsAtVertices(same, other), alone);
+    areas.col(i) = difference.Area.Field;
+    angles.col(i) = difference.Conformal.Field;
+  }
+  const Eigen::MatrixXd scores = result.Embedding.array().rowwise() /
+    (result.Embedding.colwise().norm().array() / std::sqrt(4.0));
+  areas.colwise() -= areas.rowwise().mean().eval();
+  angles.colwise() -= angles.rowwise().mean().eval();
+  EXPECT_LT((result.Area.Modes * scores.transpose() - areas).cwiseAbs().maxCoeff(), 1e-8);
+  EXPECT_LT((result.Conformal.Modes * scores.transpose() - angles).cwiseAbs().maxCoeff(), 1e-8);
 }
 
 TEST(Collection, AnOutlierIsFirst)
