@@ -25,7 +25,7 @@ CONTRACT = {'TargetPosition', 'TargetCell', 'TargetBarycentric', 'SourcePosition
             'SourceNormal', 'TargetNormal', 'FrameTurn', 'Painted', 'Grey', 'Coverage', 'Density', 'Modulus',
             'MaterialId', 'MaterialDensity', 'MaterialModulus', 'SampleWeight', 'ImageDistribution',
             'NetworkDescriptors', 'TargetPointId', 'SpherePosition', 'LeftPatch', 'RightPatch', 'IsCurve',
-            'HandleLoop', 'MapConfidence', 'Element', 'Orbit', 'Copy', 'Generator1', 'Symmetrized'}
+            'HandleLoop', 'MapConfidence', 'Element', 'Orbit', 'Copy', 'Generator1', 'Symmetrized', 'Mode0', 'Mode1'}
 # Measures of hexahedra that Shape Hex Remesh writes, by Verdict.
 VERDICT = {name[len('SetHexQualityMeasureTo'):]
            for name in dir(vtkMeshQuality) if name.startswith('SetHexQualityMeasureTo')}

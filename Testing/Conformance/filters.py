@@ -8,7 +8,7 @@ from paraview.simple import GetActiveSource  # connects to the built-in server
 import shapemap.vtkShapeFilters as module
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkMultiBlockDataSet, vtkUnstructuredGrid
 
 import shapetesting
 
@@ -121,6 +121,25 @@ def operators():
     return algorithm.GetOutputDataObject(1)
 
 
+class Population(module.vtkShapeAtlas):
+    """Shape Atlas, which needs three surfaces. Python gives it one, or blocks, and two that are stretched."""
+
+    def SetInputDataObject(self, port, data):
+        first = data.GetBlock(0) or data.GetBlock(1) if data.IsA('vtkMultiBlockDataSet') else data
+        if port == 0 and first.IsA('vtkPolyData') and first.GetPoints():
+            blocks = vtkMultiBlockDataSet()
+            if first is data:
+                blocks.SetBlock(0, data)
+            else:
+                blocks.ShallowCopy(data)
+            for stretch in ([1.2, 1.0, 1.0], [1.0, 0.9, 1.0]):
+                stretched = shapetesting.copy(first)
+                shapetesting.set_points(stretched, shapetesting.points(first) * stretch)
+                blocks.SetBlock(blocks.GetNumberOfBlocks(), stretched)
+            data = blocks
+        super().SetInputDataObject(port, data)
+
+
 # Inputs that no file has; also optional ones that others may take the place of, one of which is
 # required.
 NEEDED_INPUTS = {
@@ -176,7 +195,7 @@ def properties(smproxy):
 
 def new(name):
     """A fresh C++ object."""
-    return getattr(module, 'vtk' + name)()
+    return Population() if name == 'ShapeAtlas' else getattr(module, 'vtk' + name)()
 
 
 def quick(name):

@@ -154,8 +154,7 @@ assert abs(points(mapped[0]) - points(same[0])).max() < 1e-6
 assert (points(outputs(group(shuffled))[0]) == points(mapped[0])).all(), 'maps are noticed'
 
 # What cannot be used is refused.
-two = outputs(group(data[:2]))
-assert value(two, 'NumberOfModes') == 1 and 'fewer than 3' in value(two, 'Warning')
+check_refused(new(group(data[:2])), 'at least 3 shapes', 'there are 2', 'Group Datasets')
 check_refused(new(group(data[:2] + [read('FigureASmall.vtp')])), 'shape 2', 'points', 'Maps')
 check_refused(new(group(shapes[1:]), Correspondence=1), 'mapped to itself', 'Template')
 check_refused(new(group(data), Groups='Kind'), 'no Table')

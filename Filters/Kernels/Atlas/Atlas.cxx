@@ -5,7 +5,6 @@
 #include "Geometry/Procrustes.h"
 #include "Mesh/Extent.h"
 #include "Mesh/Topology.h"
-#include "Search/ClosestPoint.h"
 
 #include <algorithm>
 #include <numeric>
@@ -20,9 +19,10 @@ namespace
 void RequireAtlasShapes(
   const std::vector<Eigen::MatrixXd>& shapes, const Eigen::MatrixXi& triangles)
 {
-  if (shapes.empty())
+  if (shapes.size() < 3)
   {
-    throw InvalidInput("there is no shape to make an atlas of");
+    throw InvalidInput("an atlas needs at least 3 shapes, but there are " +
+      std::to_string(shapes.size()) + "; put more together with Group Datasets");
   }
   for (std::size_t i = 0; i < shapes.size(); ++i)
   {
@@ -122,7 +122,7 @@ AtlasResult BuildAtlas(const std::vector<Eigen::MatrixXd>& shapes, const Eigen::
   Superimposed aligned =
     Superimpose(shapes, weights, options.Scale, progress.Part(0.0, 0.2, "aligning the shapes"));
   const auto count = static_cast<Eigen::Index>(shapes.size()), points = shapes[0].rows();
-  const double degrees = std::max(static_cast<double>(count - 1), 1.0);
+  const double degrees = static_cast<double>(count - 1);
   AtlasResult result;
   Eigen::MatrixXd deviations(3 * points, count);
   result.Distances.resize(count);
@@ -180,7 +180,7 @@ AtlasResult BuildAtlas(const std::vector<Eigen::MatrixXd>& shapes, const Eigen::
     result.Modes.middleCols(3 * k, 3) =
       (deviations * (model.Scores.col(k) / degrees)).reshaped(points, 3);
   }
-  // Shapes that are alike, or a single one, are made without modes.
+  // Shapes that are alike have no modes.
   const LeaveOneOut leaveOneOut = rank > 0
     ? ComputeLeaveOneOut(
         products.All, static_cast<int>(rank), result.NumberOfModes, last.Part(0.4, 0.9))
@@ -218,19 +218,11 @@ AtlasField BuildAtlasField(const AtlasResult& atlas, const Eigen::MatrixXd& valu
   field.Mean = values.rowwise().mean();
   const Eigen::MatrixXd deviations = values.colwise() - field.Mean;
   field.Deviations =
-    (deviations.rowwise().squaredNorm() / std::max<double>(1.0, static_cast<double>(count - 1)))
-      .cwiseSqrt();
+    (deviations.rowwise().squaredNorm() / static_cast<double>(count - 1)).cwiseSqrt();
   // Scores have the mean 0 and are not correlated, so each mode is a regression of its own.
   const Eigen::MatrixXd scores = atlas.Scores.leftCols(atlas.NumberOfModes);
   field.Modes = deviations * scores * scores.colwise().squaredNorm().cwiseInverse().asDiagonal();
   return field;
-}
-
-TemplateSamples SampleOnTemplate(
-  const Mesh& mapped, const Eigen::MatrixXd& points, const Progress& progress)
-{
-  const ClosestPoints found = SurfaceLocator(mapped).Find(points, progress);
-  return { { found.Triangles, found.Barycentrics }, found.Distances.maxCoeff() };
 }
 
 } // namespace shape

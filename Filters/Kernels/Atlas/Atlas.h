@@ -2,8 +2,6 @@
 
 #include "Atlas/PermutationTest.h"
 #include "Base/Progress.h"
-#include "Mesh/Mesh.h"
-#include "Mesh/SurfacePoints.h"
 
 #include <Eigen/Core>
 
@@ -73,10 +71,9 @@ struct AtlasResult
  * covariate held fixed: the residuals of the groups and of the shapes are permuted (Freedman and
  * Lane, "A nonstochastic interpretation of reported significance levels", 1983).
  *
- * shapes: n x 3 each, N >= 1. triangles: m x 3. One shape has no modes, and two have one. Throws
- * InvalidInput if there is no shape, if
- * their numbers of points differ, if positions are not finite or have no area, if a variable is
- * constant or not finite, or if an option is out of range; SolveFailure; Aborted.
+ * shapes: n x 3 each, N >= 3. triangles: m x 3. Throws InvalidInput if there are fewer than three
+ * shapes, if their numbers of points differ, if positions are not finite or have no area, if a
+ * variable is constant or not finite, or if an option is out of range; SolveFailure; Aborted.
  */
 AtlasResult BuildAtlas(const std::vector<Eigen::MatrixXd>& shapes, const Eigen::MatrixXi& triangles,
   const AtlasVariables& variables = {}, const AtlasOptions& options = {},
@@ -95,17 +92,5 @@ struct AtlasField
 /// Relates a quantity to the modes. values: N columns of n values, in the order of the shapes.
 /// Throws InvalidInput if there are not N columns or a value is not finite.
 AtlasField BuildAtlasField(const AtlasResult& atlas, const Eigen::MatrixXd& values);
-
-/// Where the points of a template come from on a shape that is mapped onto it.
-struct TemplateSamples : SurfacePoints
-{
-  double LargestGap = 0.0; ///< of a point from the mapped shape, in the length unit
-};
-
-/// Inverts a map of a shape onto a template: for each of its points (n x 3), finds the nearest
-/// point of the mapped triangles. mapped: the triangles of the shape, with its points where the map
-/// sends them. Throws like SurfaceLocator.
-TemplateSamples SampleOnTemplate(
-  const Mesh& mapped, const Eigen::MatrixXd& points, const Progress& progress = {});
 
 } // namespace shape

@@ -279,11 +279,6 @@ void vtkShapeAtlas::Execute(const shape::Progress& progress)
   }
   const shape::AtlasResult result = shape::BuildAtlas(population.Shapes,
     population.Template.Triangles, variables, this->Options, progress.Part(0.2, 1.0));
-  if (blocks.size() < 3)
-  {
-    this->Warn("Shapes has fewer than 3 surfaces, which have no statistics; put more together with "
-               "Group Datasets");
-  }
   if (result.NumberOfModes < this->Options.NumberOfModes)
   {
     this->Warn("Number Of Modes is " + std::to_string(this->Options.NumberOfModes) + ", but the " +
@@ -302,8 +297,9 @@ void vtkShapeAtlas::Execute(const shape::Progress& progress)
   }
 
   auto* output = vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
-  // In the place of the template.
-  const Eigen::RowVector3d centre = places.colwise().mean() - result.Mean.colwise().mean();
+  // In the place of the template: a point that no triangle uses does not count.
+  const Eigen::VectorXd areas = shape::ComputePointAreas(population.Template);
+  const Eigen::RowVector3d centre = areas.transpose() * (places - result.Mean) / areas.sum();
   const auto place = [&](const Eigen::MatrixXd& points) -> Eigen::MatrixXd
   { return points.rowwise() + centre; };
   vtkShapeComposite::Move(population.TemplateData, place(result.Mean), output);

@@ -3,11 +3,11 @@
  * @brief   compute the mean shape of a population and its modes of variation
  *
  * Inputs
- * - Shapes: surfaces, at least three for statistics, as the blocks of composite data, for instance
- * of Group Datasets or the Shapes of vtkShapeCollection. Each block of the top level is a shape;
- * blocks inside it and pieces of several processes are joined. With Correspondence SamePoints, all
- * shapes have the same points and triangles in the same order. With Maps, each shape has
- * `TargetPosition` on the template.
+ * - Shapes: three or more surfaces as the blocks of composite data, for instance of Group Datasets
+ *   or the Shapes of vtkShapeCollection. Each block of the top level is a shape; blocks inside it
+ *   and pieces of several processes are joined. With Correspondence SamePoints, all shapes have the
+ *   same points and triangles in the same order. With Maps, each shape has `TargetPosition` on the
+ *   template.
  * - Template: optional. By default, it is the first shape or, with Maps, the shape that is mapped
  * to itself.
  * - Table: optional, a row for each shape. If a column of words has the names of all blocks, rows

@@ -9,6 +9,7 @@
 
 #include "Base/Errors.h"
 #include "Mesh/Topology.h"
+#include "Search/ClosestPoint.h"
 
 #include <algorithm>
 
@@ -129,13 +130,15 @@ vtkShapeAtlasInput::Population vtkShapeAtlasInput::Read(
       population.Shapes.push_back(meshes[i].Points);
       continue;
     }
-    population.Samples.push_back(shape::SampleOnTemplate(images[i], places,
-      progress.Part(static_cast<double>(i) * share, (static_cast<double>(i) + 1.0) * share)));
+    // The inverse map: the nearest point of the shape's triangles where the map sends them.
+    const shape::Progress own =
+      progress.Part(static_cast<double>(i) * share, (static_cast<double>(i) + 1.0) * share);
+    const shape::ClosestPoints found = shape::SurfaceLocator(images[i]).Find(places, own);
+    population.Shapes.push_back(shape::PullBack(found, meshes[i].Triangles, meshes[i].Points));
+    population.LargestGap = std::max(
+      population.LargestGap, found.Distances.maxCoeff() / shape::ComputeLongestBoxEdge(places));
+    population.Samples.push_back(found);
     population.Triangles.push_back(meshes[i].Triangles);
-    const shape::TemplateSamples& samples = population.Samples.back();
-    population.Shapes.push_back(shape::PullBack(samples, meshes[i].Triangles, meshes[i].Points));
-    population.LargestGap =
-      std::max(population.LargestGap, samples.LargestGap / shape::ComputeLongestBoxEdge(places));
   }
   progress(1.0);
   return population;

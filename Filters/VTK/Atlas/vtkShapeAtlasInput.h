@@ -5,6 +5,7 @@
 
 #include "Atlas/Atlas.h"
 #include "Mesh/Mesh.h"
+#include "Mesh/SurfacePoints.h"
 
 #include <Eigen/Core>
 
@@ -25,7 +26,7 @@ struct Population
   ///@{
   /// With maps: for each shape, its triangles, and where the template's points are on them.
   std::vector<Eigen::MatrixXi> Triangles;
-  std::vector<shape::TemplateSamples> Samples;
+  std::vector<shape::SurfacePoints> Samples;
   ///@}
   double LargestGap = 0.0; ///< of a template point from a mapped shape, per longest side
 };
