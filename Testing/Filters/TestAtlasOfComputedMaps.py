@@ -1,7 +1,10 @@
 """From surfaces alone to an atlas: shapes of a family with points and triangles of their own are mapped onto a template
-without landmarks by Shape Collection, and Shape Atlas finds the mean and the first mode, which are known.
+without landmarks by Shape Collection, and Shape Atlas has nearly the mean and the first mode of the same shapes with
+the template's points.
 
-The bounds were chosen on dented spheres, and hold for bent bars."""
+The bounds were chosen on the ellipsoids, and are asserted on the bars. Maps follow lengths and angles along the
+surfaces, not the parameters of a family: a mode has errors along the surface, which are the larger part. A rotation that
+is a symmetry of the shapes may be a part of a map, because the alignment undoes it."""
 import os
 import sys
 
@@ -11,13 +14,13 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
 
 import shapetesting
-from shapetesting import add_array, array, points, set_points
+from shapetesting import array, points, set_points
 
 sys.path.append(os.path.join(shapetesting.ROOT, 'Data'))
-from shapes import families, meshes  # noqa: E402
+from shapes import families  # noqa: E402
 
-SHAPES = 10
-COMPUTED = 2
+SHAPES, COMPUTED = 10, 2
+MEAN, MODE = 0.03, 0.4  # root mean square errors, of the size of the mean and of the mode
 
 
 def turn_of(random):
@@ -35,47 +38,45 @@ def surface(places, triangles):
     return data
 
 
-def dented_sphere(random):
-    """One whose triangles are those of another geodesic sphere, turned."""
-    made = families.dented_spheres(random.integers(9, 12))
+def ellipsoid(random):
+    """With the triangles of a sphere that is turned, and finer or coarser."""
+    made = families.ellipsoids(int(random.integers(9, 12)))
     made.domain = made.domain @ turn_of(random)
     return made
 
 
 def bent_bar(random):
-    """One whose lattice of points is finer or coarser."""
-    return families.bent_bars(random.integers(6, 10))
+    """With a lattice of points that is finer or coarser."""
+    return families.bent_bars(int(random.integers(6, 10)))
 
 
-def check(name, make, mean_bound, mode_bound):
+def atlas(shapes, base):
+    return shapetesting.outputs(shapetesting.new(shapemap.vtkShapeAtlas, shapes, base))[0]
+
+
+def check(name, make, larger):
     random = numpy.random.default_rng(11)
     template = make(random)
-    parameters = families.parameters(SHAPES, template.count, 7)
-    blocks = vtkMultiBlockDataSet()
-    for number, each in enumerate(parameters):
+    shapes, exact = vtkMultiBlockDataSet(), vtkMultiBlockDataSet()
+    for number, each in enumerate(larger * families.parameters(SHAPES, template.count, 7)):
         own = make(random)
-        places = own.points(each) @ turn_of(random) + random.normal(size=3)
-        blocks.SetBlock(number, surface(places, own.triangles))
+        shapes.SetBlock(number, surface(own.points(each) @ turn_of(random) + random.normal(size=3), own.triangles))
+        exact.SetBlock(number, surface(template.points(each), template.triangles))
     base = surface(template.points(numpy.zeros(template.count)), template.triangles)
-    mapped = shapetesting.outputs(shapetesting.new(
-        shapemap.vtkShapeCollection, blocks, base, Correspondence=COMPUTED))
-    made = shapetesting.outputs(shapetesting.new(shapemap.vtkShapeAtlas, mapped[0], base))
-    weights, truth, mode = template.weights(), template.mean(), template.modes()[0]
-    mean = families.centred(points(made[0]), weights)
+    mapped = shapetesting.outputs(shapetesting.new(shapemap.vtkShapeCollection, shapes, base, Correspondence=COMPUTED))
+    found, true, weights = atlas(mapped[0], base), atlas(exact, base), template.weights()
+    mean, truth = (families.centred(points(each), weights) for each in (found, true))
     left, _, right = numpy.linalg.svd((weights[:, None] * mean).T @ truth)
     turn = left @ numpy.diag([1.0, 1.0, numpy.linalg.det(left @ right)]) @ right
 
     def size(values):
         return numpy.sqrt(families.product(values, values, weights))
 
-    found = array(made[0], 'Mode0') @ turn
-    errors = size(mean @ turn - truth) / size(truth), min(size(found - mode), size(found + mode)) / size(mode)
-    cosine = abs(families.product(found, mode, weights)) / size(found) / size(mode)
-    print('%s: mean %.4f, first mode %.4f, cosine %.4f, modes %d, cycle error %.4f' % (
-        name, *errors, cosine, shapetesting.fact(made[0], 'Atlas.NumberOfModes'),
-        shapetesting.fact(mapped[1], 'Collection.CycleError')))
-    assert errors[0] < mean_bound and errors[1] < mode_bound, (name, errors)
+    mode, wanted = array(found, 'Mode0') @ turn, array(true, 'Mode0')
+    errors = size(mean @ turn - truth) / size(truth), min(size(mode - wanted), size(mode + wanted)) / size(wanted)
+    print('%s: mean %.4f, first mode %.3f' % (name, *errors))
+    assert errors[0] < MEAN and errors[1] < MODE, (name, errors)
 
 
-for name, make in (('dented spheres', dented_sphere), ('bent bars', bent_bar)):
-    check(name, make, 1.0, 10.0)
+check('ellipsoids', ellipsoid, 1.0)
+check('bars', bent_bar, 4.0)  # 11 degrees
