@@ -12,6 +12,9 @@ import tempfile
 
 import numpy
 from paraview.simple import *
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkTable
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 FOLDER = os.path.join(ROOT, 'Documentation', 'Pictures')
@@ -78,6 +81,19 @@ def checkered(source, array, size, axes='XZ'):
     x and y, of an array."""
     waves = '*'.join('sin(%g*%s_%s)' % (math.pi / size, array, axis) for axis in axes)
     return Calculator(Input=source, ResultArrayName='Checker', Function=waves)
+
+
+def named(values, name):
+    array = numpy_to_vtk(numpy.asarray(values, float), deep=True)
+    array.SetName(name)
+    return array
+
+
+def produced(data):
+    """A source that has the data."""
+    source = TrivialProducer()
+    source.GetClientSideObject().SetOutput(data)
+    return source
 
 
 def cut(source, origin=(0, 0, 0), normal=(0, 1, 0)):
@@ -496,23 +512,40 @@ def FromOperators():
 
 @drawing
 def Atlas():
-    """The mean of ellipsoids with a horn, and two standard deviations of the first two modes."""
+    """The mean of ellipsoids with a horn, two standard deviations of the first two modes, and the p-values of two
+    groups, with short and with long horns."""
     ball = Clean(Input=Sphere(Radius=0.5, ThetaResolution=48, PhiResolution=48))
-    grown = 'coordsX*iHat + coordsY*%g*jHat + coordsZ*%g*kHat + %g*exp(20*(coordsX - 0.5))*iHat'
-    made = [Calculator(Input=ball, CoordinateResults=1, Function=grown % (0.8, 0.8 + 0.2 * a, 0.4 + 0.25 * b))
-            for a in (-1, 0, 1) for b in (-1, 0, 1)]
-    atlas = ShapeAtlas(Shapes=GroupDatasets(Input=made))
+    grown = '%g*coordsX*iHat + coordsY*%g*jHat + coordsZ*%g*kHat + %g*exp(20*(coordsX - 0.5))*iHat'
+    made = [Calculator(Input=ball, CoordinateResults=1, Function=grown % (
+        1 + 0.05 * math.sin(5 * a + 3 * b), 0.8, 0.8 + 0.2 * a, 0.4 + 0.25 * b)) for a in (-1, 0, 1) for b in (-1, 0, 1)]
+    groups = vtkTable()
+    groups.AddColumn(named([0.0, 0.0, 1.0] * 3, 'Group'))
+    atlas = ShapeAtlas(Shapes=GroupDatasets(Input=made), Table=produced(groups), Groups='Group')
     show(atlas, (0, 0, 0), array='PositionDeviation', preset='Viridis (matplotlib)')
     for mode, (x, z) in enumerate(((1.5, 0), (0, 1.2))):
         for sign in (-1, 1):
             at = Calculator(Input=atlas, CoordinateResults=1, Function='coords + %d*Mode%d' % (2 * sign, mode))
             show(at, (sign * x, 0, sign * z), colour=ACCENT if mode else PLAIN)
+    at = Calculator(Input=atlas, CoordinateResults=1, Function='coords')
+    show(at, (1.4, 0, -1.2), array='PValue', preset='Cool to Warm', limits=(0, 0.3))
     return (0.0, -1.0, 0.0), FRONT[1]
+
+
+def square_of(values, size):
+    """A square of cells in the plane y = 0, each with its entry as Distance."""
+    square = vtkPlaneSource()
+    square.SetResolution(len(values), len(values))
+    square.SetOrigin(0, 0, 0)
+    square.SetPoint1(0, 0, -size)
+    square.SetPoint2(size, 0, 0)
+    square.Update()
+    square.GetOutput().GetCellData().AddArray(named(values.ravel(), 'Distance'))
+    return produced(square.GetOutput())
 
 
 @drawing
 def Collection():
-    """Balls whose horns grow, at their coordinates, and one whose horn is elsewhere."""
+    """Balls whose horns grow, at their coordinates, and one whose horn is elsewhere; their matrix of distances."""
     ball = Clean(Input=Sphere(Radius=0.5, ThetaResolution=48, PhiResolution=48))
     horn = 'coords*(1 + %g*exp(8*(2*%s - 1)))'
     functions = [horn % (0.2 * k, 'coordsX') for k in range(6)] + [horn % (0.6, 'coordsZ')]
@@ -525,6 +558,10 @@ def Collection():
     places *= 7.0 / numpy.ptp(places, axis=0).max()
     for number, (each, (x, z)) in enumerate(zip(made, places)):
         show(each, (x, 0, z), colour=ACCENT if table.GetColumnByName('Rank').GetValue(number) == 0 else PLAIN)
+    distances = servermanager.Fetch(compared, idx=2)
+    leaves = numpy.argsort([table.GetColumnByName('Leaf').GetValue(i) for i in range(len(made))])
+    values = numpy.array([[distances.GetColumn(int(j)).GetValue(int(i)) for j in leaves] for i in leaves])
+    show(square_of(values, 2.2), (0.2, 0, 3.0), array='Distance', kind='CELLS')
     return (0.0, -1.0, 0.0), FRONT[1]
 
 
