@@ -45,12 +45,12 @@ void RequireKnownCells(const shape::Cells& cells)
 Eigen::VectorXi ReadRegions(vtkUnstructuredGrid* grid, const std::string& name)
 {
   vtkDataArray* array = grid->GetCellData()->GetArray(name.c_str());
-  if (name.empty() || (!array && name == "RegionId"))
+  if (!vtkShapeConvert::IsChosen(name) || (!array && name == "RegionId"))
   {
     return {};
   }
   return vtkShapeConvert::ToCellIntegers(
-    grid, name, "the Input", "choose another Region Array, or none");
+    grid, name, "the Input", "choose another Region Array, or None");
 }
 
 Eigen::VectorXd ReadNumbers(vtkDataArray* array)
