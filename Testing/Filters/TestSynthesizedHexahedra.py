@@ -3,7 +3,9 @@ bones with two regions, at random weights from -2 to 2. None is inverted, the mi
 0.3, and the boundary is at most 0.5 % of the sample's size from it.
 
 The defaults of Shape Synthesize were chosen on another family: spheres with waves, and twisted bars."""
+import os
 import sys
+import tempfile
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray, vtk_to_numpy
@@ -11,6 +13,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 import shapemap
 
+import calculix
 import shapetesting
 from shapetesting import add_array, copy, fact, points
 
@@ -77,6 +80,34 @@ def bone():
     return surface_of(places, triangles), (surface_of(drawn(0.5, 1.4), triangles),), modes, {'CellSize': 0.1}
 
 
+def hexahedra_of(grid):
+    """m x 8"""
+    return vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 8)
+
+
+def read_back(grid):
+    """What Shape Deck Reader finds in the deck that Shape Abaqus Writer makes."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, 'sample.inp')
+        writer = shapemap.vtkShapeAbaqusWriter()
+        writer.SetInputData(grid)
+        writer.SetFileName(path)
+        assert writer.Write()
+        reader = shapemap.vtkShapeDeckReader()
+        reader.SetFileName(path)
+        reader.Update()
+        return reader.GetOutputDataObject(0)
+
+
+def stretch(grid):
+    """If the boundary is displaced by a linear function, CalculiX finds this function inside, too."""
+    model = calculix.Model(grid, HexahedronType=0)
+    wanted = 0.01 * model.points @ numpy.array([[1.0, 0.4, 0.0], [0.2, -0.5, 0.3], [0.0, 0.1, 0.7]])
+    held = ['%d, %d, %d, %.12g' % (node + 1, axis + 1, axis + 1, wanted[node, axis])
+            for node in model.node_set('Boundary') for axis in range(3)]
+    return abs(model.solve(1.0, 0.3, held) - wanted).max() / abs(wanted).max()
+
+
 random = numpy.random.RandomState(20)
 for make in (bar, dented_sphere, bone):
     template, inner, modes, settings = make()
@@ -94,6 +125,9 @@ for make in (bar, dented_sphere, bone):
         least = min(least, fact(moved, 'Synthesize.MinimumScaledJacobian'))
         farthest = max(farthest, fact(moved, 'Synthesize.BoundaryDistance'))
         assert least == min(least, moved.GetCellData().GetArray('ScaledJacobian').GetRange()[0])
+        deck = read_back(moved)
+        assert abs(points(deck) - points(moved)).max() <= 1e-14 and (hexahedra_of(deck) == hexahedra_of(moved)).all()
+        assert sample > 0 or stretch(moved) < 1e-5
     regions = len(numpy.unique(vtk_to_numpy(moved.GetCellData().GetArray('RegionId')))) \
         if moved.GetCellData().HasArray('RegionId') else 1
     print('%s: %d hexahedra, %d region(s), %d inverted by the map; minimum scaled Jacobian %.3f, boundary %.2e off'
