@@ -7,6 +7,7 @@
 #include "Geometry/RotationVector.h"
 #include "Linear/SparseSolve.h"
 #include "Mesh/Topology.h"
+#include "Search/RowFinder.h"
 
 #include <Eigen/Geometry>
 
@@ -15,7 +16,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <string>
 #include <utility>
 
@@ -93,25 +93,6 @@ void AppendElements(const Eigen::MatrixXi& corners, const Eigen::MatrixXd& point
   {
     elements[i].Weight = std::max(elements[i].Weight, smallest);
   }
-}
-
-/// Returns, for each point, the first one with the same positions in the shape and all targets.
-std::vector<int> FindFirsts(
-  const Eigen::MatrixXd& points, const std::vector<Eigen::MatrixXd>& targets)
-{
-  std::map<std::vector<double>, int> firsts;
-  std::vector<int> first(static_cast<std::size_t>(points.rows()));
-  std::vector<double> key;
-  for (Eigen::Index i = 0; i < points.rows(); ++i)
-  {
-    key.assign({ points(i, 0), points(i, 1), points(i, 2) });
-    for (const Eigen::MatrixXd& target : targets)
-    {
-      key.insert(key.end(), { target(i, 0), target(i, 1), target(i, 2) });
-    }
-    first[i] = firsts.emplace(key, static_cast<int>(i)).first->second;
-  }
-  return first;
 }
 
 /// Returns the rotation vector of `rotation` that is nearest to `near`, if it differs from `near`
@@ -213,11 +194,26 @@ std::vector<Eigen::Vector3d> FindPointTurns(const std::vector<MorphElement>& ele
 
 } // namespace
 
+Eigen::MatrixXd JoinPositions(
+  const Eigen::MatrixXd& points, const std::vector<Eigen::MatrixXd>& targets)
+{
+  Eigen::MatrixXd joined(points.rows(), 3 + 3 * static_cast<Eigen::Index>(targets.size()));
+  joined.leftCols<3>() = points;
+  Eigen::Index column = 3;
+  for (const Eigen::MatrixXd& target : targets)
+  {
+    joined.middleCols<3>(column) = target;
+    column += 3;
+  }
+  return joined;
+}
+
 struct RigidMorph::Prepared
 {
   Eigen::MatrixXd Points; ///< n x 3
   std::vector<Eigen::MatrixXd> Targets;
-  std::vector<int> Firsts; ///< FindFirsts: only these points have elements
+  /// For each point, the first one that coincides with it everywhere: only these have elements.
+  std::vector<int> Firsts;
   std::vector<MorphElement> Elements;
   std::vector<std::vector<Eigen::Vector3d>> Turns; ///< for each target and element
   std::vector<int> Components;                     ///< for each point, a point of its component
@@ -246,7 +242,8 @@ RigidMorph::RigidMorph(
   }
   own.Points = shape.Points;
   own.Targets = targets;
-  own.Firsts = FindFirsts(own.Points, targets);
+  const Eigen::MatrixXd joined = JoinPositions(own.Points, targets);
+  own.Firsts = RowFinder(joined).Find(joined);
   for (const Eigen::MatrixXi* corners : { &shape.Lines, &shape.Triangles, &shape.Tetrahedra })
   {
     AppendElements(*corners, own.Points, own.Firsts, own.Elements);

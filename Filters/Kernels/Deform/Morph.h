@@ -11,6 +11,11 @@
 namespace shape
 {
 
+/// Returns the positions in a shape and in its targets (each n x 3) side by side, n x 3 (k + 1).
+/// Points with the same row coincide in the shape and in every target.
+Eigen::MatrixXd JoinPositions(
+  const Eigen::MatrixXd& points, const std::vector<Eigen::MatrixXd>& targets);
+
 /**
  * Moves a shape towards targets with the same elements, as rigidly as possible: parts that only
  * rotate keep their lengths on the way (Alexa, Cohen-Or and Levin, "As-rigid-as-possible shape

@@ -4,6 +4,7 @@
 #include "vtkShapeConvert.h"
 #include "vtkShapeGather.h"
 #include "vtkShapeList.h"
+#include "vtkShapeRequests.h"
 #include "vtkShapeSynthesizedData.h"
 
 #include "vtkDataArray.h"
@@ -16,19 +17,15 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include "Base/Errors.h"
 #include "Mesh/Extent.h"
 #include "Mesh/Topology.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <sstream>
 #include <string>
-
-using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 vtkStandardNewMacro(vtkShapeSynthesize);
 
@@ -58,46 +55,18 @@ void vtkShapeSynthesize::SetWeights(int mode, double weight)
 
 void vtkShapeSynthesize::DescribeOutputs(vtkInformationVector**, vtkInformationVector* outputs)
 {
-  if (this->Animate < 0)
+  if (this->Animate >= 0)
   {
-    return;
-  }
-  std::array<double, 41> steps;
-  for (std::size_t i = 0; i < steps.size(); ++i)
-  {
-    steps[i] = static_cast<double>(i) / (steps.size() - 1);
-  }
-  const double range[2] = { 0.0, 1.0 };
-  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-  {
-    vtkInformation* info = outputs->GetInformationObject(port);
-    info->Set(Pipeline::TIME_STEPS(), steps.data(), static_cast<int>(steps.size()));
-    info->Set(Pipeline::TIME_RANGE(), range, 2);
+    vtkShapeRequests::OfferUnitTime(outputs);
   }
 }
 
 /// While a mode is animated, the inputs are always read at their own first time.
 void vtkShapeSynthesize::RequestInputs(vtkInformationVector** inputs, vtkInformationVector*)
 {
-  for (int port = 0; port < this->GetNumberOfInputPorts() && this->Animate >= 0; ++port)
+  if (this->Animate >= 0)
   {
-    vtkInformation* info = inputs[port]->GetInformationObject(0);
-    if (!info)
-    {
-      continue;
-    }
-    if (info->Has(Pipeline::TIME_STEPS()))
-    {
-      info->Set(Pipeline::UPDATE_TIME_STEP(), info->Get(Pipeline::TIME_STEPS(), 0));
-    }
-    else if (info->Has(Pipeline::TIME_RANGE()))
-    {
-      info->Set(Pipeline::UPDATE_TIME_STEP(), info->Get(Pipeline::TIME_RANGE(), 0));
-    }
-    else
-    {
-      info->Remove(Pipeline::UPDATE_TIME_STEP());
-    }
+    vtkShapeRequests::RequestFirstTimes(this->GetNumberOfInputPorts(), inputs);
   }
 }
 
@@ -225,10 +194,7 @@ Eigen::VectorXd vtkShapeSynthesize::ReadWeights(int modes)
         ", but the Atlas has the modes 0 to " + std::to_string(modes - 1) +
         "; choose one of them, or -1");
     }
-    vtkInformation* request = this->GetOutputInformation(0);
-    const double time = request->Has(Pipeline::UPDATE_TIME_STEP())
-      ? std::clamp(request->Get(Pipeline::UPDATE_TIME_STEP()), 0.0, 1.0)
-      : 0.0;
+    const double time = vtkShapeRequests::GetUnitTime(this->GetOutputInformation(0));
     weights(this->Animate) = this->Amplitude * std::sin(2.0 * M_PI * time);
     for (const int port : { 0, 1 })
     {

@@ -9,6 +9,9 @@
 #include "vtkOutputWindow.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstring>
 #include <set>
 #include <vector>
@@ -64,6 +67,52 @@ void vtkShapeRequests::OfferTimes(
     {
       const double range[] = { *ends.begin(), *ends.rbegin() };
       info->Set(Pipeline::TIME_RANGE(), range, 2);
+    }
+  }
+}
+
+void vtkShapeRequests::OfferUnitTime(vtkInformationVector* outputs)
+{
+  std::array<double, 41> steps;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+  {
+    steps[i] = static_cast<double>(i) / (steps.size() - 1);
+  }
+  const double range[2] = { 0.0, 1.0 };
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkInformation* info = outputs->GetInformationObject(port);
+    info->Set(Pipeline::TIME_STEPS(), steps.data(), static_cast<int>(steps.size()));
+    info->Set(Pipeline::TIME_RANGE(), range, 2);
+  }
+}
+
+double vtkShapeRequests::GetUnitTime(vtkInformation* output)
+{
+  return output->Has(Pipeline::UPDATE_TIME_STEP())
+    ? std::clamp(output->Get(Pipeline::UPDATE_TIME_STEP()), 0.0, 1.0)
+    : 0.0;
+}
+
+void vtkShapeRequests::RequestFirstTimes(int inputPorts, vtkInformationVector** inputs)
+{
+  for (int port = 0; port < inputPorts; ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* info = inputs[port]->GetInformationObject(i);
+      if (info->Has(Pipeline::TIME_STEPS()))
+      {
+        info->Set(Pipeline::UPDATE_TIME_STEP(), info->Get(Pipeline::TIME_STEPS(), 0));
+      }
+      else if (info->Has(Pipeline::TIME_RANGE()))
+      {
+        info->Set(Pipeline::UPDATE_TIME_STEP(), info->Get(Pipeline::TIME_RANGE(), 0));
+      }
+      else
+      {
+        info->Remove(Pipeline::UPDATE_TIME_STEP());
+      }
     }
   }
 }

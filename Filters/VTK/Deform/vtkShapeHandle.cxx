@@ -3,6 +3,7 @@
 #include "vtkShapeCarry.h"
 #include "vtkShapeComposite.h"
 #include "vtkShapeConvert.h"
+#include "vtkShapeWholeRows.h"
 
 #include "vtkCell.h"
 #include "vtkCellArray.h"
@@ -92,61 +93,6 @@ int ToLabel(vtkDataArray* values, vtkIdType i)
   }
   return static_cast<int>(label);
 }
-
-/// Finds the points of the complete shape by position. Pieces and blocks find their points in this
-/// way, since coincident points move as one.
-class PointsByPosition
-{
-public:
-  explicit PointsByPosition(const Eigen::MatrixXd& points)
-    : Points(points)
-  {
-  }
-
-  std::vector<int> Find(const Eigen::MatrixXd& own)
-  {
-    std::vector<int> found(own.rows());
-    if (own.rows() == this->Points.rows() && own == this->Points) // a single block on one process
-    {
-      for (std::size_t i = 0; i < found.size(); ++i)
-      {
-        found[i] = static_cast<int>(i);
-      }
-      return found;
-    }
-    if (this->Positions.empty())
-    {
-      for (Eigen::Index i = 0; i < this->Points.rows(); ++i)
-      {
-        this->Positions.emplace(At(this->Points, i), static_cast<int>(i));
-      }
-    }
-    for (Eigen::Index i = 0; i < own.rows(); ++i)
-    {
-      const auto position = this->Positions.find(At(own, i));
-      if (position == this->Positions.end())
-      {
-        throw shape::InvalidInput("point " + std::to_string(i) +
-          " of a piece of the Input belongs only to hidden cells, or to ghost cells that no "
-          "process owns; extract the visible cells with Threshold, or remove the point with Clean "
-          "to Grid");
-      }
-      found[i] = position->second;
-    }
-    return found;
-  }
-
-private:
-  static std::array<double, 3> At(const Eigen::MatrixXd& points, Eigen::Index i)
-  {
-    return { points(i, 0), points(i, 1), points(i, 2) };
-  }
-
-  const Eigen::MatrixXd& Points;
-  // Exact positions are sufficient, because the complete shape was gathered from these points
-  // without arithmetic.
-  std::map<std::array<double, 3>, int> Positions;
-};
 
 /// Adds the point normals of a data set, rotated with the points.
 void AddTurnedNormals(vtkDataSet* from, const std::vector<int>& rows,
@@ -325,7 +271,7 @@ void vtkShapeHandle::WriteHandle(const shape::BoundaryHandle& handle,
 void vtkShapeHandle::Write(vtkDataObject* input, const Eigen::MatrixXd& whole,
   const shape::DeformedShape& deformed, std::vector<Unmoved>& unmoved, vtkDataObject* output)
 {
-  PointsByPosition positions(whole);
+  vtkShapeWholeRows positions(whole);
   std::size_t block = 0;
   vtkShapeComposite::ForEach(input, output, vtkShapeComposite::Points::Moved,
     [&](vtkDataSet* from, vtkDataSet* to)

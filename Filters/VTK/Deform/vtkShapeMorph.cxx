@@ -5,6 +5,8 @@
 #include "vtkShapeGather.h"
 #include "vtkShapeHandle.h"
 #include "vtkShapeList.h"
+#include "vtkShapeRequests.h"
+#include "vtkShapeWholeRows.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataObjectTypes.h"
@@ -14,7 +16,6 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
 #include "Base/Errors.h"
@@ -22,14 +23,10 @@
 #include "Mesh/Topology.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
-
-using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 vtkStandardNewMacro(vtkShapeMorph);
 
@@ -94,39 +91,13 @@ void vtkShapeMorph::SetWeights(int index, double weight)
 
 void vtkShapeMorph::DescribeOutputs(vtkInformationVector**, vtkInformationVector* outputs)
 {
-  std::array<double, 41> steps;
-  for (std::size_t i = 0; i < steps.size(); ++i)
-  {
-    steps[i] = static_cast<double>(i) / (steps.size() - 1);
-  }
-  const double range[2] = { 0.0, 1.0 };
-  vtkInformation* info = outputs->GetInformationObject(0);
-  info->Set(Pipeline::TIME_STEPS(), steps.data(), static_cast<int>(steps.size()));
-  info->Set(Pipeline::TIME_RANGE(), range, 2);
+  vtkShapeRequests::OfferUnitTime(outputs);
 }
 
 /// The output's time is the parameter of the morph; each input is read at its own first time.
 void vtkShapeMorph::RequestInputs(vtkInformationVector** inputs, vtkInformationVector*)
 {
-  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
-  {
-    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
-    {
-      vtkInformation* info = inputs[port]->GetInformationObject(i);
-      if (info->Has(Pipeline::TIME_STEPS()))
-      {
-        info->Set(Pipeline::UPDATE_TIME_STEP(), info->Get(Pipeline::TIME_STEPS(), 0));
-      }
-      else if (info->Has(Pipeline::TIME_RANGE()))
-      {
-        info->Set(Pipeline::UPDATE_TIME_STEP(), info->Get(Pipeline::TIME_RANGE(), 0));
-      }
-      else
-      {
-        info->Remove(Pipeline::UPDATE_TIME_STEP());
-      }
-    }
-  }
+  vtkShapeRequests::RequestFirstTimes(this->GetNumberOfInputPorts(), inputs);
 }
 
 namespace
@@ -174,52 +145,6 @@ std::string NameOfTarget(std::size_t target)
   return "Morph.Target" + std::to_string(target);
 }
 
-/// Returns the points of a block in the complete shape, by their positions in the shape and all
-/// targets: points that have them in common move as one.
-std::vector<double> KeyOf(
-  const Eigen::MatrixXd& points, const std::vector<Eigen::MatrixXd>& targets, Eigen::Index i)
-{
-  std::vector<double> key = { points(i, 0), points(i, 1), points(i, 2) };
-  for (const Eigen::MatrixXd& target : targets)
-  {
-    key.insert(key.end(), { target(i, 0), target(i, 1), target(i, 2) });
-  }
-  return key;
-}
-
-/// The blocks at the positions `moved` of the points of the complete shape.
-std::vector<Eigen::MatrixXd> PickBlocks(const std::vector<MorphBlock>& blocks,
-  const Eigen::MatrixXd& points, const std::vector<Eigen::MatrixXd>& targets,
-  const Eigen::MatrixXd& moved)
-{
-  std::vector<Eigen::MatrixXd> picked;
-  if (blocks.size() == 1 && blocks[0].Points.rows() == points.rows() && blocks[0].Points == points)
-  {
-    return { moved };
-  }
-  std::map<std::vector<double>, Eigen::Index> rows;
-  for (Eigen::Index i = 0; i < points.rows(); ++i)
-  {
-    rows.emplace(KeyOf(points, targets, i), i);
-  }
-  for (const MorphBlock& block : blocks)
-  {
-    Eigen::MatrixXd& own = picked.emplace_back(block.Points);
-    for (Eigen::Index i = 0; i < own.rows(); ++i)
-    {
-      const auto row = rows.find(KeyOf(block.Points, block.Targets, i));
-      if (row == rows.end())
-      {
-        throw shape::InvalidInput("point " + std::to_string(i) +
-          " of a piece of the Input belongs only to ghost cells that no process owns; remove it "
-          "with Clean to Grid");
-      }
-      own.row(i) = moved.row(row->second);
-    }
-  }
-  return picked;
-}
-
 } // namespace
 
 std::vector<double> vtkShapeMorph::BlendWeights(std::size_t targets)
@@ -242,10 +167,7 @@ void vtkShapeMorph::Execute(const shape::Progress& progress)
 {
   const shape::Progress reading = progress.Part(0.0, 0.3, "reading the targets");
   const shape::Progress writing = progress.Part(0.9, 1.0, "moving the points");
-  vtkInformation* request = this->GetOutputInformation(0);
-  const double requested = request->Has(Pipeline::UPDATE_TIME_STEP())
-    ? std::clamp(request->Get(Pipeline::UPDATE_TIME_STEP()), 0.0, 1.0)
-    : 0.0;
+  const double requested = vtkShapeRequests::GetUnitTime(this->GetOutputInformation(0));
   const double time = this->Animate ? requested : 1.0;
   vtkDataObject* input = this->GetInputDataObject(0, 0);
   vtkDataObject* output = this->GetOutputDataObject(0);
@@ -327,8 +249,14 @@ void vtkShapeMorph::Execute(const shape::Progress& progress)
     }
     const shape::RigidMorph& morph =
       this->Cache->Prepare(shape, targets, progress.Part(0.3, 0.8, "preparing the motion"));
-    moved = PickBlocks(blocks, shape.Points, targets,
-      morph.At(weights, progress.Part(0.8, 0.9, "moving the points")));
+    const Eigen::MatrixXd whole = morph.At(weights, progress.Part(0.8, 0.9, "moving the points"));
+    const Eigen::MatrixXd joined = shape::JoinPositions(shape.Points, targets);
+    vtkShapeWholeRows rows(joined);
+    for (const MorphBlock& block : blocks)
+    {
+      moved.push_back(
+        vtkShapeConvert::Rows(whole, rows.Find(shape::JoinPositions(block.Points, block.Targets))));
+    }
   }
   writing(0.0);
   std::size_t next = 0;
