@@ -434,12 +434,21 @@ def PaintArray():
 
 @drawing
 def Morph():
-    both = ShapeMorph(Input=shape('FigureA.vtp'))
-    for time, x in ((0.0, -1.15), (0.5, 0.0), (1.0, 1.15)):
-        frozen = ForceTime(Input=both, ForcedTime=time)
-        still = PassArrays(Input=frozen)
-        show(still, (x, 0, 0), colour=[0.55, 0.74, 0.80] if time in (0, 1) else ACCENT)
-    return FRONT
+    """An arm that bends by 120 degrees, at five times: above rigidly, below straight, where the forearm shrinks."""
+    tube = Cylinder(Radius=0.1, Height=2.0, Resolution=32, Capping=0)
+    fine = LoopSubdivision(Input=Triangulate(Input=tube), NumberofSubdivisions=4)
+    # Above y = 0, the angle grows over a length of 0.3.
+    angle = '%r*min(1, max(0, coordsY/0.3))' % (2.0 * math.pi / 3.0)
+    radius, beyond = '(%r - coordsX)' % (0.9 / (2.0 * math.pi)), 'max(0, coordsY - 0.3)'
+    bent = ('(if(coordsY < 0, coordsX, %s - %s*cos(%s) + %s*sin(%s)))*iHat + '
+            '(if(coordsY < 0, coordsY, %s*sin(%s) + %s*cos(%s)))*jHat + coordsZ*kHat') % (
+                0.9 / (2.0 * math.pi), radius, angle, beyond, angle, radius, angle, beyond, angle)
+    arm = Calculator(Input=fine, ResultArrayName='TargetPosition', Function=bent)
+    for path, y in (('Rigid', 0.0), ('Straight', -2.3)):
+        for time in (0.0, 0.25, 0.5, 0.75, 1.0):
+            frozen = ForceTime(Input=ShapeMorph(Input=arm, Path=path), ForcedTime=time)
+            show(PassArrays(Input=frozen), (6.0 * time, y, 0), colour=PLAIN if time in (0, 1) else ACCENT)
+    return (0.0, 0.0, 1.0), (0.0, 1.0, 0.0)
 
 
 @drawing

@@ -185,6 +185,11 @@ for data in (solid, shapetesting.outputs(shapetesting.new(shapemap.vtkShapeTetra
     assert vtk_to_numpy(folded.GetCellData().GetArray('Inverted')).sum() == before
     assert not vtk_to_numpy(repaired.GetCellData().GetArray('Inverted')).any()
     assert fact(repaired, 'Synthesize.BoundaryDistance') < 1e-9
+# If the sample's surface goes through itself, no mesh can be right, and a warning says so.
+through = outputs(new(squeezed, solid, weights=[3.0]))[1]
+left = fact(through, 'Synthesize.InvertedAfter')
+assert left > 0 and '%d cells stay inverted' % left in fact(through, 'Synthesize.Warning')
+assert 'smaller Weights' in fact(through, 'Synthesize.Warning')
 
 # Time: mode 1 swings through Amplitude and back, and mode 0 stays.
 swing = new(atlas, solid, weights=[1.0, 0.5], Animate=1, Amplitude=2.0)

@@ -80,6 +80,24 @@ def bone():
     return surface_of(places, triangles), (surface_of(drawn(0.5, 1.4), triangles),), modes, {'CellSize': 0.1}
 
 
+def ring():
+    """Thicker on one side, oval, or bent out of its plane."""
+    around, across = 64, 24
+    u, v = (angles.ravel() for angles in numpy.meshgrid(
+        numpy.arange(around) * 2 * numpy.pi / around, numpy.arange(across) * 2 * numpy.pi / across, indexing='ij'))
+    outward = numpy.c_[numpy.cos(u), numpy.sin(u), 0 * u]
+    normals = numpy.cos(v)[:, None] * outward + numpy.sin(v)[:, None] * [0, 0, 1]
+    places = outward + 0.35 * normals
+    rows = numpy.arange(around * across).reshape(around, across)
+    next_row, up, next_up = numpy.roll(rows, -1, 0), numpy.roll(rows, -1, 1), numpy.roll(rows, (-1, -1), (0, 1))
+    triangles = numpy.r_[numpy.stack([rows, next_row, next_up], 2).reshape(-1, 3),
+                         numpy.stack([rows, next_up, up], 2).reshape(-1, 3)]
+    x, y, z = places.T
+    modes = [0.06 * numpy.cos(u)[:, None] * normals, 0.12 * numpy.c_[x, -y, 0 * z],
+             0.12 * numpy.c_[-2 * x * z, 2 * y * z, x**2 - y**2]]
+    return surface_of(places, triangles), (), modes, {'CellSize': 0.1}
+
+
 def hexahedra_of(grid):
     """m x 8"""
     return vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 8)
@@ -109,13 +127,14 @@ def stretch(grid):
 
 
 random = numpy.random.RandomState(20)
-for make in (bar, dented_sphere, bone):
+for make in (bar, dented_sphere, bone, ring):
     template, inner, modes, settings = make()
     solid = shapetesting.outputs(shapetesting.new(shapemap.vtkShapeHexRemesh, template, None, list(inner), **settings))[0]
     synthesize = shapetesting.new(shapemap.vtkShapeSynthesize, atlas_of(template, modes), solid)
     least, farthest, inverted = 1.0, 0.0, 0
-    for sample in range(SAMPLES):
-        for k, weight in enumerate(random.uniform(-2, 2, len(modes))):
+    for sample in range(SAMPLES + 4):
+        chosen = random.uniform(-2, 2, len(modes)) if sample < SAMPLES else random.choice([-3.0, 3.0], len(modes))
+        for k, weight in enumerate(chosen):
             synthesize.SetWeights(k, weight)
         moved = shapetesting.outputs(synthesize)[1]
         assert moved.GetNumberOfCells() == solid.GetNumberOfCells()

@@ -288,11 +288,17 @@ void vtkShapeSynthesize::Execute(const shape::Progress& progress)
   }
   fact("BoundaryPoints", sums[2]);
   fact("BoundaryDistance", maxima[1] / shape::ComputeLongestBoxEdge(sample));
-  this->WarnOfResult(outside, maxima[0], sums[3], isDistributed && sums[1] > 0.0);
+  const bool isRepaired = this->Options.Untangle && !isDistributed;
+  this->WarnOfResult(outside, maxima[0], sums[3], isRepaired ? sums[1] - sums[3] : 0.0);
+  if (isDistributed && sums[1] > 0.0)
+  {
+    this->Warn("inverted cells of Data on several processes are not untangled; apply Shape "
+               "Untangle, or use one process");
+  }
 }
 
 void vtkShapeSynthesize::WarnOfResult(
-  double outside, double farthest, double notUntangled, bool isNotRepaired)
+  double outside, double farthest, double notUntangled, double left)
 {
   std::ostringstream words;
   if (outside > 0.0)
@@ -311,9 +317,11 @@ void vtkShapeSynthesize::WarnOfResult(
           << "Cells By Type";
     this->Warn(words.str());
   }
-  if (isNotRepaired)
+  if (left > 0.0)
   {
-    this->Warn("inverted cells of Data on several processes are not untangled; apply Shape "
-               "Untangle, or use one process");
+    words.str("");
+    words << left << " cells stay inverted, as the array Inverted shows: the surface of the sample "
+          << "folds, or the cells do not fit into it; use smaller Weights, or smaller cells";
+    this->Warn(words.str());
   }
 }

@@ -94,8 +94,9 @@ private:
 
   /// Returns the weight of each mode, at the requested time.
   Eigen::VectorXd ReadWeights(int modes);
-  /// Warns of points outside, the farthest at a share of the size, and of cells left inverted.
-  void WarnOfResult(double outside, double farthest, double notUntangled, bool isNotRepaired);
+  /// Warns of points outside, the farthest at a share of the size, of inverted cells that cannot be
+  /// untangled, and of cells that stay inverted.
+  void WarnOfResult(double outside, double farthest, double notUntangled, double left);
 
   std::vector<double> Weights;
   int Animate = -1;
