@@ -1,0 +1,584 @@
+#include "Harmonic/MapCertificate.h"
+
+#include "Base/Errors.h"
+#include "Base/FormatNumber.h"
+#include "Base/Parallel.h"
+#include "Distance/SignedDistance.h"
+#include "Geometry/SelfIntersections.h"
+#include "Harmonic/Private/BoxInSolid.h"
+#include "Harmonic/Private/TaylorExpansion.h"
+#include "Solids/Nesting.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+
+namespace
+{
+
+using BoxState = MapCertificate::BoxState;
+
+/// Charges at this many radii of a cube or more become part of the polynomial of its children.
+constexpr double FarRatio = 4.0;
+/// Fewer charges are not worth a polynomial of the full degree.
+constexpr int WorthExpanding = 32;
+/// Degree of the polynomials of near charges, which are used for one cube only.
+constexpr int NearDegree = 4;
+/// A cube with a charge nearer than 1 / this many radii is divided at once.
+constexpr double NearestRatio = 0.6;
+/// Subdivisions of the root whose centres are exact numbers.
+constexpr int MaximumLevel = 19;
+
+/// The far charges of a cube as a polynomial, and the others.
+struct ChargeField
+{
+  TaylorExpansion Far;
+  Eigen::Vector3d Centre;
+  std::vector<int> Near;
+};
+
+struct CoverBox
+{
+  Cube Place;
+  int Level = 0;
+  int FirstChild = 0, ChildCount = 0; ///< of a divided box: those that meet the domain
+  BoxState State = BoxState::Undecided;
+  double Volume = 0.0;
+  double Determinant = 0.0;
+  bool HasWitness = false;
+  Eigen::Vector3d Witness = Eigen::Vector3d::Zero();
+};
+
+/// A box that is to be examined.
+struct OpenBox
+{
+  int Id = 0;
+  std::shared_ptr<const ChargeField> Field;
+  std::vector<int> Triangles; ///< those that meet it; empty if it is inside the domain
+};
+
+/// What is proven about det J in a cube.
+struct Verdict
+{
+  int Sign = 0;       ///< 0: nothing
+  double Bound = 0.0; ///< with a sign: |det J| is at least this
+};
+
+/// Whether a symmetric matrix is positive definite; if so, its determinant, else 0.
+double DeterminantIfPositive(const Eigen::Matrix3d& m)
+{
+  const double minor = m(0, 0) * m(1, 1) - m(0, 1) * m(0, 1);
+  const double determinant = m.determinant();
+  return m(0, 0) > 0.0 && minor > 0.0 && determinant > 0.0 ? determinant : 0.0;
+}
+
+/// Judges the cube around the centre of an expansion, with the given half edge.
+Verdict Judge(const TaylorExpansion& expansion, double half, int degree)
+{
+  const auto& monomials = TaylorExpansion::GetMonomials();
+  const Eigen::Matrix3d jacobian = expansion.Coefficients.middleRows<3>(1).transpose();
+  // The derivatives at four corners, of which the others are the negatives: rows are components.
+  std::array<Eigen::Matrix3d, 4> slopes;
+  constexpr double corners[4][3] = { { 1, 1, 1 }, { 1, 1, -1 }, { 1, -1, 1 }, { -1, 1, 1 } };
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    slopes[corner].setZero();
+    for (int i = TaylorExpansion::SizeOf(1); i < TaylorExpansion::SizeOf(2); ++i)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const auto& powers = monomials[i].Powers;
+        if (powers[axis] > 0)
+        {
+          // d/dx of x^2 is 2 x, of x y it is y.
+          const int other = powers[axis] == 2 ? axis : powers[(axis + 1) % 3] == 1 ? (axis + 1) % 3
+                                                                                    : (axis + 2) % 3;
+          slopes[corner].col(axis) += powers[axis] * half * corners[corner][other] *
+            expansion.Coefficients.row(i).transpose();
+        }
+      }
+    }
+  }
+  // Bounds of what is left out, for each entry of the derivative.
+  Eigen::Matrix3d rest = (expansion.Remainder + TaylorExpansion::Rounding * expansion.Magnitude)
+                           .replicate<1, 3>();
+  double scale = half;
+  for (int i = TaylorExpansion::SizeOf(2), n = 2; i < TaylorExpansion::SizeOf(degree); ++i)
+  {
+    if (monomials[i].Degree > n + 1)
+    {
+      ++n;
+      scale *= half;
+    }
+    const double power = scale * half;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      rest.col(axis) +=
+        monomials[i].Powers[axis] * power * expansion.Coefficients.row(i).cwiseAbs().transpose();
+    }
+  }
+  const Eigen::Matrix3d inverse = jacobian.inverse();
+  if (!inverse.allFinite() || !rest.allFinite())
+  {
+    return {};
+  }
+  // The sign of det M is certain, because its rounding error is smaller.
+  constexpr double rounding = 1e-14;
+  const double determinant = inverse.determinant();
+  const double size = inverse.rowwise().norm().prod();
+  if (!(std::abs(determinant) > rounding * size))
+  {
+    return {};
+  }
+  Eigen::Matrix3d largest = jacobian.cwiseAbs();
+  for (const Eigen::Matrix3d& slope : slopes)
+  {
+    largest = largest.cwiseMax(jacobian.cwiseAbs() + slope.cwiseAbs());
+  }
+  const Eigen::Matrix3d error = inverse.cwiseAbs() * (rest + rounding * largest);
+  const double norm = (1.0 + rounding) * 0.5 * (error + error.transpose()).norm() + rounding;
+  double minimum = std::numeric_limits<double>::infinity();
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const double sign = corner < 4 ? 1.0 : -1.0;
+    const Eigen::Matrix3d product = inverse * (jacobian + sign * slopes[corner % 4]);
+    Eigen::Matrix3d symmetric = 0.5 * (product + product.transpose());
+    symmetric.diagonal().array() -= norm;
+    minimum = std::min(minimum, DeterminantIfPositive(symmetric));
+  }
+  if (!(minimum > 0.0))
+  {
+    return {};
+  }
+  return { determinant > 0.0 ? 1 : -1, (1.0 - 1e-12) * minimum / std::abs(determinant) };
+}
+
+/// Divides a domain into boxes and examines them, level by level.
+class DomainCover
+{
+public:
+  DomainCover(const ChargeSet& map, const Surface& domain, const MapCertificateOptions& options)
+    : Options(options)
+  {
+    // Lengths are multiplied by a power of two, and all centres are multiples of 2^-20: both are
+    // exact. The root reaches one unit to each side of its centre. The centre is an odd multiple,
+    // so that faces of boxes do not contain points with simple coordinates.
+    const Eigen::RowVector3d low = domain.Points().colwise().minCoeff();
+    const Eigen::RowVector3d high = domain.Points().colwise().maxCoeff();
+    const double longest = (high - low).maxCoeff();
+    this->Scale = std::exp2(-std::ceil(std::log2(0.55 * longest)));
+    this->SmallestEdge = options.Tolerance * longest * this->Scale;
+    this->Points = this->Scale * map.Points;
+    this->Charges = this->Scale * this->Scale * 0.25 * M_1_PI * map.Charges;
+    this->Linear = map.Affine.leftCols<3>();
+    this->Domain = domain.WithPoints(this->Scale * domain.Points());
+    this->Inside = std::make_unique<SignedDistance>(this->Domain);
+
+    constexpr double unit = 1.0 / (1 << 20);
+    const Eigen::Vector3d middle = 0.5 * this->Scale * (low + high).transpose() / (2.0 * unit);
+    CoverBox root;
+    root.Place = { 2.0 * unit * middle.array().round() +
+        unit * Eigen::Array3d(12345.0, 23457.0, 34569.0),
+      1.0 };
+    this->Boxes.push_back(root);
+    auto field = std::make_shared<ChargeField>();
+    field->Centre = root.Place.Centre;
+    field->Far.Coefficients.middleRows<3>(1) = this->Linear.transpose();
+    field->Near.resize(map.Points.rows());
+    std::iota(field->Near.begin(), field->Near.end(), 0);
+    std::vector<int> triangles(domain.Triangles().rows());
+    std::iota(triangles.begin(), triangles.end(), 0);
+    this->Open.push_back({ 0, field, std::move(triangles) });
+  }
+
+  void Examine(const Progress& progress);
+  void Merge();
+  MapCertificate Collect(const ChargeSet& map) const;
+
+private:
+  TaylorExpansion Expand(const ChargeField& field, const Eigen::Vector3d& centre, double radius,
+    int degree, bool* tooNear = nullptr) const;
+  void Decide(const OpenBox& open);
+  void Finish(const OpenBox& open);
+  bool IsInside(const Eigen::Vector3d& position) const;
+  std::shared_ptr<const ChargeField> Descend(const OpenBox& open) const;
+  std::vector<OpenBox> Divide(const OpenBox& open) const;
+
+  MapCertificateOptions Options;
+  double Scale = 1.0, SmallestEdge = 0.0;
+  Eigen::MatrixXd Points, Charges;
+  Eigen::Matrix3d Linear;
+  Surface Domain;
+  std::unique_ptr<SignedDistance> Inside;
+  std::vector<CoverBox> Boxes;
+  std::vector<OpenBox> Open;
+  bool Complete = true;
+};
+
+/// Returns the radius of the ball around a cube, enlarged by rounding.
+double RadiusOf(const Cube& cube)
+{
+  return std::sqrt(3.0) * (1.0 + 1e-12) * cube.Half;
+}
+
+/// Returns the expansion of all charges around a position. tooNear: set if a charge is too near.
+TaylorExpansion DomainCover::Expand(const ChargeField& field, const Eigen::Vector3d& centre,
+  double radius, int degree, bool* tooNear) const
+{
+  if (tooNear)
+  {
+    const double nearest = radius / NearestRatio;
+    *tooNear = std::any_of(field.Near.begin(), field.Near.end(), [&](int i)
+      { return (this->Points.row(i).transpose() - centre).squaredNorm() < nearest * nearest; });
+    if (*tooNear)
+    {
+      return {};
+    }
+  }
+  TaylorExpansion expansion = field.Far;
+  expansion.Shift(centre - field.Centre);
+  expansion.Add(this->Points, this->Charges, field.Near, centre, radius, degree);
+  return expansion;
+}
+
+void DomainCover::Decide(const OpenBox& open)
+{
+  CoverBox& box = this->Boxes[open.Id];
+  bool tooNear = false;
+  const TaylorExpansion expansion =
+    this->Expand(*open.Field, box.Place.Centre, RadiusOf(box.Place), NearDegree, &tooNear);
+  if (tooNear)
+  {
+    return;
+  }
+  const Verdict verdict = Judge(expansion, box.Place.Half, TaylorExpansion::Degree);
+  box.State = static_cast<BoxState>(verdict.Sign);
+  box.Determinant = verdict.Sign * verdict.Bound;
+}
+
+bool DomainCover::IsInside(const Eigen::Vector3d& position) const
+{
+  return this->Inside->Evaluate(position.transpose()).Distances(0) <= 0.0;
+}
+
+/// Computes the volume of a box that is not divided, and searches for a witness unless it is
+/// certified: at the centre, the corners and, if the surface cuts the box, at the surface.
+void DomainCover::Finish(const OpenBox& open)
+{
+  CoverBox& box = this->Boxes[open.Id];
+  const Cube& cube = box.Place;
+  const bool cut = !open.Triangles.empty();
+  box.Volume = cut ? ComputeVolumeInCube(this->Domain, open.Triangles, cube,
+                       this->IsInside(cube.Corner()))
+                   : std::pow(2.0 * cube.Half, 3);
+  if (box.State == BoxState::Certified)
+  {
+    return;
+  }
+  const auto test = [&](const Eigen::Vector3d& position)
+  {
+    const TaylorExpansion expansion = this->Expand(*open.Field, position, 0.0, 1);
+    const Verdict verdict = Judge(expansion, 0.0, 1);
+    if (verdict.Sign < 0)
+    {
+      box.State = BoxState::Inverted;
+      box.Determinant = -verdict.Bound;
+      box.HasWitness = true;
+      box.Witness = position;
+    }
+  };
+  for (int corner = -1; corner < 8 && !box.HasWitness; ++corner)
+  {
+    Eigen::Vector3d position = cube.Centre;
+    for (int axis = 0; axis < 3 && corner >= 0; ++axis)
+    {
+      position(axis) += (corner >> axis & 1) != 0 ? cube.Half : -cube.Half;
+    }
+    if (!cut || this->IsInside(position))
+    {
+      test(position);
+    }
+  }
+  if (cut && !box.HasWitness)
+  {
+    const Eigen::Vector3d position =
+      this->Inside->Locator().FindOne(cube.Centre.transpose()).Position.transpose();
+    if (((position - cube.Centre).array().abs() <= cube.Half).all())
+    {
+      test(position);
+    }
+  }
+}
+
+/// Returns the field for the children of a box.
+std::shared_ptr<const ChargeField> DomainCover::Descend(const OpenBox& open) const
+{
+  const Cube& cube = this->Boxes[open.Id].Place;
+  const double radius = RadiusOf(cube);
+  std::vector<int> far, near;
+  for (const int i : open.Field->Near)
+  {
+    const double distance = (this->Points.row(i).transpose() - cube.Centre).norm();
+    (distance > FarRatio * radius ? far : near).push_back(i);
+  }
+  if (static_cast<int>(far.size()) < WorthExpanding)
+  {
+    return open.Field;
+  }
+  auto field = std::make_shared<ChargeField>(
+    ChargeField{ open.Field->Far, cube.Centre, std::move(near) });
+  field->Far.Shift(cube.Centre - open.Field->Centre);
+  field->Far.Add(
+    this->Points, this->Charges, far, cube.Centre, radius, TaylorExpansion::Degree);
+  return field;
+}
+
+/// Returns the children that meet the domain; Id is their octant.
+std::vector<OpenBox> DomainCover::Divide(const OpenBox& open) const
+{
+  const Cube& cube = this->Boxes[open.Id].Place;
+  const std::shared_ptr<const ChargeField> field = this->Descend(open);
+  std::vector<OpenBox> children;
+  for (int octant = 0; octant < 8; ++octant)
+  {
+    Cube child{ cube.Centre, 0.5 * cube.Half };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      child.Centre(axis) += (octant >> axis & 1) != 0 ? child.Half : -child.Half;
+    }
+    std::vector<int> triangles = FindTrianglesInCube(this->Domain, open.Triangles, child);
+    // Without a triangle, the whole child is on one side.
+    if (open.Triangles.empty() || !triangles.empty() || this->IsInside(child.Centre))
+    {
+      children.push_back({ octant, field, std::move(triangles) });
+    }
+  }
+  return children;
+}
+
+void DomainCover::Examine(const Progress& progress)
+{
+  // The number of boxes grows about fourfold with each level near the surface.
+  const int levels = std::clamp(
+    static_cast<int>(std::log2(2.0 / this->SmallestEdge)), 0, MaximumLevel);
+  const auto share = [&](int level) { return std::exp2(std::min(level, levels + 1) - levels - 1); };
+  for (int level = 0; !this->Open.empty(); ++level)
+  {
+    const Progress part = progress.Part(level == 0 ? 0.0 : share(level), share(level + 1));
+    ParallelFor(
+      static_cast<int>(this->Open.size()), 4,
+      [&](int begin, int end)
+      {
+        for (int i = begin; i < end; ++i)
+        {
+          this->Decide(this->Open[i]);
+        }
+      },
+      part.Part(0.0, 0.5));
+    // The first undecided boxes are divided, as long as there may be further boxes.
+    std::vector<char> divided(this->Open.size(), 0);
+    std::size_t count = this->Boxes.size();
+    for (std::size_t i = 0; i < this->Open.size(); ++i)
+    {
+      const CoverBox& box = this->Boxes[this->Open[i].Id];
+      const bool wanted = box.State == BoxState::Undecided &&
+        box.Place.Half >= this->SmallestEdge && box.Level < MaximumLevel;
+      const bool fits = count + 8 <= static_cast<std::size_t>(this->Options.MaximumBoxes);
+      this->Complete = this->Complete && (fits || !wanted);
+      divided[i] = static_cast<char>(wanted && fits);
+      count += divided[i] ? 8 : 0;
+    }
+    std::vector<std::vector<OpenBox>> children(this->Open.size());
+    ParallelFor(
+      static_cast<int>(this->Open.size()), 4,
+      [&](int begin, int end)
+      {
+        for (int i = begin; i < end; ++i)
+        {
+          if (divided[i])
+          {
+            children[i] = this->Divide(this->Open[i]);
+          }
+          else
+          {
+            this->Finish(this->Open[i]);
+          }
+        }
+      },
+      part.Part(0.5, 1.0));
+    std::vector<OpenBox> next;
+    for (std::size_t i = 0; i < this->Open.size(); ++i)
+    {
+      const int parent = this->Open[i].Id;
+      this->Boxes[parent].FirstChild = static_cast<int>(this->Boxes.size());
+      this->Boxes[parent].ChildCount = static_cast<int>(children[i].size());
+      for (OpenBox& child : children[i])
+      {
+        CoverBox box;
+        box.Place = { this->Boxes[parent].Place.Centre, 0.5 * this->Boxes[parent].Place.Half };
+        box.Level = level + 1;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          box.Place.Centre(axis) += (child.Id >> axis & 1) != 0 ? box.Place.Half : -box.Place.Half;
+        }
+        child.Id = static_cast<int>(this->Boxes.size());
+        this->Boxes.push_back(box);
+        next.push_back(std::move(child));
+      }
+    }
+    this->Open = std::move(next);
+  }
+  progress(1.0);
+}
+
+/// Joins children with the same state. Children follow their parents in the list.
+void DomainCover::Merge()
+{
+  for (auto box = this->Boxes.rbegin(); box != this->Boxes.rend(); ++box)
+  {
+    const auto first = this->Boxes.begin() + box->FirstChild;
+    const auto last = first + box->ChildCount;
+    if (first == last ||
+      !std::all_of(first, last, [&](const CoverBox& child)
+        { return child.ChildCount == 0 && child.State == first->State; }))
+    {
+      continue;
+    }
+    box->State = first->State;
+    box->Determinant = std::numeric_limits<double>::infinity();
+    for (auto child = first; child != last; ++child)
+    {
+      box->Volume += child->Volume;
+      if (child->Determinant < box->Determinant)
+      {
+        box->Determinant = child->Determinant;
+      }
+      if (child->HasWitness)
+      {
+        box->HasWitness = true;
+        box->Witness = child->Witness;
+      }
+      child->ChildCount = -1; // part of its parent
+    }
+    box->ChildCount = 0;
+  }
+}
+
+MapCertificate DomainCover::Collect(const ChargeSet& map) const
+{
+  std::vector<const CoverBox*> boxes;
+  for (const CoverBox& box : this->Boxes)
+  {
+    if (box.ChildCount == 0)
+    {
+      boxes.push_back(&box);
+    }
+  }
+  const auto count = static_cast<Eigen::Index>(boxes.size());
+  MapCertificate result;
+  result.ExaminedBoxes = static_cast<int>(this->Boxes.size());
+  result.Complete = this->Complete;
+  result.Centres.resize(count, 3);
+  result.Edges.resize(count);
+  result.States.resize(count);
+  result.Volumes.resize(count);
+  result.Determinants.resize(count);
+  std::vector<Eigen::Index> seen;
+  for (Eigen::Index i = 0; i < count; ++i)
+  {
+    const CoverBox& box = *boxes[i];
+    result.Centres.row(i) = box.Place.Centre.transpose() / this->Scale;
+    result.Edges(i) = 2.0 * box.Place.Half / this->Scale;
+    result.States(i) = static_cast<int>(box.State);
+    result.Volumes(i) = box.Volume / std::pow(this->Scale, 3);
+    result.Determinants(i) = box.State == BoxState::Undecided ? 0.0 : box.Determinant;
+    if (box.HasWitness)
+    {
+      seen.push_back(i);
+    }
+  }
+  result.Witnesses.resize(static_cast<Eigen::Index>(seen.size()), 3);
+  for (std::size_t i = 0; i < seen.size(); ++i)
+  {
+    result.Witnesses.row(static_cast<Eigen::Index>(i)) =
+      boxes[seen[i]]->Witness.transpose() / this->Scale;
+  }
+  const Eigen::MatrixXd jacobians = EvaluateJacobians(map, result.Witnesses);
+  result.WitnessDeterminants.resize(result.Witnesses.rows());
+  for (std::size_t i = 0; i < seen.size(); ++i)
+  {
+    const Eigen::Matrix3d jacobian =
+      jacobians.row(static_cast<Eigen::Index>(i)).reshaped<Eigen::RowMajor>(3, 3);
+    const double determinant = std::min(jacobian.determinant(), 0.0);
+    result.WitnessDeterminants(static_cast<Eigen::Index>(i)) = determinant;
+    result.Determinants(seen[i]) = determinant;
+  }
+  const double total = result.Volumes.sum();
+  const auto shareOf = [&](BoxState state)
+  {
+    return (result.States.array() == static_cast<int>(state)).select(result.Volumes, 0.0).sum() /
+      total;
+  };
+  result.CertifiedShare = shareOf(BoxState::Certified);
+  result.InvertedShare = shareOf(BoxState::Inverted);
+  result.UndecidedShare = shareOf(BoxState::Undecided);
+  return result;
+}
+
+/// Checks the image of the boundary: see MapCertificate.
+void CheckBoundary(
+  const ChargeSet& map, const Surface& domain, const Progress& progress, MapCertificate& result)
+{
+  const Surface image =
+    domain.WithPoints(Evaluate(map, domain.Points(), progress.Part(0.0, 0.3)));
+  const std::vector<int> degenerate = FindDegenerateTriangles(image);
+  result.BoundaryCrossings = static_cast<int>(degenerate.size());
+  if (degenerate.empty())
+  {
+    result.BoundaryCrossings =
+      static_cast<int>(FindSelfIntersections(image, progress.Part(0.3, 1.0)).size());
+  }
+  // Nested components face in and out in turn, so no position of the image is covered twice.
+  result.BoundaryInjective = result.BoundaryCrossings == 0 &&
+    OrientByNesting(image, "the image of the boundary").Triangles() == domain.Triangles();
+}
+
+} // namespace
+
+MapCertificate CertifyMap(const ChargeSet& map, const Surface& domain,
+  const MapCertificateOptions& options, const Progress& progress)
+{
+  if (!(options.Tolerance >= 1e-5 && options.Tolerance <= 0.5))
+  {
+    throw InvalidInput(
+      "Tolerance is " + FormatNumber(options.Tolerance) + "; use a value from 1e-5 to 0.5");
+  }
+  if (options.MaximumBoxes < 1)
+  {
+    throw InvalidInput(
+      "Maximum Boxes is " + std::to_string(options.MaximumBoxes) + "; use at least 1");
+  }
+  RequireClosedSurface(domain, "the domain");
+  DomainCover cover(map, domain, options);
+  cover.Examine(progress.Part(0.0, 0.9, "bounding the determinant"));
+  cover.Merge();
+  MapCertificate result = cover.Collect(map);
+  CheckBoundary(map, domain, progress.Part(0.9, 1.0, "checking the boundary's image"), result);
+  result.Bijective = result.BoundaryInjective &&
+    (result.States.array() == static_cast<int>(BoxState::Certified)).all();
+  progress(1.0);
+  return result;
+}
+
+} // namespace shape

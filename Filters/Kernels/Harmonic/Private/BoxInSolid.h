@@ -1,0 +1,39 @@
+#pragma once
+
+#include "Mesh/Mesh.h"
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <vector>
+
+namespace shape
+{
+
+/// An axis-aligned cube.
+struct Cube
+{
+  Eigen::Vector3d Centre = Eigen::Vector3d::Zero();
+  double Half = 0.0; ///< half the length of an edge
+
+  /// The corner with the largest coordinates.
+  Eigen::Vector3d Corner() const { return this->Centre.array() + this->Half; }
+};
+
+/// Returns those of `triangles` that have a point in the cube, which is enlarged by 1e-9 of its
+/// edge. A triangle is left out only if it has none.
+std::vector<int> FindTrianglesInCube(
+  const Mesh& mesh, const std::vector<int>& triangles, const Cube& cube);
+
+/**
+ * Returns the volume of the part of a cube inside a solid, by the divergence theorem in space, in
+ * the top face and along an edge of it.
+ *
+ * mesh: closed, facing out of the solid. triangles: all that meet the cube. cornerInside: whether
+ * cube.Corner() is inside the solid. The planes of the cube's faces must not contain a point of the
+ * mesh. The result is exact up to rounding.
+ */
+double ComputeVolumeInCube(
+  const Mesh& mesh, const std::vector<int>& triangles, const Cube& cube, bool cornerInside);
+
+} // namespace shape
