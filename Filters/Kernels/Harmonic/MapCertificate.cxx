@@ -102,8 +102,9 @@ Verdict Judge(const TaylorExpansion& expansion, double half, int degree)
         if (powers[axis] > 0)
         {
           // d/dx of x^2 is 2 x, of x y it is y.
-          const int other = powers[axis] == 2 ? axis : powers[(axis + 1) % 3] == 1 ? (axis + 1) % 3
-                                                                                    : (axis + 2) % 3;
+          const int other = powers[axis] == 2 ? axis
+            : powers[(axis + 1) % 3] == 1     ? (axis + 1) % 3
+                                              : (axis + 2) % 3;
           slopes[corner].col(axis) += powers[axis] * half * corners[corner][other] *
             expansion.Coefficients.row(i).transpose();
         }
@@ -111,8 +112,8 @@ Verdict Judge(const TaylorExpansion& expansion, double half, int degree)
     }
   }
   // Bounds of what is left out, for each entry of the derivative.
-  Eigen::Matrix3d rest = (expansion.Remainder + TaylorExpansion::Rounding * expansion.Magnitude)
-                           .replicate<1, 3>();
+  Eigen::Matrix3d rest =
+    (expansion.Remainder + TaylorExpansion::Rounding * expansion.Magnitude).replicate<1, 3>();
   double scale = half;
   for (int i = TaylorExpansion::SizeOf(2), n = 2; i < TaylorExpansion::SizeOf(degree); ++i)
   {
@@ -188,9 +189,9 @@ public:
     constexpr double unit = 1.0 / (1 << 20);
     const Eigen::Vector3d middle = 0.5 * this->Scale * (low + high).transpose() / (2.0 * unit);
     CoverBox root;
-    root.Place = { 2.0 * unit * middle.array().round() +
-        unit * Eigen::Array3d(12345.0, 23457.0, 34569.0),
-      1.0 };
+    root.Place = {
+      2.0 * unit * middle.array().round() + unit * Eigen::Array3d(12345.0, 23457.0, 34569.0), 1.0
+    };
     this->Boxes.push_back(root);
     auto field = std::make_shared<ChargeField>();
     field->Centre = root.Place.Centre;
@@ -239,7 +240,8 @@ TaylorExpansion DomainCover::Expand(const ChargeField& field, const Eigen::Vecto
   if (tooNear)
   {
     const double nearest = radius / NearestRatio;
-    *tooNear = std::any_of(field.Near.begin(), field.Near.end(), [&](int i)
+    *tooNear = std::any_of(field.Near.begin(), field.Near.end(),
+      [&](int i)
       { return (this->Points.row(i).transpose() - centre).squaredNorm() < nearest * nearest; });
     if (*tooNear)
     {
@@ -279,9 +281,9 @@ void DomainCover::Finish(const OpenBox& open)
   CoverBox& box = this->Boxes[open.Id];
   const Cube& cube = box.Place;
   const bool cut = !open.Triangles.empty();
-  box.Volume = cut ? ComputeVolumeInCube(this->Domain, open.Triangles, cube,
-                       this->IsInside(cube.Corner()))
-                   : std::pow(2.0 * cube.Half, 3);
+  box.Volume = cut
+    ? ComputeVolumeInCube(this->Domain, open.Triangles, cube, this->IsInside(cube.Corner()))
+    : std::pow(2.0 * cube.Half, 3);
   if (box.State == BoxState::Certified)
   {
     return;
@@ -336,11 +338,10 @@ std::shared_ptr<const ChargeField> DomainCover::Descend(const OpenBox& open) con
   {
     return open.Field;
   }
-  auto field = std::make_shared<ChargeField>(
-    ChargeField{ open.Field->Far, cube.Centre, std::move(near) });
+  auto field =
+    std::make_shared<ChargeField>(ChargeField{ open.Field->Far, cube.Centre, std::move(near) });
   field->Far.Shift(cube.Centre - open.Field->Centre);
-  field->Far.Add(
-    this->Points, this->Charges, far, cube.Centre, radius, TaylorExpansion::Degree);
+  field->Far.Add(this->Points, this->Charges, far, cube.Centre, radius, TaylorExpansion::Degree);
   return field;
 }
 
@@ -370,8 +371,8 @@ std::vector<OpenBox> DomainCover::Divide(const OpenBox& open) const
 void DomainCover::Examine(const Progress& progress)
 {
   // The number of boxes grows about fourfold with each level near the surface.
-  const int levels = std::clamp(
-    static_cast<int>(std::log2(2.0 / this->SmallestEdge)), 0, MaximumLevel);
+  const int levels =
+    std::clamp(static_cast<int>(std::log2(2.0 / this->SmallestEdge)), 0, MaximumLevel);
   const auto share = [&](int level) { return std::exp2(std::min(level, levels + 1) - levels - 1); };
   for (int level = 0; !this->Open.empty(); ++level)
   {
@@ -450,7 +451,8 @@ void DomainCover::Merge()
     const auto first = this->Boxes.begin() + box->FirstChild;
     const auto last = first + box->ChildCount;
     if (first == last ||
-      !std::all_of(first, last, [&](const CoverBox& child)
+      !std::all_of(first, last,
+        [&](const CoverBox& child)
         { return child.ChildCount == 0 && child.State == first->State; }))
     {
       continue;
@@ -540,8 +542,7 @@ MapCertificate DomainCover::Collect(const ChargeSet& map) const
 void CheckBoundary(
   const ChargeSet& map, const Surface& domain, const Progress& progress, MapCertificate& result)
 {
-  const Surface image =
-    domain.WithPoints(Evaluate(map, domain.Points(), progress.Part(0.0, 0.3)));
+  const Surface image = domain.WithPoints(Evaluate(map, domain.Points(), progress.Part(0.0, 0.3)));
   const std::vector<int> degenerate = FindDegenerateTriangles(image);
   result.BoundaryCrossings = static_cast<int>(degenerate.size());
   if (degenerate.empty())

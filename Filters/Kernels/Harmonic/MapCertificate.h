@@ -27,15 +27,15 @@ struct MapCertificate
     Undecided = 0,
     Certified = 1 ///< det J > 0 at every position in the box
   };
-  Eigen::MatrixXd Centres;      ///< k x 3
-  Eigen::VectorXd Edges;        ///< k
-  Eigen::VectorXi States;       ///< k: BoxState
-  Eigen::VectorXd Volumes;      ///< k: of the part of the box inside the domain
+  Eigen::MatrixXd Centres; ///< k x 3
+  Eigen::VectorXd Edges;   ///< k
+  Eigen::VectorXi States;  ///< k: BoxState
+  Eigen::VectorXd Volumes; ///< k: of the part of the box inside the domain
   /// k values. Of a certified box: a lower bound of det J, > 0. Of an inverted box: det J at its
   /// witness or, without one, an upper bound; <= 0. Of an undecided box: 0.
   Eigen::VectorXd Determinants;
-  Eigen::MatrixXd Witnesses;            ///< w x 3: positions in the domain where det J <= 0
-  Eigen::VectorXd WitnessDeterminants;  ///< w: det J there
+  Eigen::MatrixXd Witnesses;           ///< w x 3: positions in the domain where det J <= 0
+  Eigen::VectorXd WitnessDeterminants; ///< w: det J there
   // Shares of the domain's volume, which sum to 1.
   double CertifiedShare = 0.0, InvertedShare = 0.0, UndecidedShare = 0.0;
   int ExaminedBoxes = 0;
@@ -50,8 +50,8 @@ struct MapCertificate
 };
 
 /**
- * Proves that a harmonic map is locally injective, det J > 0 at every position of a domain, or finds
- * where it is not.
+ * Proves that a harmonic map is locally injective, det J > 0 at every position of a domain, or
+ * finds where it is not.
  *
  * The domain is covered by cubes. For each cube, the map is expanded into its Taylor polynomial
  * around the centre, with a bound of the remainder (TaylorExpansion.h). For M = J(centre)^-1 and
@@ -59,25 +59,25 @@ struct MapCertificate
  *
  *   M J(x) = M (J + H (x - c)) + E(x),  |E(x)| <= |M| (bounds of the higher terms and remainders).
  *
- * If the symmetric part of M J(x) is positive definite for all x, det J has the sign of det M in the
- * cube. The smallest eigenvalue of the symmetric part is concave, so the 8 corners suffice for the
- * linear terms; the norm of E is subtracted. |det J| >= det(symmetric part) / |det M| (Ostrowski and
- * Taussky, "On the variation of the determinant of a positive definite matrix", 1951). Other cubes
- * are divided into eight. Sampling with Lipschitz bounds is by Chien, Chen and Weber, "Bounded
- * distortion harmonic shape interpolation" (2016), in the plane.
+ * If the symmetric part of M J(x) is positive definite for all x, det J has the sign of det M in
+ * the cube. The smallest eigenvalue of the symmetric part is concave, so the 8 corners suffice for
+ * the linear terms; the norm of E is subtracted. |det J| >= det(symmetric part) / |det M|
+ * (Ostrowski and Taussky, "On the variation of the determinant of a positive definite matrix",
+ * 1951). Other cubes are divided into eight. Sampling with Lipschitz bounds is by Chien, Chen and
+ * Weber, "Bounded distortion harmonic shape interpolation" (2016), in the plane.
  *
  * A cube is examined as a whole, also if the surface cuts it. Charges are outside the domain, at a
  * positive distance, so cubes near the surface can be decided when they are small compared with
- * this distance. Rounding errors are part of all bounds. Eight neighbours with the same state become
- * one box again.
+ * this distance. Rounding errors are part of all bounds. Eight neighbours with the same state
+ * become one box again.
  *
  * If every box is certified, the map is a local homeomorphism of the closed domain. If it is
  * injective on the boundary, too, every position of the image has one preimage: the number of
- * preimages is the degree of the map, which is constant between the boundary's images, is 0 outside,
- * and changes by one across each. Bijective assumes this for the triangles between the images of the
- * boundary's points: it does not see crossings smaller than their distance from the curved image.
- * The map is that of the charges, whose boundary values differ from the prescribed ones by the
- * error of their fit.
+ * preimages is the degree of the map, which is constant between the boundary's images, is 0
+ * outside, and changes by one across each. Bijective assumes this for the triangles between the
+ * images of the boundary's points: it does not see crossings smaller than their distance from the
+ * curved image. The map is that of the charges, whose boundary values differ from the prescribed
+ * ones by the error of their fit.
  *
  * domain: closed, not crossing itself, facing out of the solid (OrientByNesting). Throws
  * InvalidInput if an option is out of range; Aborted.

@@ -42,8 +42,8 @@ void ClipByPlane(ClippedTriangle& polygon, int axis, double bound, double sign)
 }
 
 /// Returns the part of a triangle in a cube; empty if there is none.
-ClippedTriangle ClipTriangle(const Mesh& mesh, int triangle, const Eigen::Vector3d& centre,
-  double half)
+ClippedTriangle ClipTriangle(
+  const Mesh& mesh, int triangle, const Eigen::Vector3d& centre, double half)
 {
   const Eigen::Matrix3d corners = GetCorners(mesh, triangle).transpose();
   ClippedTriangle polygon;
@@ -104,16 +104,15 @@ double ComputeVolumeInCube(
     }
     for (int i = 0; i < polygon.Count; ++i)
     {
-      const Eigen::Vector3d &a = polygon.Corners[i],
-                            &b = polygon.Corners[(i + 1) % polygon.Count];
+      const Eigen::Vector3d &a = polygon.Corners[i], &b = polygon.Corners[(i + 1) % polygon.Count];
       if (a(2) != top(2))
       {
         continue;
       }
       if (b(2) == top(2))
       {
-        area += (normal(1) > 0.0 ? 1.0 : -1.0) * std::abs(b(0) - a(0)) *
-          (0.5 * (a(1) + b(1)) - low(1));
+        area +=
+          (normal(1) > 0.0 ? 1.0 : -1.0) * std::abs(b(0) - a(0)) * (0.5 * (a(1) + b(1)) - low(1));
       }
       if (a(1) == top(1))
       {

@@ -166,15 +166,22 @@ void TaylorExpansion::Add(const Eigen::MatrixXd& points, const Eigen::MatrixXd& 
 
 void TaylorExpansion::Shift(const Eigen::Vector3d& step)
 {
+  // The components of a coefficient lie side by side, for vector instructions.
+  std::array<Pack, Size> rows;
+  for (int i = 0; i < Size; ++i)
+  {
+    rows[i] << this->Coefficients.row(i).transpose().array(), 0.0;
+  }
   for (int axis = 0; axis < 3; ++axis)
   {
     for (const auto& [target, source] : GetTables().Shifts[axis])
     {
-      for (int c = 0; c < 3; ++c)
-      {
-        this->Coefficients(target, c) += step(axis) * this->Coefficients(source, c);
-      }
+      rows[target] += step(axis) * rows[source];
     }
+  }
+  for (int i = 0; i < Size; ++i)
+  {
+    this->Coefficients.row(i) = rows[i].head<3>().transpose();
   }
 }
 
