@@ -37,6 +37,9 @@ constexpr int WorthExpanding = 32;
 constexpr int NearDegree = 4;
 /// A cube with a charge nearer than 1 / this many radii is divided at once.
 constexpr double NearestRatio = 0.6;
+/// A box with a witness is not divided if its edge is at most this share of the domain's longest
+/// side: the boundary of a fold, where no box can be decided, would need most of the boxes.
+constexpr double WitnessEdge = 1.0 / 256.0;
 /// Subdivisions of the root whose centres are exact numbers.
 constexpr int MaximumLevel = 19;
 
@@ -73,6 +76,9 @@ struct Verdict
 {
   int Sign = 0;       ///< 0: nothing
   double Bound = 0.0; ///< with a sign: |det J| is at least this
+  /// Where the linear terms have the lowest determinant, and this determinant.
+  Eigen::Vector3d Lowest = Eigen::Vector3d::Zero();
+  double Estimate = std::numeric_limits<double>::infinity();
 };
 
 /// Whether a symmetric matrix is positive definite; if so, its determinant, else 0.
@@ -111,6 +117,17 @@ Verdict Judge(const TaylorExpansion& expansion, double half, int degree)
       }
     }
   }
+  Verdict verdict;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const double sign = corner < 4 ? 1.0 : -1.0;
+    const double determinant = (jacobian + sign * slopes[corner % 4]).determinant();
+    if (determinant < verdict.Estimate)
+    {
+      verdict.Estimate = determinant;
+      verdict.Lowest = sign * half * Eigen::Vector3d(corners[corner % 4]);
+    }
+  }
   // Bounds of what is left out, for each entry of the derivative.
   Eigen::Matrix3d rest =
     (expansion.Remainder + TaylorExpansion::Rounding * expansion.Magnitude).replicate<1, 3>();
@@ -132,7 +149,7 @@ Verdict Judge(const TaylorExpansion& expansion, double half, int degree)
   const Eigen::Matrix3d inverse = jacobian.inverse();
   if (!inverse.allFinite() || !rest.allFinite())
   {
-    return {};
+    return verdict;
   }
   // The sign of det M is certain, because its rounding error is smaller.
   constexpr double rounding = 1e-14;
@@ -140,7 +157,7 @@ Verdict Judge(const TaylorExpansion& expansion, double half, int degree)
   const double size = inverse.rowwise().norm().prod();
   if (!(std::abs(determinant) > rounding * size))
   {
-    return {};
+    return verdict;
   }
   Eigen::Matrix3d largest = jacobian.cwiseAbs();
   for (const Eigen::Matrix3d& slope : slopes)
@@ -158,11 +175,12 @@ Verdict Judge(const TaylorExpansion& expansion, double half, int degree)
     symmetric.diagonal().array() -= norm;
     minimum = std::min(minimum, DeterminantIfPositive(symmetric));
   }
-  if (!(minimum > 0.0))
+  if (minimum > 0.0)
   {
-    return {};
+    verdict.Sign = determinant > 0.0 ? 1 : -1;
+    verdict.Bound = (1.0 - 1e-12) * minimum / std::abs(determinant);
   }
-  return { determinant > 0.0 ? 1 : -1, (1.0 - 1e-12) * minimum / std::abs(determinant) };
+  return verdict;
 }
 
 /// Divides a domain into boxes and examines them, level by level.
@@ -180,6 +198,7 @@ public:
     const double longest = (high - low).maxCoeff();
     this->Scale = std::exp2(-std::ceil(std::log2(0.55 * longest)));
     this->SmallestEdge = options.Tolerance * longest * this->Scale;
+    this->LargestWitness = WitnessEdge * longest * this->Scale;
     this->Points = this->Scale * map.Points;
     this->Charges = this->Scale * this->Scale * 0.25 * M_1_PI * map.Charges;
     this->Linear = map.Affine.leftCols<3>();
@@ -211,13 +230,14 @@ private:
   TaylorExpansion Expand(const ChargeField& field, const Eigen::Vector3d& centre, double radius,
     int degree, bool* tooNear = nullptr) const;
   void Decide(const OpenBox& open);
+  void Test(const OpenBox& open, const Eigen::Vector3d& position);
   void Finish(const OpenBox& open);
   bool IsInside(const Eigen::Vector3d& position) const;
   std::shared_ptr<const ChargeField> Descend(const OpenBox& open) const;
   std::vector<OpenBox> Divide(const OpenBox& open) const;
 
   MapCertificateOptions Options;
-  double Scale = 1.0, SmallestEdge = 0.0;
+  double Scale = 1.0, SmallestEdge = 0.0, LargestWitness = 0.0;
   Eigen::MatrixXd Points, Charges;
   Eigen::Matrix3d Linear;
   Surface Domain;
@@ -267,6 +287,26 @@ void DomainCover::Decide(const OpenBox& open)
   const Verdict verdict = Judge(expansion, box.Place.Half, TaylorExpansion::Degree);
   box.State = static_cast<BoxState>(verdict.Sign);
   box.Determinant = verdict.Sign * verdict.Bound;
+  const Eigen::Vector3d lowest = box.Place.Centre + verdict.Lowest;
+  if (verdict.Sign == 0 && verdict.Estimate < 0.0 && 2.0 * box.Place.Half <= this->LargestWitness &&
+    (open.Triangles.empty() || this->IsInside(lowest)))
+  {
+    this->Test(open, lowest);
+  }
+}
+
+/// Makes a position of the domain the witness of a box if its determinant is proven to be negative.
+void DomainCover::Test(const OpenBox& open, const Eigen::Vector3d& position)
+{
+  const Verdict verdict = Judge(this->Expand(*open.Field, position, 0.0, 1), 0.0, 1);
+  if (verdict.Sign < 0)
+  {
+    CoverBox& box = this->Boxes[open.Id];
+    box.State = BoxState::Inverted;
+    box.Determinant = -verdict.Bound;
+    box.HasWitness = true;
+    box.Witness = position;
+  }
 }
 
 bool DomainCover::IsInside(const Eigen::Vector3d& position) const
@@ -284,22 +324,10 @@ void DomainCover::Finish(const OpenBox& open)
   box.Volume = cut
     ? ComputeVolumeInCube(this->Domain, open.Triangles, cube, this->IsInside(cube.Corner()))
     : std::pow(2.0 * cube.Half, 3);
-  if (box.State == BoxState::Certified)
+  if (box.State == BoxState::Certified || box.HasWitness)
   {
     return;
   }
-  const auto test = [&](const Eigen::Vector3d& position)
-  {
-    const TaylorExpansion expansion = this->Expand(*open.Field, position, 0.0, 1);
-    const Verdict verdict = Judge(expansion, 0.0, 1);
-    if (verdict.Sign < 0)
-    {
-      box.State = BoxState::Inverted;
-      box.Determinant = -verdict.Bound;
-      box.HasWitness = true;
-      box.Witness = position;
-    }
-  };
   for (int corner = -1; corner < 8 && !box.HasWitness; ++corner)
   {
     Eigen::Vector3d position = cube.Centre;
@@ -309,7 +337,7 @@ void DomainCover::Finish(const OpenBox& open)
     }
     if (!cut || this->IsInside(position))
     {
-      test(position);
+      this->Test(open, position);
     }
   }
   if (cut && !box.HasWitness)
@@ -318,7 +346,7 @@ void DomainCover::Finish(const OpenBox& open)
       this->Inside->Locator().FindOne(cube.Centre.transpose()).Position.transpose();
     if (((position - cube.Centre).array().abs() <= cube.Half).all())
     {
-      test(position);
+      this->Test(open, position);
     }
   }
 }

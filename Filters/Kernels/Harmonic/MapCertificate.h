@@ -12,10 +12,11 @@ namespace shape
 struct MapCertificateOptions
 {
   /// Edge of the smallest boxes / longest side of the domain's box: 1e-5 to 0.5. A box that is not
-  /// decided is divided until its edge would be smaller.
+  /// decided is divided until its edge would be smaller. A box with a witness is divided until its
+  /// edge is at most 1/256.
   double Tolerance = 1.0 / 4096.0;
   /// Maximum number of boxes that are examined; >= 1. Then the remaining boxes stay undecided.
-  int MaximumBoxes = 4000000;
+  int MaximumBoxes = 1000000;
 };
 
 /// Cubes that cover a domain, and what is proven about the Jacobian determinant in each.
