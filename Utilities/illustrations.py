@@ -327,6 +327,21 @@ def ApplyVolumeMap():
 
 
 @drawing
+def Certificate():
+    """The map of the ball onto a kitten: what is certified of one half, and what is inverted."""
+    sphere = ShapeParameterize(Input=shape('KittenSmall.vtp'))
+    ball = OutputPort(sphere, 1)
+    moved = ShapeHarmonicVolumeMap(Domain=ball, Boundary=ball, MapArray='SourcePosition')
+    boxes = ShapeCertificate(Map=OutputPort(moved, 1), Tolerance=1.0 / 512.0)
+    half = Clip(Input=boxes, ClipType='Plane', Crinkleclip=1)
+    half.ClipType.Origin, half.ClipType.Normal = [0.0, 0.0, 0.0], [0.0, -1.0, 0.0]
+    for state, colour in ((1, PLAIN), (-1, ACCENT)):
+        show(Threshold(Input=half, Scalars=['CELLS', 'Certified'], LowerThreshold=state, UpperThreshold=state),
+             colour=colour, edges=True)
+    return FRONT
+
+
+@drawing
 def Untangle():
     ball = shape('BallSmall.vtu')
     folded = Calculator(Input=ball, CoordinateResults=1,

@@ -8,7 +8,7 @@ import shapetesting
 
 # In these inputs, every point counts, whether or not a cell uses it.
 POINTS_COUNT = {('ShapeDeform', 'Input'), ('ShapeGeodesicDistance', 'Seeds'), ('ShapeMapErrorCurve', 'Truth'),
-                ('ShapeApplyVolumeMap', 'Map'), ('ShapeHarmonicVolumeMap', 'Domain'), ('ShapeDeform', 'Boundary'),
+                ('ShapeApplyVolumeMap', 'Map'), ('ShapeCertificate', 'Map'), ('ShapeHarmonicVolumeMap', 'Domain'), ('ShapeDeform', 'Boundary'),
                 ('ShapeCoupling', 'ShapeA'), ('ShapeCoupling', 'ShapeB')}
 # Outputs that have a point for each defect, and a loose point is one.
 DEFECTS = {('ShapeSolidify', 1)}

@@ -15,6 +15,7 @@ import shapetesting
 # What a port that it requires takes in place of the closed surface: (filter, input) -> file of Data/.
 OTHER_INPUTS = {
     ('ShapeApplyVolumeMap', 'Map'): 'DentedSphereCharges.vtp',
+    ('ShapeCertificate', 'Map'): 'DentedSphereCharges.vtp',
     ('ShapeDeform', 'Input'): 'FigureASmall.vtp',
     ('ShapeImageValues', 'Input'): 'BallSmall.vtu',
     ('ShapeUntangle', 'Input'): 'BallSmall.vtu',
