@@ -328,8 +328,8 @@ def ApplyVolumeMap():
 
 @drawing
 def Certificate():
-    """The map of the ball onto a kitten: what is certified of one half, and what is inverted."""
-    sphere = ShapeParameterize(Input=shape('KittenSmall.vtp'))
+    """The map of the ball onto a horse: what is certified of one half, and what is inverted."""
+    sphere = ShapeParameterize(Input=shape('HorseSmall.vtp'))
     ball = OutputPort(sphere, 1)
     moved = ShapeHarmonicVolumeMap(Domain=ball, Boundary=ball, MapArray='SourcePosition')
     boxes = ShapeCertificate(Map=OutputPort(moved, 1), Tolerance=1.0 / 512.0)

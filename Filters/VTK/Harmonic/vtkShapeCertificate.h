@@ -9,10 +9,11 @@
  *   may be composite or distributed. Without it, the whole domain of the Map is examined.
  *
  * Outputs. In parallel, the first process has all of them.
- * - Boxes (vtkUnstructuredGrid): voxels that cover the solid, with the cell arrays `Certified`
- * (int: 1 certified, 0 undecided, -1 inverted), `VolumeInside` (double: of the part of the box
- * inside the solid) and `MinimumDeterminant` (double: for a certified box a lower bound, for an
- * inverted box the determinant at its witness, else 0).
+ * - Boxes (vtkUnstructuredGrid): voxels that cover the solid, with these cell arrays.
+ *   - `Certified` (int): 1 certified, 0 undecided, -1 inverted.
+ *   - `VolumeInside` (double): the volume of the part of the box inside the solid.
+ *   - `MinimumDeterminant` (double): a lower bound in a certified box. In an inverted box, it is
+ * the determinant at its witness; in an undecided box, 0.
  * - Witnesses (vtkPolyData): a vertex for each position in the solid where the determinant is not
  *   positive, with the point arrays `Determinant` (double) and `TargetPosition` (double, 3), the
  *   image. There is at most one in each inverted box.
@@ -27,7 +28,7 @@
 
 #include "vtkShapeAlgorithm.h"
 
-#include "Harmonic/MapCertificate.h" // for the options
+#include "Harmonic/Certificate.h" // for the options
 
 class VTKSHAPEFILTERS_EXPORT vtkShapeCertificate : public vtkShapeAlgorithm
 {

@@ -72,7 +72,7 @@ ClippedTriangle ClipTriangle(
 } // namespace
 
 std::vector<int> FindTrianglesInCube(
-  const Mesh& mesh, const std::vector<int>& triangles, const Cube& cube)
+  const Mesh& mesh, const std::vector<int>& triangles, const BoxCube& cube)
 {
   std::vector<int> found;
   const double half = cube.Half * (1.0 + 2e-9);
@@ -82,7 +82,7 @@ std::vector<int> FindTrianglesInCube(
 }
 
 double ComputeVolumeInCube(
-  const Mesh& mesh, const std::vector<int>& triangles, const Cube& cube, bool cornerInside)
+  const Mesh& mesh, const std::vector<int>& triangles, const BoxCube& cube, bool cornerInside)
 {
   const Eigen::Vector3d low = cube.Centre.array() - cube.Half;
   const Eigen::Vector3d top = cube.Centre.array() + cube.Half;

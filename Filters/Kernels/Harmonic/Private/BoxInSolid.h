@@ -11,7 +11,7 @@ namespace shape
 {
 
 /// An axis-aligned cube.
-struct Cube
+struct BoxCube
 {
   Eigen::Vector3d Centre = Eigen::Vector3d::Zero();
   double Half = 0.0; ///< half the length of an edge
@@ -23,7 +23,7 @@ struct Cube
 /// Returns those of `triangles` that have a point in the cube, which is enlarged by 1e-9 of its
 /// edge. A triangle is left out only if it has none.
 std::vector<int> FindTrianglesInCube(
-  const Mesh& mesh, const std::vector<int>& triangles, const Cube& cube);
+  const Mesh& mesh, const std::vector<int>& triangles, const BoxCube& cube);
 
 /**
  * Returns the volume of the part of a cube inside a solid, by the divergence theorem in space, in
@@ -34,6 +34,6 @@ std::vector<int> FindTrianglesInCube(
  * mesh. The result is exact up to rounding.
  */
 double ComputeVolumeInCube(
-  const Mesh& mesh, const std::vector<int>& triangles, const Cube& cube, bool cornerInside);
+  const Mesh& mesh, const std::vector<int>& triangles, const BoxCube& cube, bool cornerInside);
 
 } // namespace shape

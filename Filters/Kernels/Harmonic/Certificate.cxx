@@ -1,4 +1,4 @@
-#include "Harmonic/MapCertificate.h"
+#include "Harmonic/Certificate.h"
 
 #include "Base/Errors.h"
 #include "Base/FormatNumber.h"
@@ -53,7 +53,7 @@ struct ChargeField
 
 struct CoverBox
 {
-  Cube Place;
+  BoxCube Place;
   int Level = 0;
   int FirstChild = 0, ChildCount = 0; ///< of a divided box: those that meet the domain
   BoxState State = BoxState::Undecided;
@@ -248,7 +248,7 @@ private:
 };
 
 /// Returns the radius of the ball around a cube, enlarged by rounding.
-double RadiusOf(const Cube& cube)
+double RadiusOf(const BoxCube& cube)
 {
   return std::sqrt(3.0) * (1.0 + 1e-12) * cube.Half;
 }
@@ -319,7 +319,7 @@ bool DomainCover::IsInside(const Eigen::Vector3d& position) const
 void DomainCover::Finish(const OpenBox& open)
 {
   CoverBox& box = this->Boxes[open.Id];
-  const Cube& cube = box.Place;
+  const BoxCube& cube = box.Place;
   const bool cut = !open.Triangles.empty();
   box.Volume = cut
     ? ComputeVolumeInCube(this->Domain, open.Triangles, cube, this->IsInside(cube.Corner()))
@@ -354,7 +354,7 @@ void DomainCover::Finish(const OpenBox& open)
 /// Returns the field for the children of a box.
 std::shared_ptr<const ChargeField> DomainCover::Descend(const OpenBox& open) const
 {
-  const Cube& cube = this->Boxes[open.Id].Place;
+  const BoxCube& cube = this->Boxes[open.Id].Place;
   const double radius = RadiusOf(cube);
   std::vector<int> far, near;
   for (const int i : open.Field->Near)
@@ -376,12 +376,12 @@ std::shared_ptr<const ChargeField> DomainCover::Descend(const OpenBox& open) con
 /// Returns the children that meet the domain; Id is their octant.
 std::vector<OpenBox> DomainCover::Divide(const OpenBox& open) const
 {
-  const Cube& cube = this->Boxes[open.Id].Place;
+  const BoxCube& cube = this->Boxes[open.Id].Place;
   const std::shared_ptr<const ChargeField> field = this->Descend(open);
   std::vector<OpenBox> children;
   for (int octant = 0; octant < 8; ++octant)
   {
-    Cube child{ cube.Centre, 0.5 * cube.Half };
+    BoxCube child{ cube.Centre, 0.5 * cube.Half };
     for (int axis = 0; axis < 3; ++axis)
     {
       child.Centre(axis) += (octant >> axis & 1) != 0 ? child.Half : -child.Half;

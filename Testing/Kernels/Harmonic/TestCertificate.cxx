@@ -1,4 +1,4 @@
-#include "Harmonic/MapCertificate.h"
+#include "Harmonic/Certificate.h"
 
 #include "Base/Errors.h"
 #include "Distance/SignedDistance.h"
@@ -122,7 +122,7 @@ TEST(BoxInSolid, VolumesSumToTheSolid)
   constexpr int count = 7;
   for (int i = 0; i < count * count * count; ++i)
   {
-    shape::Cube cube;
+    shape::BoxCube cube;
     cube.Half = 1.1 / count;
     cube.Centre =
       Eigen::Vector3d(i % count, i / count % count, i / count / count) * 2.0 * cube.Half;
