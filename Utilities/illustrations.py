@@ -332,7 +332,7 @@ def Certificate():
     sphere = ShapeParameterize(Input=shape('HorseSmall.vtp'))
     ball = OutputPort(sphere, 1)
     moved = ShapeHarmonicVolumeMap(Domain=ball, Boundary=ball, MapArray='SourcePosition')
-    boxes = ShapeCertificate(Map=OutputPort(moved, 1), Tolerance=1.0 / 512.0)
+    boxes = ShapeCertificate(Map=OutputPort(moved, 1), Tolerance=1.0 / 256.0)
     half = Clip(Input=boxes, ClipType='Plane', Crinkleclip=1)
     half.ClipType.Origin, half.ClipType.Normal = [0.0, 0.0, 0.0], [0.0, -1.0, 0.0]
     for state, colour in ((1, PLAIN), (-1, ACCENT)):
