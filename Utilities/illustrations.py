@@ -328,16 +328,17 @@ def ApplyVolumeMap():
 
 @drawing
 def Certificate():
-    """The map of the ball onto a horse: what is certified of one half, and what is inverted."""
+    """The map of the ball onto a horse: a cut through the boxes, and those that are inverted."""
     sphere = ShapeParameterize(Input=shape('HorseSmall.vtp'))
     ball = OutputPort(sphere, 1)
     moved = ShapeHarmonicVolumeMap(Domain=ball, Boundary=ball, MapArray='SourcePosition')
     boxes = ShapeCertificate(Map=OutputPort(moved, 1), Tolerance=1.0 / 256.0)
-    half = Clip(Input=boxes, ClipType='Plane', Crinkleclip=1)
-    half.ClipType.Origin, half.ClipType.Normal = [0.0, 0.0, 0.0], [0.0, -1.0, 0.0]
-    for state, colour in ((1, PLAIN), (-1, ACCENT)):
-        show(Threshold(Input=half, Scalars=['CELLS', 'Certified'], LowerThreshold=state, UpperThreshold=state),
-             colour=colour, edges=True)
+    plane = Slice(Input=boxes)
+    plane.SliceType.Origin, plane.SliceType.Normal = [0.0, 0.01, 0.0], [0.0, 1.0, 0.0]
+    show(plane, edges=True)
+    show(Threshold(Input=boxes, Scalars=['CELLS', 'Certified'], LowerThreshold=-1, UpperThreshold=-1),
+         colour=ACCENT)
+    show(ball, opacity=0.25)
     return FRONT
 
 
