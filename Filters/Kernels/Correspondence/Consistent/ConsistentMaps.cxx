@@ -198,11 +198,12 @@ SurfaceMaps RefineForPair(const std::vector<MatchedSurface>& shapes,
   ZoomOutOptions options;
   options.Last = static_cast<int>(frames[a].rows());
   const FunctionalMaps maps =
-    RefineByZoomOut({ shapes[a].Triangles, shapes[a].Spectrum, samples[a] },
-      { shapes[b].Triangles, shapes[b].Spectrum, samples[b] }, start, {}, options,
+    RefineByZoomOut({ shapes[a].Surface.Triangles(), shapes[a].Spectrum, samples[a] },
+      { shapes[b].Surface.Triangles(), shapes[b].Spectrum, samples[b] }, start, {}, options,
       progress.Part(0.0, 0.8));
-  return FindPointMaps({ shapes[a].Triangles, shapes[a].Spectrum, samples[a] },
-    { shapes[b].Triangles, shapes[b].Spectrum, samples[b] }, maps, progress.Part(0.8, 1.0));
+  return FindPointMaps({ shapes[a].Surface.Triangles(), shapes[a].Spectrum, samples[a] },
+    { shapes[b].Surface.Triangles(), shapes[b].Spectrum, samples[b] }, maps,
+    progress.Part(0.8, 1.0));
 }
 
 /// The shape whose products of latent functions differ least from those of the others.

@@ -32,6 +32,27 @@ double ComputeCoverage(const Eigen::VectorXd& masses, const Eigen::VectorXd& dis
 
 } // namespace
 
+double ComputeReversedArea(const Surface& a, const Surface& b, const SurfacePoints& aToB)
+{
+  const Eigen::MatrixXd image =
+    ComputeAreaVectors({ PullBack(aToB, b.Triangles(), b.Points()), a.Triangles() });
+  const Eigen::VectorXd areasA = a.AreaVectors().rowwise().norm();
+  const Eigen::MatrixXd& normals = b.AreaVectors();
+  const double areaA = areasA.sum(), areaB = normals.rowwise().norm().sum();
+  double reversed = 0.0, all = 0.0;
+  for (Eigen::Index t = 0; t < a.Triangles().rows(); ++t)
+  {
+    const Eigen::RowVector3d there = image.row(t),
+                             normal = normals.row(aToB.Triangles(a.Triangles()(t, 0)));
+    const double size = there.norm() * normal.norm();
+    const double cosine = size > 0.0 ? there.dot(normal) / size : 0.0;
+    const double weight = std::min(areasA(t) / areaA, there.norm() / areaB) * std::abs(cosine);
+    reversed += cosine < 0.0 ? weight : 0.0;
+    all += weight;
+  }
+  return all > 0.0 ? reversed / all : 0.0;
+}
+
 SurfaceMapFacts EvaluateMaps(const Surface& a, const Surface& b, const SurfaceMaps& maps)
 {
   const Eigen::MatrixXd images = PullBack(maps.AToB, b.Triangles(), b.Points());
@@ -49,21 +70,7 @@ SurfaceMapFacts EvaluateMaps(const Surface& a, const Surface& b, const SurfaceMa
   facts.RoundTrip = masses.dot(returns) / (areaA * std::sqrt(areaA));
   facts.CoverageOfA = ComputeCoverage(masses, returns);
   facts.CoverageOfB = ComputeCoverage(massesB, ReturnDistances(b, maps.BToA, a, maps.AToB));
-  const Eigen::MatrixXd image = ComputeAreaVectors({ images, a.Triangles() });
-  const Eigen::MatrixXd& normals = b.AreaVectors();
-  double reversed = 0.0, all = 0.0;
-  for (Eigen::Index t = 0; t < a.Triangles().rows(); ++t)
-  {
-    const Eigen::RowVector3d there = image.row(t),
-                             normal = normals.row(maps.AToB.Triangles(a.Triangles()(t, 0)));
-    const double size = there.norm() * normal.norm();
-    const double cosine = size > 0.0 ? there.dot(normal) / size : 0.0;
-    const double weight =
-      std::min(angles.Areas(t) / areaA, 0.5 * there.norm() / areaB) * std::abs(cosine);
-    reversed += cosine < 0.0 ? weight : 0.0;
-    all += weight;
-  }
-  facts.ReversedArea = all > 0.0 ? reversed / all : 0.0;
+  facts.ReversedArea = ComputeReversedArea(a, b, maps.AToB);
   // Between the values of true and of mirrored maps: see SurfaceMapFacts::Mirrored.
   constexpr double maximum = 0.3;
   facts.Mirrored = facts.ReversedArea > maximum;

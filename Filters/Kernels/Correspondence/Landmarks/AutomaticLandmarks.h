@@ -40,9 +40,9 @@ struct AutomaticLandmarksResult
   /// image of A. (None of 18 pairs of real shapes is reported as mirrored. If B is mirrored, three
   /// pairs are reported; two of them show shapes without a mirror symmetry.)
   bool MirrorImage = false;
-  /// How far the map is from an isometry, for which it is 0: the geometric mean of Distortion and
-  /// of the two errors of the refined map (RefinedCandidate). The map of a part is not refined; its
-  /// Error is Distortion.
+  /// How far the map is from an isometry, for which it is 0: a geometric mean of Distortion and
+  /// of the three errors of the refined map (RefinedCandidate). The map of a part is not refined;
+  /// its Error is Distortion.
   double Error = 0.0;
   /// The number of different maps, of which Rank selects one; at most 8. Two maps are different if
   /// the images of a point are more than 0.05 apart, on average, relative to the root of the area.

@@ -21,7 +21,7 @@ struct AutomaticLandmarksOptions;
 /// A surface prepared once, to be matched with many others.
 struct MatchedSurface
 {
-  Eigen::MatrixXi Triangles;
+  shape::Surface Surface;
   FeaturedSurface Featured;
   LaplaceEigenpairs Spectrum; ///< of the surface scaled to area 1
 };

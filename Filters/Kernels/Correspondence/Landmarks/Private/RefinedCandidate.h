@@ -20,7 +20,11 @@ struct RefinedCandidate
   /// |L C - C L| / |L| and |C'C - I| / |I|, means over both directions.
   double Commutativity = 0.0, Orthonormality = 0.0;
   ///@}
-  FunctionalMaps Maps; ///< the refined functional maps
+  /// The share of A's area that the map to B reverses (ComputeReversedArea). A map that exchanges
+  /// left and right can keep the orientation of each extremity by exchanging front and back, too,
+  /// but not where the extremities meet.
+  double ReversedArea = 0.0;
+  FunctionalMaps Maps = {}; ///< the refined functional maps
 };
 
 /// Refines candidate maps of two surfaces, so that they can be compared.
