@@ -10,19 +10,25 @@ namespace shape
 namespace
 {
 
-/// onto: the image on `from` of each point of `to`.
-double ChangeOfGram(
-  const Surface& from, const Surface& to, const SurfacePoints& onto, const Progress& progress)
+constexpr Eigen::Index Functions = 10;
+
+LaplaceEigenpairs Solve(const Surface& surface, const Progress& progress)
 {
-  constexpr Eigen::Index functions = 10;
-  const auto size = static_cast<int>(std::min(functions, from.Points().rows()));
-  const LaplaceEigenpairs spectrum = SolveLaplaceEigenproblem(from, size, progress);
-  const Eigen::MatrixXd pulled = PullBack(onto, from.Triangles(), spectrum.Eigenfunctions);
-  const Eigen::VectorXd masses = ComputePointAreas(to);
+  return SolveLaplaceEigenproblem(
+    surface, static_cast<int>(std::min(Functions, surface.Points().rows())), progress);
+}
+
+/// onto: the image on `from` of each point of `to`.
+double ChangeOfGram(const Eigen::MatrixXi& triangles, const LaplaceEigenpairs& from,
+  const LaplaceEigenpairs& to, const SurfacePoints& onto)
+{
+  const Eigen::MatrixXd pulled = PullBack(onto, triangles, from.Eigenfunctions);
   // Eigenfunctions are orthonormal in the areas of their own surface.
-  const double scale = spectrum.Masses.sum() / masses.sum();
-  const Eigen::MatrixXd gram = scale * (pulled.transpose() * masses.asDiagonal() * pulled);
-  return (gram - Eigen::MatrixXd::Identity(size, size)).norm() / std::sqrt(size);
+  const double scale = from.Masses.sum() / to.Masses.sum();
+  const Eigen::MatrixXd gram = scale * (pulled.transpose() * to.Masses.asDiagonal() * pulled);
+  const Eigen::Index size = gram.rows();
+  return (gram - Eigen::MatrixXd::Identity(size, size)).norm() /
+    std::sqrt(static_cast<double>(size));
 }
 
 } // namespace
@@ -30,9 +36,11 @@ double ChangeOfGram(
 double ComputeAreaChange(
   const Surface& a, const Surface& b, const SurfaceMaps& maps, const Progress& progress)
 {
-  const double onB = ChangeOfGram(a, b, maps.BToA, progress.Part(0.0, 0.5)),
-               onA = ChangeOfGram(b, a, maps.AToB, progress.Part(0.5, 1.0));
-  return 0.5 * (onA + onB);
+  const LaplaceEigenpairs ofA = Solve(a, progress.Part(0.0, 0.5)),
+                          ofB = Solve(b, progress.Part(0.5, 1.0));
+  return 0.5 *
+    (ChangeOfGram(a.Triangles(), ofA, ofB, maps.BToA) +
+      ChangeOfGram(b.Triangles(), ofB, ofA, maps.AToB));
 }
 
 } // namespace shape
