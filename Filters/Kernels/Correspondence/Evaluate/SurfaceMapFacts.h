@@ -32,9 +32,6 @@ struct SurfaceMapFacts
   double CoverageOfA = 0.0, CoverageOfB = 0.0;
 };
 
-/// Returns SurfaceMapFacts::ReversedArea of a map between two surfaces that both face outwards.
-double ComputeReversedArea(const Surface& a, const Surface& b, const SurfacePoints& aToB);
-
 /// Evaluates a map between two surfaces that both face outwards. The image of a triangle of A is
 /// the plane triangle between the images of its corners, even if they are far apart. Its
 /// orientation is compared with the orientation of B at the image of the first corner.

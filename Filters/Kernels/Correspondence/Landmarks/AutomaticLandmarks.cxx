@@ -340,7 +340,7 @@ AutomaticLandmarksResult Describe(const Found& found, double smallest, int rank)
   }
   // The errors of equal surfaces are 0; of two symmetric maps, the ratio is then 1 and the
   // confidence 0.
-  constexpr double rounding = 1e-6; // of the eigenpairs
+  constexpr double rounding = 1e-5; // of the eigenpairs, magnified by the root
   result.Confidence =
     std::max(0.0, 1.0 - (result.Error + rounding) / (result.RivalError + rounding));
   constexpr double certain = 0.1;

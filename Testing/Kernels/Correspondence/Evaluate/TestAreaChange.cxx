@@ -1,5 +1,5 @@
 #include "Correspondence/Evaluate/AreaChange.h"
-#include "Correspondence/Evaluate/SurfaceMapFacts.h"
+#include "Correspondence/Pair/ReversedArea.h"
 #include "Support/MatchingShapes.h"
 #include "Support/SimpleSurfaces.h"
 

@@ -1,6 +1,6 @@
 #include "Correspondence/Landmarks/Private/RefinedCandidate.h"
 
-#include "Correspondence/Evaluate/SurfaceMapFacts.h"
+#include "Correspondence/Pair/ReversedArea.h"
 #include "Search/NearestSurfacePoints.h"
 
 #include <algorithm>
