@@ -61,11 +61,13 @@ const std::set<std::string> RealMeasures = {
   "OffsetConformalDifference", "AreaDeviation", "ConformalDeviation", "PositionDeviation",
   "AreaVariationFunctions", "ConformalVariationFunctions", "AreaModes", "ConformalModes",
   "SideLengths", "Angles", "NormalCurvatures", "Eigenfunctions", "Masses", "HeatKernelSignature",
-  "WaveKernelSignature", "Embedding", "ArrivalTime", "Radius", "SplineError"
+  "WaveKernelSignature", "Embedding", "ArrivalTime", "Radius", "SplineError", "Determinant",
+  "VolumeInside", "MinimumDeterminant"
 };
 
 /// Measures that are counts or Booleans.
-const std::set<std::string> IntegerMeasures = { "Degenerate", "Flipped", "Inverted", "Torn" };
+const std::set<std::string> IntegerMeasures = { "Certified", "Degenerate", "Flipped", "Inverted",
+  "Torn" };
 
 /// Returns the name of the measure that an array contains, or an empty string if it is not a
 /// measure. Active normals may have any name.

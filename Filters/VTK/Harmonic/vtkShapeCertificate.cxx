@@ -34,6 +34,7 @@ vtkShapeCertificate::vtkShapeCertificate()
   this->DeclareOutput("vtkUnstructuredGrid");
   this->DeclareOutput("vtkPolyData");
   this->DeclareFacts();
+  this->DeclareMeasures({ "Certified", "VolumeInside", "MinimumDeterminant", "Determinant" });
   this->DeclareShown(0, { "Certified" });
   this->DeclareShown(1, { "Determinant" });
 }
