@@ -6,6 +6,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray, vtkCompositeDataSet, vtkMultiBlockDataSet, vtkPartitionedDataSetCollection, vtkPolyData)
+from vtkmodules.vtkFiltersCore import vtkQuadricDecimation
 
 import shapetesting
 from shapetesting import add_array, array, check_refused, copy, fact, points, read, set_points
@@ -160,6 +161,67 @@ for number, each in enumerate(copies):
     assert block.GetNumberOfCells() == found[1].GetNumberOfCells()
     assert numpy.median(abs(array(block, 'Number') - array(found[1], 'Number'))) < 1e-6
     assert (array(block, 'TargetPosition') == points(found[1])).all()
+
+# Surfaces of other sizes and triangles, one of a few hundred points, by each method, and with one of them as the
+# template that is given: each point goes to its own place. The bound is that of automatic maps.
+def root_of_area(surface):
+    corners = points(surface)[shapetesting.triangles(surface)]
+    return numpy.sqrt(numpy.linalg.norm(numpy.cross(
+        corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum() / 2)
+
+
+def decimated(surface, share, size):
+    decimation = vtkQuadricDecimation()
+    decimation.SetInputData(surface)
+    decimation.SetTargetReduction(1.0 - share)
+    decimation.Update()
+    set_points(decimation.GetOutput(), size * points(decimation.GetOutput()))
+    return decimation.GetOutput()
+
+
+LARGEST = 0.03  # mean error over the root of the area
+bare = copy(figure)
+bare.GetPointData().Initialize()
+sizes = (1.0, 1.0, 5.0, 0.2)
+remeshed = [bare] + [decimated(bare, share, size) for share, size in zip((0.7, 0.5, 0.25), sizes[1:])]
+assert remeshed[3].GetNumberOfPoints() < 300
+for settings in ({}, {'Method': 1}, {'Consistency': 0}, {'Consistency': 0, 'Method': 1}, {'CoarsePoints': 400}):
+    for base in (None, remeshed[1]):
+        found = outputs(group(remeshed), base, Correspondence=2, **settings)
+        number = int(fact(found[1], 'Collection.Template'))
+        assert (number == -1) == (base is not None)
+        assert found[1].GetNumberOfPoints() == (base or remeshed[number]).GetNumberOfPoints()
+        size = 1.0 if base else sizes[number]
+        errors = [numpy.linalg.norm(array(found[0].GetBlock(k), 'TargetPosition') / size - points(
+            remeshed[k]) / sizes[k], axis=1).mean() / root_of_area(bare) for k in range(4)]
+        back = [numpy.linalg.norm(points(found[6].GetBlock(k)) / sizes[k] - points(found[1]) / size, axis=1).mean()
+                / root_of_area(bare) for k in range(4)]
+        print(settings, 'template', number, 'errors', numpy.round(errors, 4), 'back', numpy.round(back, 4))
+        assert max(errors) <= LARGEST and max(back) <= LARGEST, (settings, number, errors, back)
+        disagreements = vtk_to_numpy(found[3].GetColumnByName('Disagreement'))
+        assert (disagreements.max() == 0) == ('Consistency' in settings)
+        assert (found[5].GetColumnByName('Collection.Pairs') is None) == ('Consistency' in settings)
+
+# Shapes that cannot be mapped are left out and named; the numbers of the others stay.
+torn, loose = copy(bare), copy(bare)
+torn.GetPolys().InsertNextCell(3, [0, 500, 900])
+loose.GetPoints().InsertNextPoint(0, 0, 0)
+found = outputs(group([torn, bare, vtkPolyData(), remeshed[1], loose, remeshed[2]]), Correspondence=2)
+assert fact(found[1], 'Collection.LeftOut') == 3 and fact(found[1], 'Collection.Shapes') == 3
+said = fact(found[1], 'Collection.Warning')
+for words in ('shape 0 (number 0)', 'two sheets touch', 'shape 2 (number 2) is empty', 'shape 4 (number 4)',
+              'points that no triangle uses'):
+    assert words in said, said
+for blocks in (found[0], found[6]):
+    assert [blocks.GetBlock(k) is not None for k in range(6)] == [False, True, False, True, False, True]
+assert list(vtk_to_numpy(found[3].GetColumnByName('Shape'))) == [1, 3, 5]
+assert fact(found[1], 'Collection.Outlier') in (1, 3, 5) and fact(found[1], 'Collection.Template') in (1, 3, 5)
+only = outputs(group([bare, remeshed[1], remeshed[2]]), Correspondence=2)
+for one, other in zip((1, 3, 5), range(3)):
+    assert (array(found[0].GetBlock(one), 'TargetPosition') == array(
+        only[0].GetBlock(other), 'TargetPosition')).all(), 'the others have the same maps'
+check_refused(new(group([torn, bare]), Correspondence=2), 'two or more')
+check_refused(new(group([torn, loose]), Correspondence=2), 'no shape can be mapped', 'shape 0')
 
 # One shape is compared, with a warning. What does not correspond is refused.
 alone = outputs(surface)

@@ -49,7 +49,7 @@ std::vector<std::pair<vtkDataObject*, std::string>> ListBlocks(vtkDataObject* da
 } // namespace
 
 std::vector<vtkShapeBlocks::Block> vtkShapeBlocks::Gather(
-  vtkDataObject* data, vtkMultiProcessController* controller)
+  vtkDataObject* data, vtkMultiProcessController* controller, std::vector<Block>* empty)
 {
   vtkShapeGather::RunOnAllOrFail(controller, [&] { vtkShapeComposite::RequireDataSets(data); });
   std::vector<std::pair<vtkDataObject*, std::string>> own = ListBlocks(data);
@@ -57,14 +57,19 @@ std::vector<vtkShapeBlocks::Block> vtkShapeBlocks::Gather(
   vtkShapeGather::Reduce(controller, &count, 1, vtkShapeGather::Reduction::Maximum);
   own.resize(static_cast<std::size_t>(count));
   std::vector<Block> blocks;
-  for (const auto& [block, name] : own)
+  for (int number = 0; number < static_cast<int>(own.size()); ++number)
   {
+    const auto& [block, name] = own[number];
     if (vtkShapeGather::CountPoints(block, controller) > 0)
     {
       std::vector<int> ownPoints;
       blocks.push_back({ vtkShapeGather::Gather(block, "Shapes", vtkShapeGather::Joined::Coincident,
                            controller, ownPoints),
-        name });
+        name, number });
+    }
+    else if (empty)
+    {
+      empty->push_back({ nullptr, name, number });
     }
   }
   return blocks;

@@ -18,11 +18,13 @@ struct Block
 {
   vtkSmartPointer<vtkPolyData> Data;
   std::string Name; ///< of the block; may be empty
+  int Number = 0;   ///< of the block at the top level
 };
 
 /// Returns the surface of each block of the top level, over all processes: blocks inside it and
-/// pieces of several processes are joined. Empty blocks are left out. Throws shape::InvalidInput on
-/// every process if a block is no surface.
-std::vector<Block> Gather(vtkDataObject* data, vtkMultiProcessController* controller);
+/// pieces of several processes are joined. Blocks without points are left out; `empty` gets their
+/// names and numbers. Throws shape::InvalidInput on every process if a block is no surface.
+std::vector<Block> Gather(
+  vtkDataObject* data, vtkMultiProcessController* controller, std::vector<Block>* empty = nullptr);
 
 } // namespace vtkShapeBlocks

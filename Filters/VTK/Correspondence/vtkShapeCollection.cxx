@@ -23,6 +23,7 @@
 
 #include "Base/Errors.h"
 #include "Correspondence/Evaluate/InvertMap.h"
+#include "Correspondence/Pair/MatchingInput.h"
 #include "Mesh/Provenance.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
@@ -57,6 +58,13 @@ shape::SurfacePoints ReadImages(vtkPolyData* data, const std::string& name,
       "the Template");
   shape::RequireFinite(images, "TargetPosition of " + name);
   return shape::SurfaceLocator(base).Find(images, progress);
+}
+
+/// What a shape is called in messages.
+std::string NameOf(const vtkShapeBlocks::Block& block)
+{
+  return "shape " + std::to_string(block.Number) +
+    (block.Name.empty() ? "" : " (" + block.Name + ")");
 }
 
 vtkSmartPointer<vtkIntArray> Numbers(const std::vector<int>& values, const std::string& name)
@@ -136,7 +144,7 @@ vtkShapeCollection::vtkShapeCollection()
 }
 
 void vtkShapeCollection::WriteTables(const shape::CollectionResult& result,
-  const std::vector<std::string>& names, const Eigen::VectorXd& disagreements)
+  const std::vector<vtkShapeBlocks::Block>& blocks, const Eigen::VectorXd& disagreements)
 {
   const auto table = [&](int port)
   { return vtkTable::SafeDownCast(this->GetOutputDataObject(port)); };
@@ -149,16 +157,16 @@ void vtkShapeCollection::WriteTables(const shape::CollectionResult& result,
         vtkShapeConvert::ToArray(matrix.col(column), name + std::to_string(column)));
     }
   };
-  const int count = static_cast<int>(names.size());
+  const int count = static_cast<int>(blocks.size());
   std::vector<int> numbers(count), ranks(count), leaves(count);
   vtkNew<vtkStringArray> words;
   words->SetName("Name");
   for (int i = 0; i < count; ++i)
   {
-    numbers[i] = i;
+    numbers[i] = blocks[i].Number;
     ranks[result.Order[i]] = i;
     leaves[result.Leaves[i]] = i;
-    words->InsertNextValue(names[i].c_str());
+    words->InsertNextValue(blocks[i].Name.c_str());
   }
   vtkTable* shapes = table(ShapesTablePort);
   shapes->AddColumn(Numbers(numbers, "Shape"));
@@ -180,7 +188,7 @@ void vtkShapeCollection::WriteTables(const shape::CollectionResult& result,
   {
     areas.middleRows(i * size, size) = result.Area.Operators[i];
     angles.middleRows(i * size, size) = result.Conformal.Operators[i];
-    owners.insert(owners.end(), size, i);
+    owners.insert(owners.end(), size, blocks[i].Number);
   }
   vtkTable* operators = table(OperatorsPort);
   operators->AddColumn(Numbers(owners, "Shape"));
@@ -189,35 +197,31 @@ void vtkShapeCollection::WriteTables(const shape::CollectionResult& result,
 }
 
 void vtkShapeCollection::WriteShapes(const std::vector<shape::CollectionShape>& shapes,
-  const std::vector<vtkPolyData*>& data, const std::vector<std::string>& names,
+  const std::vector<vtkShapeBlocks::Block>& blocks,
   const std::vector<shape::SurfacePoints>& inverses, vtkPolyData* templateData,
   const shape::Mesh& base)
 {
   auto* mapped = vtkMultiBlockDataSet::SafeDownCast(this->GetOutputDataObject(ShapesPort));
   auto* resampled = vtkMultiBlockDataSet::SafeDownCast(this->GetOutputDataObject(ResampledPort));
-  const auto add = [](vtkMultiBlockDataSet* blocks, unsigned int number, vtkPolyData* block,
-                     const std::string& name)
-  {
-    blocks->SetBlock(number, block);
-    if (!name.empty())
-    {
-      blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), name.c_str());
-    }
-  };
   for (std::size_t i = 0; i < shapes.size(); ++i)
   {
-    const auto number = static_cast<unsigned int>(i);
     vtkNew<vtkPolyData> block;
-    block->ShallowCopy(data[i]);
+    block->ShallowCopy(blocks[i].Data);
     WriteTarget(shapes[i].Images, templateData, base, block);
-    add(mapped, number, block, names[i]);
-    if (inverses.empty())
+    const auto add = [&](vtkMultiBlockDataSet* output, vtkPolyData* shape)
     {
-      add(resampled, number, block, names[i]);
-      continue;
-    }
-    add(resampled, number, Resample(data[i], shapes[i].Shape, inverses[i], templateData, base),
-      names[i]);
+      const auto number = static_cast<unsigned int>(blocks[i].Number);
+      output->SetBlock(number, shape);
+      if (!blocks[i].Name.empty())
+      {
+        output->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), blocks[i].Name.c_str());
+      }
+    };
+    add(mapped, block);
+    add(resampled,
+      inverses.empty()
+        ? block.Get()
+        : Resample(blocks[i].Data, shapes[i].Shape, inverses[i], templateData, base).Get());
   }
 }
 
@@ -246,8 +250,14 @@ void vtkShapeCollection::WriteFacts(const shape::ConsistentMaps& maps, vtkPolyDa
 void vtkShapeCollection::Execute(const shape::Progress& progress)
 {
   shape::RequireOptions(this->MapOptions);
-  const std::vector<vtkShapeBlocks::Block> blocks =
-    vtkShapeBlocks::Gather(this->GetInputDataObject(0, 0), this->GetController());
+  std::vector<vtkShapeBlocks::Block> empty;
+  const std::vector<vtkShapeBlocks::Block> gathered =
+    vtkShapeBlocks::Gather(this->GetInputDataObject(0, 0), this->GetController(), &empty);
+  std::vector<std::string> leftOut;
+  for (const vtkShapeBlocks::Block& block : empty)
+  {
+    leftOut.push_back(NameOf(block) + " is empty");
+  }
   const bool given = this->GetNumberOfInputConnections(1) > 0,
              mapped = this->Correspondence == CorrespondenceType::Maps,
              computed = this->Correspondence == CorrespondenceType::Computed;
@@ -265,23 +275,51 @@ void vtkShapeCollection::Execute(const shape::Progress& progress)
   }
   std::vector<shape::CollectionShape> shapes;
   std::vector<shape::Surface> surfaces;
-  std::vector<vtkPolyData*> data;
-  std::vector<std::string> names;
   const shape::Progress reading = progress.Part(0.0, 0.05, "reading the shapes");
-  for (std::size_t i = 0; i < blocks.size(); ++i)
+  const auto read = [&](const vtkShapeBlocks::Block& block)
   {
-    reading(static_cast<double>(i) / static_cast<double>(blocks.size()));
-    const std::string name = "shape " + std::to_string(i);
-    shapes.push_back({ vtkShapeConvert::ToMesh(blocks[i].Data, name), {}, {} });
-    shape::RequireFinite(shapes[i].Shape.Points(), name);
-    surfaces.push_back(shapes[i].Shape);
+    const std::string name = NameOf(block);
+    shape::CollectionShape made{ vtkShapeConvert::ToMesh(block.Data, name), {}, {} };
+    shape::RequireFinite(made.Shape.Points(), name);
     if (mapped)
     {
       shape::RequireManifold(base, "the Template");
-      shapes[i].Images = ReadImages(blocks[i].Data, name, templateData, base, {});
+      made.Images = ReadImages(block.Data, name, templateData, base, {});
     }
-    data.push_back(blocks[i].Data);
-    names.push_back(blocks[i].Name);
+    if (computed)
+    {
+      shape::RequireConnected(made.Shape, name);
+    }
+    return made;
+  };
+  std::vector<vtkShapeBlocks::Block> blocks;
+  for (const vtkShapeBlocks::Block& block : gathered)
+  {
+    reading(static_cast<double>(block.Number) / (gathered.back().Number + 1.0));
+    try
+    {
+      shapes.push_back(read(block));
+    }
+    catch (const shape::InvalidInput& error)
+    {
+      // Maps of the others do not depend on it.
+      if (!computed)
+      {
+        throw;
+      }
+      leftOut.push_back(error.what());
+      continue;
+    }
+    surfaces.push_back(shapes.back().Shape);
+    blocks.push_back(block);
+  }
+  for (const std::string& reason : leftOut)
+  {
+    this->Warn("left out: " + reason);
+  }
+  if (shapes.empty())
+  {
+    throw shape::InvalidInput("no shape can be mapped; " + leftOut.front());
   }
   if (shapes.size() == 1)
   {
@@ -312,10 +350,12 @@ void vtkShapeCollection::Execute(const shape::Progress& progress)
   {
     nearest = shape::FindNearestToAll(shapes, this->Options, progress.Part(0.05, 0.5));
   }
+  int number = -1; // of the block
   if (nearest >= 0)
   {
     templateData = blocks[nearest].Data;
     base = shapes[nearest].Shape;
+    number = blocks[nearest].Number;
   }
   std::vector<shape::SurfacePoints> inverses;
   for (std::size_t i = 0; (mapped || computed) && i < shapes.size(); ++i)
@@ -349,12 +389,13 @@ void vtkShapeCollection::Execute(const shape::Progress& progress)
   {
     add(result.PositionDeviation, "PositionDeviation");
   }
-  this->WriteShapes(shapes, data, names, inverses, templateData, base);
-  this->WriteTables(result, names, maps.Disagreements);
+  this->WriteShapes(shapes, blocks, inverses, templateData, base);
+  this->WriteTables(result, blocks, maps.Disagreements);
   vtkFieldData* facts = output->GetFieldData();
   vtkShapeConvert::AddFact(output, "Collection.Shapes", static_cast<double>(shapes.size()));
-  vtkShapeConvert::AddFact(output, "Collection.Template", nearest);
-  vtkShapeConvert::AddFact(output, "Collection.Outlier", result.Order.front());
+  vtkShapeConvert::AddFact(output, "Collection.Template", number);
+  vtkShapeConvert::AddFact(output, "Collection.LeftOut", static_cast<double>(leftOut.size()));
+  vtkShapeConvert::AddFact(output, "Collection.Outlier", blocks[result.Order.front()].Number);
   vtkShapeConvert::AddFact(output, "Collection.LargestDistance", result.Distances.maxCoeff());
   facts->AddArray(vtkShapeConvert::ToArray(result.Shares, "Collection.EmbeddingShares"));
   facts->AddArray(vtkShapeConvert::ToArray(result.Area.Variances, "Collection.AreaVariances"));

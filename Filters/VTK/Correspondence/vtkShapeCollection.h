@@ -8,9 +8,12 @@
  *   Correspondence SamePoints, all shapes have the same points and triangles in the same order.
  *   With Maps, each shape has the map onto Template: `TargetPosition`, and its companions
  *   `TargetCell` and `TargetBarycentric` if they are present. With Computed, each shape is a
- *   connected, consistently oriented surface; its points and triangles are its own.
+ *   connected, consistently oriented surface; its points and triangles are its own. Another one is
+ *   left out, with a warning that names it. So are blocks without points.
  * - Template: required with Maps. An oriented 2-manifold, open or closed, to which the shapes are
  *   compared. By default, it is the shape with the smallest mean distance from the others.
+ *
+ * The number of a shape is that of its block. Outputs have no block for one that is left out.
  *
  * Output 0, Shapes: a multiblock data set with the shapes and their names. Point arrays:
  * - `TargetPosition`: the position on the template.
@@ -39,6 +42,7 @@
  *
  * Output 5, Facts
  * - Collection.Shapes: number of shapes.
+ * - .LeftOut: number of blocks that were left out.
  * - .Template: number of the shape that is the template, -1 for the input.
  * - .Outlier: number of the shape of rank 0.
  * - .LargestDistance: of two shapes.
@@ -55,7 +59,8 @@
  * interpolated. `TargetPosition` is the position on the template. With SamePoints, the blocks are
  * the shapes themselves.
  *
- * On several processes, all outputs are on the first one; the pairs of Computed are shared out.
+ * On several processes, all outputs are on the first one; the pairs and maps of Computed are
+ * shared out.
  *
  * The mathematics: shape::CompareCollection and shape::ComputeConsistentMaps.
  */
@@ -66,6 +71,11 @@
 
 #include "Correspondence/Consistent/ConsistentMaps.h" // for the options
 #include "Correspondence/Evaluate/Collection.h"       // for the options
+
+namespace vtkShapeBlocks
+{
+struct Block;
+}
 
 class VTKSHAPEFILTERS_EXPORT vtkShapeCollection : public vtkShapeAlgorithm
 {
@@ -112,11 +122,11 @@ private:
   void operator=(const vtkShapeCollection&) = delete;
 
   void WriteShapes(const std::vector<shape::CollectionShape>& shapes,
-    const std::vector<vtkPolyData*>& data, const std::vector<std::string>& names,
+    const std::vector<vtkShapeBlocks::Block>& blocks,
     const std::vector<shape::SurfacePoints>& inverses, vtkPolyData* templateData,
     const shape::Mesh& base);
-  void WriteTables(const shape::CollectionResult& result, const std::vector<std::string>& names,
-    const Eigen::VectorXd& disagreements);
+  void WriteTables(const shape::CollectionResult& result,
+    const std::vector<vtkShapeBlocks::Block>& blocks, const Eigen::VectorXd& disagreements);
   void WriteFacts(const shape::ConsistentMaps& maps, vtkPolyData* output);
 
   CorrespondenceType Correspondence = CorrespondenceType::SamePoints;

@@ -10,6 +10,7 @@
 #include "Correspondence/Pair/CoarsePair.h"
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Correspondence/Pair/ZoomOut.h"
+#include "Correspondence/Reversible/ReversibleHarmonic.h"
 #include "Geodesics/FarthestPoints.h"
 #include "Remesh/Coarsening.h"
 #include "Search/NearestSurfacePoints.h"
@@ -238,9 +239,9 @@ int FindCentral(const std::vector<MatchedSurface>& shapes,
   return static_cast<int>(least);
 }
 
-/// The maps of two fine surfaces from those of landmarks.
-SurfaceMaps MapPair(const Surface& shape, const Surface& base, const Landmarks& landmarks,
-  const Options& options, const Progress& progress)
+/// The maps of two fine surfaces alone.
+SurfaceMaps MapPair(
+  const Surface& shape, const Surface& base, const Options& options, const Progress& progress)
 {
   CorrespondenceOptions own;
   own.Method = options.Method == Options::MethodType::FunctionalMap
@@ -248,9 +249,8 @@ SurfaceMaps MapPair(const Surface& shape, const Surface& base, const Landmarks& 
     : CorrespondenceOptions::MethodType::ReversibleHarmonic;
   own.NumberOfEigenpairs = options.Eigenpairs;
   own.CoarsePoints = options.CoarsePoints;
-  own.PinLandmarks = false;
   own.Part = CorrespondenceOptions::PartType::None;
-  return ComputeCorrespondence(shape, base, landmarks, own, progress).Maps;
+  return ComputeCorrespondence(shape, base, {}, own, progress).Maps;
 }
 
 SurfaceMaps IdentityMaps(const Surface& surface)
@@ -268,9 +268,49 @@ SurfaceMaps WithInverse(const Surface& surface, const Surface& target, SurfacePo
   return { std::move(onto), std::move(inverse) };
 }
 
+/// The images of the points of each shape on the template, of which each process finds some. Those
+/// of the template itself are empty.
+std::vector<SurfacePoints> ShareImages(const std::vector<Surface>& surfaces, std::size_t shapes,
+  std::size_t central, const PairSharing& sharing,
+  const std::function<SurfacePoints(std::size_t)>& map)
+{
+  std::vector<SurfacePoints> images(shapes);
+  const auto mapAll = [&]
+  {
+    for (std::size_t i = 0; i < shapes; ++i)
+    {
+      if (i != central && static_cast<int>(i) % sharing.Processes == sharing.Process)
+      {
+        images[i] = map(i);
+      }
+    }
+  };
+  if (sharing.Processes == 1)
+  {
+    mapAll();
+    return images;
+  }
+  sharing.Run(mapAll);
+  for (std::size_t i = 0; i < shapes; ++i)
+  {
+    if (i != central)
+    {
+      const Eigen::Index points = surfaces[i].Points().rows();
+      Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(points, 4);
+      if (images[i].Triangles.size() > 0)
+      {
+        rows << images[i].Triangles.cast<double>(), images[i].Barycentrics;
+      }
+      sharing.Sum(rows.data(), static_cast<int>(rows.size()));
+      images[i] = { rows.col(0).cast<int>(), rows.rightCols(3) };
+    }
+  }
+  return images;
+}
+
 /// Each shape is matched with the template alone.
 ConsistentMaps MatchWithTemplate(const std::vector<Surface>& shapes, const Surface* base,
-  const Options& options, const Progress& progress)
+  const Options& options, const PairSharing& sharing, const Progress& progress)
 {
   ConsistentMaps result;
   if (!base)
@@ -287,15 +327,19 @@ ConsistentMaps MatchWithTemplate(const std::vector<Surface>& shapes, const Surfa
     result.Template = static_cast<int>(least);
   }
   const Surface& target = base ? *base : shapes[result.Template];
+  const std::size_t central = base ? shapes.size() : result.Template;
+  const std::vector<SurfacePoints> images = ShareImages(shapes, shapes.size(), central, sharing,
+    [&](std::size_t i)
+    {
+      return MapPair(shapes[i], target, options,
+        progress.Part(0.1 + 0.9 * PartOf(i, shapes.size()),
+          0.1 + 0.9 * PartOf(i + 1, shapes.size()), "mapping the shapes"))
+        .AToB;
+    });
   for (std::size_t i = 0; i < shapes.size(); ++i)
   {
-    result.Maps.push_back(static_cast<int>(i) == result.Template
-        ? IdentityMaps(target)
-        : WithInverse(shapes[i], target,
-            MapPair(shapes[i], target, {}, options,
-              progress.Part(0.1 + 0.9 * PartOf(i, shapes.size()),
-                0.1 + 0.9 * PartOf(i + 1, shapes.size()), "mapping the shapes"))
-              .AToB));
+    result.Maps.push_back(
+      i == central ? IdentityMaps(target) : WithInverse(shapes[i], target, images[i]));
   }
   result.Disagreements = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(shapes.size()));
   return result;
@@ -338,7 +382,7 @@ ConsistentMaps ComputeConsistentMaps(const std::vector<Surface>& shapes, const S
     {
       RequireConnected(fine[i], "shape " + std::to_string(i));
     }
-    return MatchWithTemplate(shapes, base, options, progress);
+    return MatchWithTemplate(shapes, base, options, sharing, progress);
   }
   const std::vector<WorkingSurface> surfaces =
     Coarsened(fine, options.CoarsePoints, progress.Part(0.0, 0.05, "coarsening the surfaces"));
@@ -394,42 +438,21 @@ ConsistentMaps ComputeConsistentMaps(const std::vector<Surface>& shapes, const S
     choice.Tree, choice.Frames, last, progress.Part(0.55, 0.75, "refining all maps"));
   result.Template = base ? -1 : FindCentral(matched, frames, shapes.size());
   const std::size_t central = base ? count - 1 : result.Template;
-  const std::vector<Eigen::MatrixXd> embedded = EmbedInLatent(matched, frames);
+  const std::vector<SurfacePoints> images = ShareImages(fine, shapes.size(), central, sharing,
+    [&](std::size_t i)
+    {
+      const Progress part = progress.Part(0.75 + 0.15 * PartOf(i, shapes.size()),
+        0.75 + 0.15 * PartOf(i + 1, shapes.size()), "mapping the shapes");
+      SurfaceMaps maps = RefineForPair(matched, samples, frames, i, central, part.Part(0.0, 0.4));
+      const CoarsePair pair(fine[i], fine[central], {}, options.CoarsePoints);
+      return options.Method == Options::MethodType::ReversibleHarmonic
+        ? RefineReversibleHarmonicMap(pair, maps, {}, {}, part.Part(0.4, 1.0)).Maps.AToB
+        : pair.OnFine(maps).AToB;
+    });
   for (std::size_t i = 0; i < shapes.size(); ++i)
   {
-    const Progress part = progress.Part(0.75 + 0.15 * PartOf(i, shapes.size()),
-      0.75 + 0.15 * PartOf(i + 1, shapes.size()), "mapping the shapes");
-    if (i == central)
-    {
-      result.Maps.push_back(IdentityMaps(fine[i]));
-      continue;
-    }
-    SurfacePoints onto;
-    if (options.Method == Options::MethodType::ReversibleHarmonic)
-    {
-      constexpr int enough = 30; // landmarks: they fix the limbs, and the map is smooth between
-      Landmarks landmarks;
-      for (const int point : samples[i])
-      {
-        const int image = FindNearestRows(embedded[i].row(point), embedded[central])(0);
-        landmarks.push_back({ surfaces[i].Points[point], surfaces[central].Points[image] });
-        if (landmarks.size() == enough)
-        {
-          break;
-        }
-      }
-      onto = MapPair(fine[i], fine[central], landmarks, options, part).AToB;
-    }
-    else
-    {
-      SurfaceMaps maps = RefineForPair(matched, samples, frames, i, central, part);
-      const bool coarse = surfaces[i].Surface.Points().rows() < fine[i].Points().rows() ||
-        surfaces[central].Surface.Points().rows() < fine[central].Points().rows();
-      onto = coarse
-        ? CoarsePair(fine[i], fine[central], {}, options.CoarsePoints).OnFine(std::move(maps)).AToB
-        : std::move(maps.AToB);
-    }
-    result.Maps.push_back(WithInverse(fine[i], fine[central], std::move(onto)));
+    result.Maps.push_back(
+      i == central ? IdentityMaps(fine[i]) : WithInverse(fine[i], fine[central], images[i]));
   }
   const Progress measuring = progress.Part(0.9, 1.0, "measuring cycles");
   const std::vector<std::array<int, 3>> triples = FindTriples(pairs);

@@ -26,7 +26,7 @@ struct ConsistentMapsOptions
   enum class MethodType
   {
     FunctionalMap,     ///< nearest rows of the functional maps
-    ReversibleHarmonic ///< CorrespondenceOptions::MethodType, from landmarks of these maps
+    ReversibleHarmonic ///< RefineReversibleHarmonicMap, from these maps
   };
   MethodType Method = MethodType::FunctionalMap;
   /// LimitShape: each shape is matched with this many others, at least; those with the most similar
@@ -42,7 +42,8 @@ struct ConsistentMapsOptions
 /// Throws InvalidInput if an option is out of range.
 void RequireOptions(const ConsistentMapsOptions& options);
 
-/// The processes that share the pairs: each computes every Processes-th one.
+/// The processes that share the pairs, and then the maps onto the template: each computes every
+/// Processes-th one.
 struct PairSharing
 {
   int Process = 0, Processes = 1;
