@@ -1,5 +1,6 @@
 #include "Correspondence/Pair/CoarsePair.h"
 
+#include "Correspondence/Pair/MapPositions.h"
 #include "Search/TriangleWalk.h"
 
 #include <algorithm>
@@ -24,23 +25,6 @@ std::optional<CoarseSurface> CoarsenIfLarge(const Surface& surface, const Landma
     kept.push_back(landmark[which]);
   }
   return CoarsenSurface(surface, maximum, kept, progress);
-}
-
-/// The images of fine points on the coarse version of the other surface.
-/// The map is extended linearly: the target of a fine point is the mean of the images of its coarse
-/// triangle's corners. This mean may be off the surface, so it is reached by a walk on the
-/// triangles, which starts at the image of the nearest coarse point and cannot jump to another
-/// sheet.
-SurfacePoints Interpolated(
-  const SurfacePoints& map, const CoarseSurface& from, const Surface& to, const Progress& progress)
-{
-  const Eigen::MatrixXd towards =
-    PullBack(from.Positions, from.Surface.Triangles(), PullBack(map, to.Triangles(), to.Points()));
-  const Eigen::VectorXi nearest = FindNearestCorners(from.Positions, from.Surface.Triangles()),
-                        begins = FindNearestCorners(map, to.Triangles());
-  return WalkToPositions(
-    towards, to.Triangles(), to.Points(), TriangleFans(to.Triangles(), to.Points().rows()),
-    [&](int i) { return begins(nearest(i)); }, progress);
 }
 
 } // namespace
@@ -103,8 +87,10 @@ Eigen::MatrixXd CoarsePair::ValuesOnFineB(const Eigen::MatrixXd& values) const
 SurfacePoints CoarsePair::Lifted(
   const SurfacePoints& map, const Side& from, const Side& to, const Progress& progress)
 {
-  SurfacePoints result =
-    from.Coarse ? Interpolated(map, *from.Coarse, to.Working(), progress.Part(0.0, 0.5)) : map;
+  SurfacePoints result = from.Coarse
+    ? MapPositions(from.Coarse->Positions, from.Coarse->Surface.Triangles(), map, to.Working(),
+        progress.Part(0.0, 0.5))
+    : map;
   return to.Coarse ? LocateOnFinerSurface(*to.Coarse, to.Fine, result, progress.Part(0.5, 1.0))
                    : result;
 }

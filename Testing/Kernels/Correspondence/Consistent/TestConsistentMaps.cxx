@@ -138,6 +138,41 @@ TEST(InvertMap, IsExactForRenumberedPoints)
   EXPECT_LT((positions(other.NewOf, Eigen::all) - mesh.Points).cwiseAbs().maxCoeff(), 1e-12);
 }
 
+TEST(InvertMap, StaysOnTheSheetWhereTwoAreClose)
+{
+  // Two spheres with a gap of 0.02, the inner one turned over. The chords of the coarse outer one
+  // are up to 0.06 below the sphere, beyond the inner one.
+  const auto shells = [](int level)
+  {
+    const shape::Mesh outer = shapetest::Icosphere(level), inner = shapetest::Icosphere(4);
+    shape::Mesh both{ Eigen::MatrixXd(outer.Points.rows() + inner.Points.rows(), 3),
+      Eigen::MatrixXi(outer.Triangles.rows() + inner.Triangles.rows(), 3) };
+    both.Points << outer.Points, 0.98 * inner.Points;
+    both.Triangles << outer.Triangles,
+      inner.Triangles.rowwise().reverse().array() + static_cast<int>(outer.Points.rows());
+    return both;
+  };
+  const shape::Surface coarse(shells(1)), fine(shells(4));
+  const Eigen::Index few = shapetest::Icosphere(1).Points.rows(),
+                     many = shapetest::Icosphere(4).Points.rows();
+  Eigen::VectorXi images(coarse.Points().rows());
+  for (Eigen::Index i = 0; i < images.size(); ++i)
+  {
+    Eigen::Index nearest = 0;
+    (fine.Points().rowwise() - coarse.Points().row(i)).rowwise().squaredNorm().minCoeff(&nearest);
+    images(i) = static_cast<int>(nearest);
+  }
+  const shape::SurfacePoints back =
+    shape::InvertMap(coarse, shape::MakeSurfacePointsAtVertices(images, fine), fine);
+  int wrong = 0;
+  for (Eigen::Index i = 0; i < fine.Points().rows(); ++i)
+  {
+    const bool isOuter = coarse.Triangles()(back.Triangles(i), 0) < few;
+    wrong += isOuter == (i < many) ? 0 : 1;
+  }
+  EXPECT_EQ(wrong, 0);
+}
+
 TEST(ConsistentMaps, RecoverTheTruthOfStretchedRenumberedCopies)
 {
   const shape::Mesh mesh = shapetest::BumpySphere(3, Eigen::Matrix3d::Identity());

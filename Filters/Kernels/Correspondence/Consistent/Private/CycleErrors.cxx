@@ -1,7 +1,7 @@
 #include "Correspondence/Consistent/Private/CycleErrors.h"
 
+#include "Correspondence/Pair/MapPositions.h"
 #include "Geodesics/HeatGeodesics.h"
-#include "Search/ClosestPoint.h"
 #include "Search/NearestSurfacePoints.h"
 
 #include <algorithm>
@@ -11,19 +11,6 @@
 
 namespace shape
 {
-namespace
-{
-
-/// The images of positions inside triangles, from those of the corners.
-SurfacePoints Through(const Surface& from, const SurfacePoints& images, const Surface& to,
-  const SurfacePoints& positions)
-{
-  return SurfaceLocator(to).Find(
-    PullBack(positions, from.Triangles(), PullBack(images, to.Triangles(), to.Points())));
-}
-
-} // namespace
-
 std::vector<std::array<int, 3>> FindTriples(const std::vector<CandidatePair>& pairs)
 {
   std::map<std::array<int, 2>, int> known;
@@ -60,8 +47,8 @@ PositionMap MapsOverTemplate(
   return [&surfaces, &maps, central](int from, int to, const SurfacePoints& positions)
   {
     const Surface& base = surfaces[central];
-    return Through(
-      base, maps[to].BToA, surfaces[to], Through(surfaces[from], maps[from].AToB, base, positions));
+    return MapPositions(MapPositions(positions, surfaces[from].Triangles(), maps[from].AToB, base),
+      base.Triangles(), maps[to].BToA, surfaces[to]);
   };
 }
 
