@@ -3,6 +3,7 @@
 #include "Base/Errors.h"
 #include "Base/Parallel.h"
 #include "Geometry/VertexNormals.h"
+#include "Search/ClosestPoint.h"
 #include "Search/TriangleTree.h"
 
 #include <cmath>
@@ -23,21 +24,26 @@ SurfacePoints InvertMap(const Surface& surface, const SurfacePoints& images, con
   const double scale = share * std::sqrt(ComputeArea(target));
   Eigen::MatrixXd rows(target.Points().rows(), 6);
   rows << target.Points(), scale * GetVertexNormals(target);
-  const TriangleTree tree(surface.Triangles(), PullBack(images, target.Triangles(), rows));
-  SurfacePoints inverse{ Eigen::VectorXi(rows.rows()), Eigen::MatrixXd(rows.rows(), 3) };
+  const Eigen::MatrixXd moved = PullBack(images, target.Triangles(), rows);
+  SurfacePoints inverse =
+    SurfaceLocator(surface.WithPoints(moved.leftCols(3))).Find(target.Points(), progress);
+  const Eigen::MatrixXd found = PullBack(inverse, surface.Triangles(), moved);
+  const TriangleTree tree(surface.Triangles(), moved);
   constexpr int grain = 256;
-  ParallelFor(
-    static_cast<int>(rows.rows()), grain,
+  ParallelFor(static_cast<int>(rows.rows()), grain,
     [&](int begin, int end)
     {
       for (int i = begin; i < end; ++i)
       {
+        if (found.row(i).tail(3).dot(rows.row(i).tail(3)) >= 0.0)
+        {
+          continue; // the sheets agree: the nearest position
+        }
         const NearestTriangle nearest = tree.Find(rows.row(i), 0);
         inverse.Triangles(i) = nearest.Triangle;
         inverse.Barycentrics.row(i) = nearest.Barycentric;
       }
-    },
-    progress);
+    });
   return inverse;
 }
 
