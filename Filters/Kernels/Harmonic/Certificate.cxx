@@ -6,13 +6,13 @@
 #include "Distance/SignedDistance.h"
 #include "Geometry/SelfIntersections.h"
 #include "Harmonic/Private/BoxInSolid.h"
+#include "Harmonic/Private/DeterminantSign.h"
 #include "Harmonic/Private/TaylorExpansion.h"
 #include "Solids/Nesting.h"
 
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -70,118 +70,6 @@ struct OpenBox
   std::shared_ptr<const ChargeField> Field;
   std::vector<int> Triangles; ///< those that meet it; empty if it is inside the domain
 };
-
-/// What is proven about det J in a cube.
-struct Verdict
-{
-  int Sign = 0;       ///< 0: nothing
-  double Bound = 0.0; ///< with a sign: |det J| is at least this
-  /// Where the linear terms have the lowest determinant, and this determinant.
-  Eigen::Vector3d Lowest = Eigen::Vector3d::Zero();
-  double Estimate = std::numeric_limits<double>::infinity();
-};
-
-/// Whether a symmetric matrix is positive definite; if so, its determinant, else 0.
-double DeterminantIfPositive(const Eigen::Matrix3d& m)
-{
-  const double minor = m(0, 0) * m(1, 1) - m(0, 1) * m(0, 1);
-  const double determinant = m.determinant();
-  return m(0, 0) > 0.0 && minor > 0.0 && determinant > 0.0 ? determinant : 0.0;
-}
-
-/// Judges the cube around the centre of an expansion, with the given half edge.
-Verdict Judge(const TaylorExpansion& expansion, double half, int degree)
-{
-  const auto& monomials = TaylorExpansion::GetMonomials();
-  const Eigen::Matrix3d jacobian = expansion.Coefficients.middleRows<3>(1).transpose();
-  // The derivatives at four corners, of which the others are the negatives: rows are components.
-  std::array<Eigen::Matrix3d, 4> slopes;
-  constexpr double corners[4][3] = { { 1, 1, 1 }, { 1, 1, -1 }, { 1, -1, 1 }, { -1, 1, 1 } };
-  for (int corner = 0; corner < 4; ++corner)
-  {
-    slopes[corner].setZero();
-    for (int i = TaylorExpansion::SizeOf(1); i < TaylorExpansion::SizeOf(2); ++i)
-    {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        const auto& powers = monomials[i].Powers;
-        if (powers[axis] > 0)
-        {
-          // d/dx of x^2 is 2 x, of x y it is y.
-          const int other = powers[axis] == 2 ? axis
-            : powers[(axis + 1) % 3] == 1     ? (axis + 1) % 3
-                                              : (axis + 2) % 3;
-          slopes[corner].col(axis) += powers[axis] * half * corners[corner][other] *
-            expansion.Coefficients.row(i).transpose();
-        }
-      }
-    }
-  }
-  Verdict verdict;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const double sign = corner < 4 ? 1.0 : -1.0;
-    const double determinant = (jacobian + sign * slopes[corner % 4]).determinant();
-    if (determinant < verdict.Estimate)
-    {
-      verdict.Estimate = determinant;
-      verdict.Lowest = sign * half * Eigen::Vector3d(corners[corner % 4]);
-    }
-  }
-  // Bounds of what is left out, for each entry of the derivative.
-  Eigen::Matrix3d rest =
-    (expansion.Remainder + TaylorExpansion::Rounding * expansion.Magnitude).replicate<1, 3>();
-  double scale = half;
-  for (int i = TaylorExpansion::SizeOf(2), n = 2; i < TaylorExpansion::SizeOf(degree); ++i)
-  {
-    if (monomials[i].Degree > n + 1)
-    {
-      ++n;
-      scale *= half;
-    }
-    const double power = scale * half;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      rest.col(axis) +=
-        monomials[i].Powers[axis] * power * expansion.Coefficients.row(i).cwiseAbs().transpose();
-    }
-  }
-  const Eigen::Matrix3d inverse = jacobian.inverse();
-  if (!inverse.allFinite() || !rest.allFinite())
-  {
-    return verdict;
-  }
-  // The sign of det M is certain, because its rounding error is smaller.
-  constexpr double rounding = 1e-14;
-  const double determinant = inverse.determinant();
-  const double size = inverse.rowwise().norm().prod();
-  if (!(std::abs(determinant) > rounding * size))
-  {
-    return verdict;
-  }
-  Eigen::Matrix3d largest = jacobian.cwiseAbs();
-  for (const Eigen::Matrix3d& slope : slopes)
-  {
-    largest = largest.cwiseMax(jacobian.cwiseAbs() + slope.cwiseAbs());
-  }
-  const Eigen::Matrix3d error = inverse.cwiseAbs() * (rest + rounding * largest);
-  const double norm = (1.0 + rounding) * 0.5 * (error + error.transpose()).norm() + rounding;
-  double minimum = std::numeric_limits<double>::infinity();
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const double sign = corner < 4 ? 1.0 : -1.0;
-    const Eigen::Matrix3d product = inverse * (jacobian + sign * slopes[corner % 4]);
-    Eigen::Matrix3d symmetric = 0.5 * (product + product.transpose());
-    symmetric.diagonal().array() -= norm;
-    minimum = std::min(minimum, DeterminantIfPositive(symmetric));
-  }
-  if (minimum > 0.0)
-  {
-    verdict.Sign = determinant > 0.0 ? 1 : -1;
-    verdict.Bound = (1.0 - 1e-12) * minimum / std::abs(determinant);
-  }
-  return verdict;
-}
 
 /// Divides a domain into boxes and examines them, level by level.
 class DomainCover
@@ -284,7 +172,8 @@ void DomainCover::Decide(const OpenBox& open)
   {
     return;
   }
-  const Verdict verdict = Judge(expansion, box.Place.Half, TaylorExpansion::Degree);
+  const DeterminantSign verdict =
+    BoundDeterminant(expansion, box.Place.Half, TaylorExpansion::Degree);
   box.State = static_cast<BoxState>(verdict.Sign);
   box.Determinant = verdict.Sign * verdict.Bound;
   const Eigen::Vector3d lowest = box.Place.Centre + verdict.Lowest;
@@ -298,7 +187,8 @@ void DomainCover::Decide(const OpenBox& open)
 /// Makes a position of the domain the witness of a box if its determinant is proven to be negative.
 void DomainCover::Test(const OpenBox& open, const Eigen::Vector3d& position)
 {
-  const Verdict verdict = Judge(this->Expand(*open.Field, position, 0.0, 1), 0.0, 1);
+  const DeterminantSign verdict =
+    BoundDeterminant(this->Expand(*open.Field, position, 0.0, 1), 0.0, 1);
   if (verdict.Sign < 0)
   {
     CoverBox& box = this->Boxes[open.Id];

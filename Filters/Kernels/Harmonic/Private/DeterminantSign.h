@@ -1,0 +1,26 @@
+#pragma once
+
+#include "Harmonic/Private/TaylorExpansion.h"
+
+#include <Eigen/Core>
+
+#include <limits>
+
+namespace shape
+{
+
+/// What is proven about the Jacobian determinant det J in a cube.
+struct DeterminantSign
+{
+  int Sign = 0;       ///< 0: nothing
+  double Bound = 0.0; ///< with a sign: |det J| is at least this
+  /// Where the linear terms have the lowest determinant, and this determinant.
+  Eigen::Vector3d Lowest = Eigen::Vector3d::Zero();
+  double Estimate = std::numeric_limits<double>::infinity();
+};
+
+/// Bounds the determinant in the cube around the centre of an expansion, whose terms up to `degree`
+/// are used. half: half its edge, and 0 for the centre alone. The method: CertifyMap.
+DeterminantSign BoundDeterminant(const TaylorExpansion& expansion, double half, int degree);
+
+} // namespace shape
