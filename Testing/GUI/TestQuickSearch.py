@@ -14,8 +14,9 @@ SOLID = ['Shape Apply Volume Map', 'Shape Boundary Distance', 'Shape Cage Deform
          'Shape Harmonic Volume Map', 'Shape Solidify', 'Shape Transfer Fields', 'Shape Untangle']
 # What needs a solid, or a table, beside a surface.
 NOT_HERE = ['Shape Untangle', 'Shape From Operators']
-# What needs an image, and the active source that offers it.
-OF_AN_IMAGE = {'Shape Label Surfaces': 'Wavelet1', 'Shape Image Values': 'BallSmall.vtu'}
+# What needs an image or a charge set, and the active source that offers it.
+ACTIVE = {'Shape Label Surfaces': 'Wavelet1', 'Shape Image Values': 'BallSmall.vtu',
+          'Shape Certificate': 'DentedSphereCharges.vtp'}
 hints = {}
 for path in glob.glob(os.path.join(shapetesting.ROOT, 'Filters', 'VTK', '*', '*.xml')):
     for proxy in ElementTree.parse(path).iter('SourceProxy'):
@@ -45,10 +46,10 @@ w = window.Window()
 w.open('DentedSphereCharges.vtp')
 w.open('BallSmall.vtu')
 for label in hints:
-    if label not in OF_AN_IMAGE:
+    if label not in ACTIVE:
         check(w, label, label if label in SOLID else '')
 w.python('Show(Wavelet())')
-for label, active in OF_AN_IMAGE.items():
+for label, active in ACTIVE.items():
     w.python("SetActiveSource(FindSource('%s'))" % active)
     w.wait(100)
     for word in hints.pop(label).get('keywords').split(', '):
