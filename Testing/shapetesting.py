@@ -11,7 +11,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray,
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_POLY_LINE, vtkCellArray, vtkPolyData, vtkSelection, vtkSelectionNode)
-from vtkmodules.vtkFiltersCore import vtkExtractCells, vtkFeatureEdges
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkExtractCells, vtkFeatureEdges
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridReader
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
@@ -218,6 +218,21 @@ def with_cells(data, cells):
     surface.SetInputConnection(extract.GetOutputPort())
     surface.Update()
     return surface.GetOutput()
+
+
+def with_charge(charges, position, charge):
+    """The charge set with one more charge."""
+    one = vtkPolyData()
+    one.SetPoints(vtkPoints())
+    one.GetPoints().InsertNextPoint(position)
+    add_array(one, numpy.array([charge], float), 'Charge')
+    append = vtkAppendPolyData()
+    append.AddInputData(charges)
+    append.AddInputData(one)
+    append.Update()
+    result = append.GetOutput()
+    result.GetFieldData().ShallowCopy(charges.GetFieldData())
+    return result
 
 
 def run(algorithm):

@@ -80,6 +80,30 @@ def OFFReader():
     return (0.5, -1.0, 0.8), (0, 0, 1)
 
 
+def Morph():
+    """Of the page's thin arms, an inverted cell is not seen."""
+    both = ShapeMorph(Input=shape('FigureA.vtp'))
+    for time, x in ((0.0, -1.15), (0.5, 0.0), (1.0, 1.15)):
+        still = PassArrays(Input=ForceTime(Input=both, ForcedTime=time))
+        show(still, (x, 0, 0), colour=[0.55, 0.74, 0.80] if time in (0, 1) else illustrations.ACCENT)
+    return FRONT
+
+
+def Certificate():
+    """A stored map with one more charge, beside which it folds. Which boxes of the page's map are inverted depends on
+    rounding."""
+    places = shapetesting.points(shapetesting.read('DentedSphere600.vtp'))
+    top = places[places[:, 2].argmax()]
+    outwards = top / numpy.linalg.norm(top)
+    source = TrivialProducer()
+    source.GetClientSideObject().SetOutput(shapetesting.with_charge(
+        shapetesting.read('DentedSphereCharges.vtp'), top + 0.1 * outwards, -4.0 * math.pi * 0.4 ** 2 * outwards))
+    boxes = ShapeCertificate(Map=source, Tolerance=1.0 / 64.0)
+    folded = Threshold(Input=boxes, Scalars=['CELLS', 'Certified'], LowerThreshold=-1, UpperThreshold=-1)
+    show(folded, array='MinimumDeterminant', kind='CELLS', preset='Viridis (matplotlib)', edges=True)
+    return (0.5, -1.0, 0.6), (0, 0, 1)
+
+
 def ImageReader():
     return illustrations.image_reader(FOLDER)
 
@@ -139,8 +163,8 @@ def Symmetry():
 
 
 view = illustrations.open_view(SIZE)
-scenes = {scene.__name__: scene for scene in (Landmarks, LandmarksReader, OFFReader, ImageReader, MeditReader, Example, CommonBase,
-                                              Symmetry)}
+scenes = {scene.__name__: scene for scene in (Landmarks, LandmarksReader, OFFReader, ImageReader, MeditReader, Morph, Certificate, Example,
+                                              CommonBase, Symmetry)}
 # The picture of what Shape Medit Reader and Shape Deck Reader read shows what the writer wrote, too. Others' programs read the files of
 # the other writers, or a test does. The web page of Shape HTML Writer
 # is tested in a browser.

@@ -6,11 +6,10 @@ from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 import shapemap
 
 import shapetesting
-from shapetesting import add_array, array, copy, fact, points, read
+from shapetesting import add_array, array, copy, fact, points, read, with_charge
 
 
 def new(*inputs, **settings):
@@ -26,21 +25,6 @@ def certify(*inputs, **settings):
 
 def of_cells(boxes, name):
     return vtk_to_numpy(boxes.GetCellData().GetArray(name))
-
-
-def with_charge(charges, position, charge):
-    """The charge set with one more charge."""
-    one = vtkPolyData()
-    one.SetPoints(vtkPoints())
-    one.GetPoints().InsertNextPoint(position)
-    add_array(one, numpy.array([charge], float), 'Charge')
-    append = vtkAppendPolyData()
-    append.AddInputData(charges)
-    append.AddInputData(one)
-    append.Update()
-    result = append.GetOutput()
-    result.GetFieldData().ShallowCopy(charges.GetFieldData())
-    return result
 
 
 # The example.
