@@ -167,6 +167,8 @@ for name in ('FigureASmall', 'FigureBSmall'):
     shutil.copy(os.path.join(root, 'Data', name + '.vtp'), 'surfaces')
 shutil.copy('surfaces/FigureASmall.vtp', 'template.vtp')
 os.remove('surfaces/BentBarSmall.vtp')
+figure = shapemap.files.read('surfaces/FigureBSmall.vtp')
+shapetesting.write(shapemap.mesh(shapemap.points(figure) * [1.0, 1.0, 1.1], shapemap.cells(figure)), 'surfaces/Tall.vtp')
 os.mkdir('segmentations')
 # A ball in two halves, whose first index goes to the patient's right; its name has two endings.
 i, j, k = numpy.indices((9, 9, 9))
@@ -184,12 +186,13 @@ writer.SetInputData(image)
 writer.Write()
 for name, command in COMMANDS.items():
     said, code = shapemap_command(*command.example.split())
-    output = command.example.split()[2]
-    assert code == 0 and len(rows(output)) == (1 if command.together else 2) and os.path.exists(output + '/shapemap.png'), said
+    given, output = command.example.split()[1:3]
+    count = 1 if command.together else 2 if given == 'segmentations' else 3
+    assert code == 0 and len(rows(output)) == count and os.path.exists(output + '/shapemap.png'), said
     assert command.measure in rows(output)[0] or command.together, command.measure
-assert [float(row['Shapes']) for row in rows('compared')] == [float(row['Shapes']) for row in rows('average')] == [2.0]
+assert [float(row['Shapes']) for row in rows('compared')] == [float(row['Shapes']) for row in rows('average')] == [3.0]
 for made in ('compared/shapes', 'average/aligned'):
-    assert sorted(os.listdir(made)) == ['FigureASmall.vtp', 'FigureBSmall.vtp'], os.listdir(made)
+    assert sorted(os.listdir(made)) == ['FigureASmall.vtp', 'FigureBSmall.vtp', 'Tall.vtp'], os.listdir(made)
 ball = shapemap.files.read('regions/ball.vtp')
 assert abs(numpy.array(ball.GetBounds()).reshape(3, 2).mean(axis=1) - [2.0, 8.0, 8.0]).max() < 0.5, ball.GetBounds()
 left, right = (shapemap.points(ball)[shapemap.cells(ball)[shapemap.cell_array(ball, 'Regions')[:, 0] == label]]
