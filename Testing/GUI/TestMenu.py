@@ -27,15 +27,17 @@ def check(proxy):
 
 
 # What needs a solid is offered when a solid is selected, which users select first. The volume map of
-# Shape Apply Volume Map is then another source of the pipeline.
+# Shape Apply Volume Map is then another source of the pipeline; Shape Certificate works on it alone.
 w.open('DentedSphereCharges.vtp')
+check(proxies['ShapeCertificate'])
 w.open('BallSmall.vtu')
 for name in ('ShapeUntangle', 'ShapeHarmonicVolumeMap', 'ShapeApplyVolumeMap'):
     check(proxies[name])
 w.open('DentedSphere600.vtp')
 for proxy in filters:
     if proxy.get('name') not in (
-            'ShapeUntangle', 'ShapeLabelSurfaces', 'ShapeImageValues', 'ShapeStructuredBlocks', 'ShapeFromOperators'):
+            'ShapeUntangle', 'ShapeLabelSurfaces', 'ShapeImageValues', 'ShapeStructuredBlocks', 'ShapeFromOperators',
+            'ShapeCertificate'):
         check(proxy)
 w.python('assert len(GetSources()) == 3, GetSources()')
 
