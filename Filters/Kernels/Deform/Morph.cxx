@@ -96,8 +96,8 @@ void AppendElements(const Eigen::MatrixXi& corners, const Eigen::MatrixXd& point
 }
 
 /// Returns the rotation vector of `rotation` that is nearest to `near`, if it differs from `near`
-/// about as much as the rotations do. Around whole turns it may differ far more, since all vectors
-/// of a whole number of turns give the identity. Then the result is along `near`; what remains
+/// about as much as the rotations do. Around whole turns it may differ far more, since every
+/// vector of a whole number of turns is the identity. Then the result is along `near`; what remains
 /// of the rotation counts as a stretch.
 Eigen::Vector3d FindTurn(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& near)
 {

@@ -135,12 +135,6 @@ private:
   bool Complete = true;
 };
 
-/// Returns the radius of the ball around a cube, enlarged by rounding.
-double RadiusOf(const BoxCube& cube)
-{
-  return std::sqrt(3.0) * (1.0 + 1e-12) * cube.Half;
-}
-
 /// Returns the expansion of all charges around a position. tooNear: set if a charge is too near.
 TaylorExpansion DomainCover::Expand(const ChargeField& field, const Eigen::Vector3d& centre,
   double radius, int degree, bool* tooNear) const
@@ -167,7 +161,7 @@ void DomainCover::Decide(const OpenBox& open)
   CoverBox& box = this->Boxes[open.Id];
   bool tooNear = false;
   const TaylorExpansion expansion =
-    this->Expand(*open.Field, box.Place.Centre, RadiusOf(box.Place), NearDegree, &tooNear);
+    this->Expand(*open.Field, box.Place.Centre, box.Place.Radius(), NearDegree, &tooNear);
   if (tooNear)
   {
     return;
@@ -245,7 +239,7 @@ void DomainCover::Finish(const OpenBox& open)
 std::shared_ptr<const ChargeField> DomainCover::Descend(const OpenBox& open) const
 {
   const BoxCube& cube = this->Boxes[open.Id].Place;
-  const double radius = RadiusOf(cube);
+  const double radius = cube.Radius();
   std::vector<int> far, near;
   for (const int i : open.Field->Near)
   {

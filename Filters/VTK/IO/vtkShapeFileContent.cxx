@@ -45,6 +45,14 @@ vtkSmartPointer<vtkPoints> ToPoints(const Eigen::MatrixXd& points)
   return result;
 }
 
+void RequireName(const std::string& path)
+{
+  if (path.empty())
+  {
+    throw shape::InvalidInput("there is no file name; set one");
+  }
+}
+
 /// Returns the chosen cells in their order.
 vtkSmartPointer<vtkCellArray> ToCellArray(const shape::Cells& cells, const std::vector<int>& chosen)
 {
@@ -133,8 +141,23 @@ void AddNames(const std::vector<std::string>& names, const char* array, vtkDataO
 
 } // namespace
 
+void vtkShapeFileContent::CallWithName(
+  const std::string& path, const std::function<void()>& function)
+{
+  RequireName(path);
+  try
+  {
+    function();
+  }
+  catch (const shape::InvalidInput& error)
+  {
+    throw shape::InvalidInput(path.substr(path.find_last_of('/') + 1) + ": " + error.what());
+  }
+}
+
 std::string vtkShapeFileContent::Read(const std::string& path)
 {
+  RequireName(path);
   const auto refuse = [&](const std::string& why) {
     throw shape::InvalidInput("cannot read the file '" + path + "' (" + why + "); choose another");
   };

@@ -4,6 +4,7 @@
 #include "IO/DeckReader.h"
 #include "Mesh/Cells.h"
 
+#include <functional>
 #include <string>
 
 class vtkPolyData;
@@ -20,8 +21,13 @@ struct OFFSurface;
 namespace vtkShapeFileContent
 {
 
-/// Returns all bytes of a file. Throws shape::InvalidInput if it cannot be read.
+/// Returns all bytes of a file. Throws shape::InvalidInput if it cannot be read, or the path is
+/// empty.
 std::string Read(const std::string& path);
+
+/// Calls a function that reads a file. Its errors name the file. Throws shape::InvalidInput, too,
+/// if the path is empty.
+void CallWithName(const std::string& path, const std::function<void()>& function);
 
 /// Returns the path of a file that another file names. Relative names start from its folder.
 std::string FindBeside(const std::string& path, const std::string& name);

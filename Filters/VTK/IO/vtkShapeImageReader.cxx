@@ -1,5 +1,7 @@
 #include "vtkShapeImageReader.h"
 
+#include "vtkShapeFileContent.h"
+
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
@@ -9,7 +11,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include "Base/Errors.h"
 #include "IO/ImageReader.h"
 
 #include <array>
@@ -46,24 +47,6 @@ int ToVTK(shape::ImageNumber number)
   }
 }
 
-/// Returns what a function returns. An error names the file.
-template <typename Function>
-auto WithName(const std::string& path, const Function& function)
-{
-  if (path.empty())
-  {
-    throw shape::InvalidInput("there is no file name; set one");
-  }
-  try
-  {
-    return function();
-  }
-  catch (const shape::InvalidInput& error)
-  {
-    throw shape::InvalidInput(path.substr(path.find_last_of('/') + 1) + ": " + error.what());
-  }
-}
-
 std::array<int, 6> FindExtent(const shape::ImageHeader& header)
 {
   return { 0, header.Size[0] - 1, 0, header.Size[1] - 1, 0, header.Size[2] - 1 };
@@ -78,8 +61,9 @@ std::string vtkShapeImageReader::GetOutputType()
 
 void vtkShapeImageReader::Announce(vtkInformation* output)
 {
-  const shape::ImageHeader header =
-    WithName(this->FileName, [&]() { return shape::ReadImageHeader(this->FileName); });
+  shape::ImageHeader header;
+  vtkShapeFileContent::CallWithName(
+    this->FileName, [&]() { header = shape::ReadImageHeader(this->FileName); });
   const std::array<int, 6> extent = FindExtent(header);
   output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent.data(), 6);
   output->Set(vtkDataObject::ORIGIN(), header.Origin.data(), 3);
@@ -91,7 +75,7 @@ void vtkShapeImageReader::Announce(vtkInformation* output)
 
 void vtkShapeImageReader::Make(vtkDataObject* output, const shape::Progress& progress)
 {
-  WithName(this->FileName,
+  vtkShapeFileContent::CallWithName(this->FileName,
     [&]()
     {
       const shape::ImageHeader header = shape::ReadImageHeader(this->FileName);

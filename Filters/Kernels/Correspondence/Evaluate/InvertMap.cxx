@@ -7,6 +7,7 @@
 #include "Search/TriangleTree.h"
 
 #include <cmath>
+#include <vector>
 
 namespace shape
 {
@@ -28,17 +29,26 @@ SurfacePoints InvertMap(const Surface& surface, const SurfacePoints& images, con
   SurfacePoints inverse =
     SurfaceLocator(surface.WithPoints(moved.leftCols(3))).Find(target.Points(), progress);
   const Eigen::MatrixXd found = PullBack(inverse, surface.Triangles(), moved);
+  std::vector<int> opposite; // points whose nearest sheet faces the other way
+  for (Eigen::Index i = 0; i < rows.rows(); ++i)
+  {
+    if (found.row(i).tail(3).dot(rows.row(i).tail(3)) < 0.0)
+    {
+      opposite.push_back(static_cast<int>(i));
+    }
+  }
+  if (opposite.empty())
+  {
+    return inverse;
+  }
   const TriangleTree tree(surface.Triangles(), moved);
   constexpr int grain = 256;
-  ParallelFor(static_cast<int>(rows.rows()), grain,
+  ParallelFor(static_cast<int>(opposite.size()), grain,
     [&](int begin, int end)
     {
-      for (int i = begin; i < end; ++i)
+      for (int k = begin; k < end; ++k)
       {
-        if (found.row(i).tail(3).dot(rows.row(i).tail(3)) >= 0.0)
-        {
-          continue; // the sheets agree: the nearest position
-        }
+        const int i = opposite[k];
         const NearestTriangle nearest = tree.Find(rows.row(i), 0);
         inverse.Triangles(i) = nearest.Triangle;
         inverse.Barycentrics.row(i) = nearest.Barycentric;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct BoxCube
 
   /// The corner with the largest coordinates.
   Eigen::Vector3d Corner() const { return this->Centre.array() + this->Half; }
+  /// The radius of a ball around the cube, enlarged by rounding.
+  double Radius() const { return std::sqrt(3.0) * (1.0 + 1e-12) * this->Half; }
 };
 
 /// Returns those of `triangles` that have a point in the cube, which is enlarged by 1e-9 of its
