@@ -1,5 +1,6 @@
 """What the Python tests share: data, running a filter while its errors are caught, pictures."""
 import contextlib
+import faulthandler
 import os
 import socket
 import subprocess
@@ -18,6 +19,8 @@ from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 BUILD = os.environ.get('SHAPEMAP_BUILD', os.path.join(ROOT, 'build'))
+# Where a test hangs is told before CTest ends it.
+faulthandler.dump_traceback_later(570, file=2)
 
 
 def data_file(name):

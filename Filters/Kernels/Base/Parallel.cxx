@@ -8,9 +8,25 @@
 #include <cblas.h>
 #include <chrono>
 #include <cstdlib>
+#include <map>
+#include <mutex>
 
 namespace shape
 {
+
+namespace
+{
+
+/// Arenas are kept, because to make one wakes all threads, which takes longer than a short loop.
+oneapi::tbb::task_arena& GetArena(int threads)
+{
+  static std::mutex mutex;
+  static std::map<int, oneapi::tbb::task_arena> arenas;
+  const std::lock_guard<std::mutex> lock(mutex);
+  return arenas.try_emplace(threads, threads).first->second;
+}
+
+} // namespace
 
 int GetThreadCount()
 {
@@ -42,7 +58,7 @@ void ParallelFor(int count, int grain, const std::function<void(int begin, int e
     return;
   }
   const int threads = GetThreadCount();
-  oneapi::tbb::task_arena arena(threads);
+  oneapi::tbb::task_arena& arena = GetArena(threads);
   const auto runChunk = [&](int chunk)
   { body(chunk * grain, chunk + 1 < chunks ? (chunk + 1) * grain : count); };
 
@@ -53,7 +69,14 @@ void ParallelFor(int count, int grain, const std::function<void(int begin, int e
   {
     const int last = chunks - first > batch ? first + batch : chunks;
     const auto start = std::chrono::steady_clock::now();
-    arena.execute([&] { oneapi::tbb::parallel_for(first, last, runChunk); });
+    // Isolated: a thread that waits for an inner loop must not start another chunk of the outer
+    // one, whose locks and buffers it may hold.
+    arena.execute(
+      [&]
+      {
+        oneapi::tbb::this_task_arena::isolate(
+          [&] { oneapi::tbb::parallel_for(first, last, runChunk); });
+      });
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     if (seconds.count() < 0.1)
     {

@@ -35,9 +35,9 @@ private:
  * Calls body(begin, end) for the chunks [0, grain), [grain, 2 grain), ... of [0, count).
  *
  * The chunks do not depend on the number of threads. So if each chunk writes its results to a
- * separate location, the results are the same bits for any number of threads. The loop runs in its
- * own arena and changes no global setting. An exception that a chunk throws is rethrown here.
- * `progress` is called from the calling thread, between batches of chunks. Throws Aborted.
+ * separate location, the results are the same bits for any number of threads. The loop runs in an
+ * arena of ShapeMap and changes no global setting. An exception that a chunk throws is rethrown
+ * here. `progress` is called from the calling thread, between batches of chunks. Throws Aborted.
  */
 void ParallelFor(int count, int grain, const std::function<void(int begin, int end)>& body,
   const Progress& progress = {});
