@@ -514,6 +514,16 @@ def MapErrorCurve():
 
 
 @drawing
+def MapErrorCurveErrors():
+    """Where a functional map is wrong."""
+    a, b = figures()
+    match = ShapeCorrespondence(SurfaceA=a, SurfaceB=b, Method='FunctionalMap')
+    curve = ShapeMapErrorCurve(Input=match, Target=b, Truth=a)
+    show(OutputPort(curve, 1), array='Error', preset='Viridis (matplotlib)')
+    return FRONT
+
+
+@drawing
 def MapDifference():
     a, b = figures()
     show(ShapeMapDifference(SurfaceA=a, SurfaceB=b), array='AreaDifference', preset='Cool to Warm',

@@ -50,6 +50,9 @@ assert abs(errors - wanted).max() < 2e-3 * ANGLE, abs(errors - wanted).max()
 assert abs(fact(found, 'MapErrorCurve.Mean') - wanted.mean()) < 2e-3 * ANGLE
 assert abs(fact(found, 'MapErrorCurve.Maximum') - ANGLE) < 2e-3 * ANGLE
 assert fact(found, 'MapErrorCurve.Coverage') > 0.9999
+on_points = vtk_to_numpy(shapetesting.output(curve, 1).GetPointData().GetArray('Error'))
+assert (numpy.sort(on_points) == errors).all()
+assert abs(on_points - 2 * numpy.arcsin(across * numpy.sin(ANGLE / 2))).max() < 2e-3 * ANGLE
 assert shapetesting.facts(found).GetArray('MapErrorCurve.RoundTripMean') is None
 
 # Divided by the root of the area, and by pi; a truth of a few places, in blocks.

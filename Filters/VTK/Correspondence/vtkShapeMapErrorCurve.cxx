@@ -18,6 +18,7 @@ vtkShapeMapErrorCurve::vtkShapeMapErrorCurve()
   this->DeclareInput("Target", PortData::WholeSurface, PortUse::Required, { "vtkPolyData" });
   this->DeclareInput("Truth", PortData::WholeGrid, PortUse::Required, { "vtkDataSet" });
   this->DeclareOutput("vtkTable");
+  this->DeclareOutput("vtkUnstructuredGrid");
   this->DeclareFacts();
 }
 
@@ -65,10 +66,13 @@ void vtkShapeMapErrorCurve::Execute(const shape::Progress& progress)
     add("RoundTripMean", trips.size() > 0 ? trips.mean() : 0.0);
     add("RoundTripMaximum", trips.size() > 0 ? trips.maxCoeff() : 0.0);
   }
-  // Every process has the same curve, and one of them outputs it.
+  // Every process has the same errors, and one of them outputs them.
   if (!this->GetController() || this->GetController()->GetLocalProcessId() == 0)
   {
     output->AddColumn(vtkShapeConvert::ToArray(result.Errors, "Error"));
     output->AddColumn(vtkShapeConvert::ToArray(result.Shares, "Share"));
+    auto* errors = vtkUnstructuredGrid::SafeDownCast(this->GetOutputDataObject(1));
+    errors->ShallowCopy(positions);
+    errors->GetPointData()->AddArray(vtkShapeConvert::ToArray(result.PositionErrors, "Error"));
   }
 }

@@ -12,10 +12,13 @@
  *   the smaller mean are reported.
  * Blocks and distributed pieces of each input are joined first.
  *
- * Output: a table, on one process
- * - `Error`: the exact geodesic distance on Target between the image of a point and its true image,
- *   divided by .Unit. The rows are in ascending order of this error.
- * - `Share`: the share of points with at most this error.
+ * Outputs, on one process
+ * - Curve: a table with the columns
+ *   `Error`: the exact geodesic distance on Target between the image of a point and its true image,
+ *   divided by .Unit. The rows are in ascending order of this error;
+ *   `Share`: the share of points with at most this error.
+ * - Errors: Truth with the point array `Error`, -1 where the image is on another component than the
+ *   true image.
  *
  * Facts, with the prefix MapErrorCurve
  * - .Mean, .Median, .Percentile95, .Maximum, .AreaUnderCurve (the mean share for errors up to

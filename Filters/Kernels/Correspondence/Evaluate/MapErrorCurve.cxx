@@ -120,21 +120,27 @@ MapErrorCurveResult ComputeMapErrorCurve(const Surface& input, const Eigen::Matr
   {
     const ClosestPoints wanted = locator.Find(targets, part.Part(0.0, 0.1));
     result.LargestGap = std::max(result.LargestGap, wanted.Distances.maxCoeff());
-    return Ascending(
-      ComputeExactGeodesicsBetween(target, wanted, reached, part.Part(0.1, 1.0)), result.Unit);
+    return Eigen::VectorXd(
+      ComputeExactGeodesicsBetween(target, wanted, reached, part.Part(0.1, 1.0)));
   };
   const bool hasMirrored = truth.Mirrored.size() > 0;
-  result.Errors = measure(
+  Eigen::VectorXd distances = measure(
     truth.Targets, progress.Part(0.2, hasMirrored ? 0.6 : 1.0, "computing geodesic distances"));
+  result.Errors = Ascending(distances, result.Unit);
   // The better of the two truths for all positions together: intrinsic methods cannot distinguish
   // them, but a map that mixes both is wrong.
   if (hasMirrored)
   {
-    const Eigen::VectorXd mirrored =
+    const Eigen::VectorXd others =
       measure(truth.Mirrored, progress.Part(0.6, 1.0, "computing geodesic distances"));
+    const Eigen::VectorXd mirrored = Ascending(others, result.Unit);
     result.Mirrored =
       mirrored.size() > 0 && (result.Errors.size() == 0 || mirrored.mean() < result.Errors.mean());
-    result.Errors = result.Mirrored ? mirrored : result.Errors;
+    if (result.Mirrored)
+    {
+      result.Errors = mirrored;
+      distances = others;
+    }
   }
   if (result.Errors.size() == 0)
   {
@@ -142,6 +148,8 @@ MapErrorCurveResult ComputeMapErrorCurve(const Surface& input, const Eigen::Matr
       " positions of the Truth is mapped to the component of its true image; check that the "
       "Truth belongs to these surfaces");
   }
+  result.PositionErrors = distances.array().isFinite().select(
+    distances / result.Unit, Eigen::VectorXd::Constant(distances.size(), -1.0));
   result.Unreached = static_cast<int>(truth.Positions.rows() - result.Errors.size());
   Summarise(result, static_cast<double>(truth.Positions.rows()), options.LargestError);
   progress(1.0);

@@ -35,6 +35,8 @@ struct GroundTruth
 struct MapErrorCurveResult
 {
   Eigen::VectorXd Errors; ///< ascending; of positions whose image is connected to the true one
+  /// k: the error of each position; -1 if its image is not connected to the true one.
+  Eigen::VectorXd PositionErrors;
   Eigen::VectorXd Shares; ///< for each error e, the share of all k positions with errors <= e
   double Mean = 0.0, Median = 0.0, Percentile95 = 0.0, Maximum = 0.0; ///< statistics of Errors
   /// The mean share over errors from 0 to LargestError, in [0, 1]: 1 for the true map.

@@ -136,6 +136,25 @@ TEST(MapErrorCurve, RoundTripsOfMapsThatAreNotInverseAreAsLongAsTheWay)
   EXPECT_NEAR(errors(errors.size() - 1), 0.1 / std::sqrt(4.0 * M_PI), 1e-4);
 }
 
+TEST(MapErrorCurve, ImagesOnAnotherComponentHaveNoError)
+{
+  const shape::Mesh ball = shapetest::Icosphere(2);
+  const Eigen::Index count = ball.Points.rows();
+  shape::Mesh two;
+  two.Points.resize(2 * count, 3);
+  two.Points << ball.Points, ball.Points.rowwise() + Eigen::RowVector3d(5.0, 0.0, 0.0);
+  two.Triangles.resize(2 * ball.Triangles.rows(), 3);
+  two.Triangles << ball.Triangles, ball.Triangles.array() + static_cast<int>(count);
+  Eigen::MatrixXd map = two.Points;
+  map.bottomRows(count) = ball.Points;
+  const shape::MapErrorCurveResult result =
+    shape::ComputeMapErrorCurve(two, map, two, { two.Points, two.Points, {} });
+  EXPECT_EQ(result.Unreached, count);
+  EXPECT_EQ(result.Shares(count - 1), 0.5);
+  EXPECT_LT(result.PositionErrors.head(count).cwiseAbs().maxCoeff(), 1e-10);
+  EXPECT_TRUE((result.PositionErrors.tail(count).array() == -1.0).all());
+}
+
 TEST(MapErrorCurve, RefusesWhatHasNoError)
 {
   const shape::Mesh mesh = shapetest::Icosphere(2);
