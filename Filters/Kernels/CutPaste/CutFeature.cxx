@@ -165,20 +165,6 @@ std::vector<std::vector<int>> PointsWith(
   return points;
 }
 
-/// The mean length of the triangles' edges.
-double MeanEdgeOf(const Mesh& surface)
-{
-  double sum = 0.0;
-  for (const auto& corners : surface.Triangles.rowwise())
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      sum += (surface.Points.row(corners(k)) - surface.Points.row(corners((k + 1) % 3))).norm();
-    }
-  }
-  return sum / static_cast<double>(surface.Triangles.size());
-}
-
 std::vector<std::vector<int>> Reversed(std::vector<std::vector<int>> loops)
 {
   for (std::vector<int>& loop : loops)
@@ -317,7 +303,7 @@ FeatureCutter::Traced& FeatureCutter::SurfaceUnder(
   {
     return *this->Plain;
   }
-  const double width = MeanEdgeOf(this->Joined.Surface);
+  const double width = ComputeMeanEdgeLength(this->Joined.Surface);
   if (!this->Bridged)
   {
     Mesh bridged = this->Joined.Surface;

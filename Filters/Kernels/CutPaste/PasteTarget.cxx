@@ -3,6 +3,7 @@
 #include "Base/Errors.h"
 #include "ExponentialMap/ConformalPatch.h"
 #include "Geometry/VertexNormals.h"
+#include "Mesh/Extent.h"
 
 #include <Eigen/Geometry>
 
@@ -17,20 +18,6 @@ namespace shape
 {
 namespace
 {
-
-double MeanEdgeLength(const Surface& surface)
-{
-  double sum = 0.0;
-  for (Eigen::Index t = 0; t < surface.Triangles().rows(); ++t)
-  {
-    const Eigen::Matrix3d corners = GetCorners(surface, t);
-    for (int k = 0; k < 3; ++k)
-    {
-      sum += (corners.row((k + 1) % 3) - corners.row(k)).norm();
-    }
-  }
-  return sum / (3.0 * static_cast<double>(surface.Triangles().rows()));
-}
 
 const Surface& RequireTarget(const Surface& surface)
 {
@@ -117,7 +104,7 @@ PasteTarget::PasteTarget(
   const shape::Surface& surface, const ExponentialMapOptions& options, const Progress& progress)
   : Map(RequireTarget(surface), options, progress)
   , Finder(surface)
-  , MeanEdge(MeanEdgeLength(surface))
+  , MeanEdge(ComputeMeanEdgeLength(surface))
 {
 }
 

@@ -55,6 +55,19 @@ double ComputeLongestBoxEdge(const Mesh& mesh)
   return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
 }
 
+double ComputeMeanEdgeLength(const Mesh& mesh)
+{
+  double sum = 0.0;
+  for (const auto& corners : mesh.Triangles.rowwise())
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      sum += (mesh.Points.row(corners(k)) - mesh.Points.row(corners((k + 1) % 3))).norm();
+    }
+  }
+  return sum / static_cast<double>(mesh.Triangles.size());
+}
+
 double ComputeBoxDiagonal(const Mesh& mesh)
 {
   const Eigen::AlignedBox3d box = ComputeBox(mesh);

@@ -21,6 +21,9 @@ double ComputeLongestBoxEdge(const Mesh& mesh);
 /// Returns the diagonal of ComputeBox.
 double ComputeBoxDiagonal(const Mesh& mesh);
 
+/// Returns the mean length of the edges of the triangles. An edge of two triangles counts twice.
+double ComputeMeanEdgeLength(const Mesh& mesh);
+
 /**
  * Throws InvalidInput if lengths cannot be computed with in double precision. The longest edge of
  * the points' bounding box must be 0 or between 1e-50 and 1e50; sixth powers of lengths then

@@ -4,6 +4,7 @@
 #include "Base/LibraryCall.h"
 #include "Laplacian/CotangentWeights.h"
 #include "Linear/SparseSolve.h"
+#include "Mesh/Extent.h"
 
 #include <Eigen/SparseLU>
 
@@ -29,20 +30,6 @@ double HalfTangent(double cotangent)
 double EdgeLength(const Mesh& surface, int a, int b)
 {
   return (surface.Points.row(a) - surface.Points.row(b)).norm();
-}
-
-double ComputeMeanEdgeLength(const Mesh& surface)
-{
-  double sum = 0.0;
-  for (Eigen::Index t = 0; t < surface.Triangles.rows(); ++t)
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      sum +=
-        EdgeLength(surface, surface.Triangles(t, corner), surface.Triangles(t, (corner + 1) % 3));
-    }
-  }
-  return sum / (3.0 * surface.Triangles.rows());
 }
 
 /// Returns the matrix of the equations sum_j w_ij (x_i - x_j) = 0 with mean value weights.

@@ -4,6 +4,7 @@
 
 #include "Base/Errors.h"
 #include "Correspondence/Landmarks/LandmarkPairs.h"
+#include "Mesh/Extent.h"
 
 #include "vtkCell.h"
 #include "vtkIdList.h"
@@ -16,20 +17,6 @@
 
 namespace
 {
-
-double ComputeMeanEdgeLength(const shape::Mesh& mesh)
-{
-  double sum = 0.0;
-  for (int k = 0; k < 3; ++k)
-  {
-    sum += (mesh.Points(mesh.Triangles.col(k), Eigen::all) -
-      mesh.Points(mesh.Triangles.col((k + 1) % 3), Eigen::all))
-             .rowwise()
-             .norm()
-             .mean();
-  }
-  return sum / 3.0;
-}
 
 Eigen::MatrixXd AsRows(const std::vector<Eigen::RowVector3d>& positions)
 {
@@ -114,7 +101,7 @@ void vtkShapeGivenLandmarks::ForEachLine(const std::function<void(vtkIdList*)>& 
 shape::Landmarks vtkShapeGivenLandmarks::PairAll(
   const shape::Surface& a, const shape::Surface& b) const
 {
-  const double step = ComputeMeanEdgeLength(a);
+  const double step = shape::ComputeMeanEdgeLength(a);
   Partners partners;
   for (Eigen::Index i = 0; i < this->Positions.rows(); ++i)
   {
@@ -134,7 +121,7 @@ shape::Landmarks vtkShapeGivenLandmarks::PairAll(
 std::vector<shape::Landmarks> vtkShapeGivenLandmarks::PairCurves(
   const shape::Surface& a, const shape::Surface& b) const
 {
-  const double step = ComputeMeanEdgeLength(a);
+  const double step = shape::ComputeMeanEdgeLength(a);
   std::vector<shape::Landmarks> curves;
   this->ForEachLine(
     [&](vtkIdList* points)
@@ -186,9 +173,9 @@ std::vector<shape::CurvePair> vtkShapeGivenLandmarks::TraceCurves(
   const shape::Surface& a, const shape::Surface& b) const
 {
   // The step that is short enough on both surfaces.
-  const double step = ComputeMeanEdgeLength(a),
+  const double step = shape::ComputeMeanEdgeLength(a),
                stretch = std::sqrt(shape::ComputeArea(b) / shape::ComputeArea(a)),
-               shorter = std::min(step, ComputeMeanEdgeLength(b) / stretch);
+               shorter = std::min(step, shape::ComputeMeanEdgeLength(b) / stretch);
   std::vector<shape::CurvePair> curves;
   this->ForEachLine(
     [&](vtkIdList* points)
