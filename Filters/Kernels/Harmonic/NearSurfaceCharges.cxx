@@ -196,7 +196,8 @@ NearSurfaceChargeSystem::NearSurfaceChargeSystem(
   const Eigen::VectorXd areas = ComputePointAreas(surface);
   // Step 1: charges.
   const NearSurfaceCharges near = InsertNearSurfaceCharges(boundary, surface.Points(), normals,
-    NearOffsetOfSpacing * SpacingOfRootArea * areas.cwiseSqrt(), progress.Part(0.0, 0.3));
+    NearOffsetOfSpacing * SpacingOfRootArea * areas.cwiseSqrt(),
+    progress.Part(0.0, 0.3, "placing the charges"));
   if (near.Sites.size() == 0)
   {
     throw SolveFailure(
@@ -212,7 +213,7 @@ NearSurfaceChargeSystem::NearSurfaceChargeSystem(
   // Step 2: coarse charges.
   const CoarseLevel coarse = PositionCoarse(boundary, surface.Points()(near.Sites, Eigen::all),
     normals(near.Sites, Eigen::all), areas(near.Sites), effort == Effort::Little ? 128 : 32,
-    progress.Part(0.3, 0.4));
+    progress.Part(0.3, 0.4, "placing the charges"));
   const Eigen::Index n = surface.Points().rows(), m = surface.Triangles().rows();
   // Step 3: rows and averages.
   this->System.Sites = surface.Points()(near.Sites, Eigen::all);
@@ -234,10 +235,10 @@ NearSurfaceChargeSystem::NearSurfaceChargeSystem(
     blocks.Around = 200;
     blocks.MaximumAmplification = 0.0;
   }
-  this->Preconditioner = std::make_unique<SchwarzPreconditioner>(
-    this->System, coarse.Sources, coarse.Clusters, blocks, progress.Part(0.4, 0.9));
-  this->Sums = std::make_unique<FmmSummation>(
-    this->AllSources, this->System.Rows, FmmSummationOptions(), progress.Part(0.9, 1.0));
+  this->Preconditioner = std::make_unique<SchwarzPreconditioner>(this->System, coarse.Sources,
+    coarse.Clusters, blocks, progress.Part(0.4, 0.9, "inverting the blocks"));
+  this->Sums = std::make_unique<FmmSummation>(this->AllSources, this->System.Rows,
+    FmmSummationOptions(), progress.Part(0.9, 1.0, "preparing the fast summation"));
 }
 
 Eigen::MatrixXd NearSurfaceChargeSystem::Values(

@@ -3,6 +3,7 @@
 #include "Driver/BenchmarkData.h"
 #include "Driver/Case.h"
 
+#include "Distance/SignedDistance.h"
 #include "Harmonic/FiniteElementMap.h"
 #include "Harmonic/HarmonicVolumeMap.h"
 #include "Search/CellLocator.h"
@@ -15,6 +16,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <random>
 #include <string>
 #include <utility>
 
@@ -33,6 +35,7 @@ METHOD  Accelerated, MultiLevel, SingleShot (OffsetDistance=, CollocationRatio=,
         that keeps the surface's triangles (Refine=, RadiusEdgeRatio=, Solver=, Ordering=, Threads=)
 Reference=FILE  for data B and C: where the values of refined finite elements at the random points
         inside are kept
+Evaluations=N  also evaluates a map of charges at N points inside: evaluate (CPU seconds) and evaluatemib
 Weld=1  joins points at the same position first
 Positions=4 in each triangle, Most=60000 of them in all, Interior=4000 points (with Winding=1 only where
 the surface winds around once), Seed=1
@@ -41,7 +44,8 @@ CPU and wall seconds and the peak of memory are those of the method alone. Error
 divided by the longest side of the target's box: at the points (vertices); at random positions inside
 triangles against the linear interpolation of the points' values (inside) and, for data A, against the
 field (insidefield); and at random points inside the solid against the field or the reference
-(interior).)";
+(interior). Of a map of charges also: the CPU seconds of each stage, by the first word of its name, and the
+peak of memory up to its end.)";
 
 constexpr int ReferenceSplits = 1;
 constexpr double ReferenceRefinement = 4.0; // of the split surface's own cells
@@ -64,6 +68,77 @@ Eigen::MatrixXd Kept(
   return values;
 }
 
+/// The CPU seconds of each stage of a method, and the peak of memory up to its end.
+class Stages
+{
+public:
+  shape::Progress Report()
+  {
+    this->Since = benchmark::CpuSeconds();
+    return shape::Progress(shape::Progress::Callback(
+      [this](double, const char* stage)
+      {
+        this->Change(stage);
+        return true;
+      }));
+  }
+
+  /// As the first word of the stage's name, and that with mib.
+  void AddTo(benchmark::Row& facts)
+  {
+    this->Change("");
+    for (const auto& [name, cost] : this->Costs)
+    {
+      const std::string word = name.substr(0, name.find(' '));
+      facts.Add(word, cost.Cpu).Add(word + "mib", cost.MiB);
+    }
+  }
+
+private:
+  void Change(const std::string& stage)
+  {
+    if (stage == this->Name)
+    {
+      return;
+    }
+    const double now = benchmark::CpuSeconds();
+    if (!this->Name.empty())
+    {
+      benchmark::Cost& cost = this->Costs[this->Name];
+      cost.Cpu += now - this->Since;
+      cost.MiB = benchmark::PeakMiB();
+    }
+    this->Name = stage;
+    this->Since = now;
+  }
+
+  std::string Name;
+  double Since = 0.0;
+  std::map<std::string, benchmark::Cost> Costs;
+};
+
+/// Returns `count` points inside: many in the largest ball around each of a few random points.
+Eigen::MatrixXd ManyInside(const shape::Mesh& mesh, int count, unsigned int seed)
+{
+  constexpr int inBall = 100;
+  const Eigen::MatrixXd centres =
+    benchmark::InteriorPoints(mesh, (count + inBall - 1) / inBall, seed);
+  const Eigen::VectorXd distances = shape::SignedDistance(mesh).Evaluate(centres).Distances;
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  Eigen::MatrixXd points(count, 3);
+  for (int i = 0; i < count; ++i)
+  {
+    // A cube in the ball.
+    const double half = std::abs(distances(i / inBall)) / std::sqrt(3.0);
+    for (int c = 0; c < 3; ++c)
+    {
+      points(i, c) = centres(i / inBall, c) + half * uniform(generator);
+    }
+  }
+  return points;
+}
+
 /// Evaluates a solution at points.
 using Solution = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>;
 
@@ -71,11 +146,15 @@ Solution RunVolumeMap(const shape::Mesh& mesh, const Eigen::MatrixXd& values,
   const shape::HarmonicVolumeMapOptions& options, benchmark::Cost& cost, benchmark::Row& facts)
 {
   shape::HarmonicVolumeMapResult result;
+  Stages stages;
   cost = benchmark::Measure(
-    [&] { result = shape::ComputeHarmonicVolumeMap(mesh, values, {}, options); });
+    [&] { result = shape::ComputeHarmonicVolumeMap(mesh, values, {}, options, stages.Report()); });
   facts.Add("charges", result.Map.Points.rows())
     .Add("offset", result.OffsetDistance)
-    .Add("rmseinside", result.Levels.back().RMSEInside);
+    .Add("rmseinside", result.Levels.back().RMSEInside)
+    .Add("levels", result.Levels.size() - 1)
+    .Add("iterations", result.Iterations);
+  stages.AddTo(facts);
   return [map = result.Map](const Eigen::MatrixXd& points) { return Evaluate(map, points); };
 }
 
@@ -199,7 +278,8 @@ void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
   const std::string cache = arguments.Setting("Cache", "."),
                     reference = arguments.Setting("Reference", "");
   const int each = arguments.Setting("Positions", 4), most = arguments.Setting("Most", 60000),
-            interiorPoints = arguments.Setting("Interior", 4000);
+            interiorPoints = arguments.Setting("Interior", 4000),
+            evaluations = arguments.Setting("Evaluations", 0);
   arguments.RequireAllRead();
 
   const std::size_t at = model.rfind('@');
@@ -219,6 +299,17 @@ void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
   benchmark::Cost cost;
   benchmark::Row facts;
   const Solution solution = solve(mesh, values, cost, facts);
+  if (evaluations > 0)
+  {
+    const Eigen::MatrixXd points = ManyInside(mesh, evaluations, seed + 3);
+    Eigen::MatrixXd images;
+    const benchmark::Cost evaluation = benchmark::Measure([&] { images = solution(points); });
+    facts.Add("evaluate", evaluation.Cpu).Add("evaluatemib", evaluation.MiB);
+    if (known)
+    {
+      facts.Add("evaluated", RootMeanSquare(images - field.Evaluate(points)) / size);
+    }
+  }
 
   const auto positions = benchmark::SampleRandomly(mesh, each, most, seed + 1);
   const double vertices = RootMeanSquare(solution(mesh.Points) - values) / size;

@@ -43,6 +43,11 @@ double CpuSeconds()
   return seconds;
 }
 
+double PeakMiB()
+{
+  return static_cast<double>(Status("VmHWM")) / 1024.0;
+}
+
 Cost Measure(const std::function<void()>& method)
 {
   std::ofstream("/proc/self/clear_refs") << 5; // forget the peak of reading and preparing

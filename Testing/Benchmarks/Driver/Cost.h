@@ -17,6 +17,9 @@ struct Cost
 /// Returns the CPU time in seconds of all threads and of child processes that have ended.
 double CpuSeconds();
 
+/// Returns the peak of this process's memory in MiB, since Measure last forgot it.
+double PeakMiB();
+
 /// Runs the method and returns its cost.
 Cost Measure(const std::function<void()>& method);
 

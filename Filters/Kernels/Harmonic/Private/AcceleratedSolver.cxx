@@ -114,8 +114,8 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
   if (!setup.System || !AreEqual(setup.Boundary, boundary))
   {
     setup.Boundary = boundary;
-    setup.System = std::make_unique<NearSurfaceChargeSystem>(problem.Distance(), boundary, effort,
-      progress.Part(0.0, 0.02, "preparing the fast summation"));
+    setup.System = std::make_unique<NearSurfaceChargeSystem>(
+      problem.Distance(), boundary, effort, progress.Part(0.0, 0.02));
   }
   result.OffsetDistance = setup.System->Offset();
   result.PointsWithoutCharge = setup.System->PointsWithoutCharge();
@@ -135,8 +135,8 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     std::unique_ptr<NearSurfaceChargeSystem> finer;
     if (number > 1)
     {
-      finer = std::make_unique<NearSurfaceChargeSystem>(problem.Distance(), refined.Surface, effort,
-        part.Part(0.0, 0.55, "preparing the fast summation"));
+      finer = std::make_unique<NearSurfaceChargeSystem>(
+        problem.Distance(), refined.Surface, effort, part.Part(0.0, 0.55));
     }
     const NearSurfaceChargeSystem& system = finer ? *finer : *setup.System;
     result.OffsetDistance = std::min(result.OffsetDistance, system.Offset());
@@ -144,7 +144,8 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     // corners' images.
     Eigen::MatrixXd targets(system.Rows().rows(), 3);
     targets << refined.Targets, AverageAtCorners(refined.Surface.Triangles, refined.Targets);
-    const Eigen::MatrixXd left = problem.Left(system.Rows(), targets, part.Part(0.55, 0.6));
+    const Eigen::MatrixXd left =
+      problem.Left(system.Rows(), targets, part.Part(0.55, 0.6, "computing the residual"));
     // Step 3: GMRES.
     GmresOptions gmres;
     gmres.Tolerance = ShareOfTolerance * options.Tolerance;
@@ -155,8 +156,8 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     result.RefinedPoints =
       static_cast<int>(refined.Surface.Points.rows() - boundary.Points().rows());
     // Step 4: the sum.
-    const auto [factors, gain] = problem.Add(system.Sources(), fit.Solution, part.Part(0.95, 1.0));
-
+    const auto [factors, gain] =
+      problem.Add(system.Sources(), fit.Solution, part.Part(0.95, 1.0, "measuring the error"));
     AddLevel(problem, system.Sources().rows(), system.Rows().rows(), gain, start, result);
     HarmonicVolumeMapResult::Level& level = result.Levels.back();
     // The rows are the collocation points; the scaled map changed the residual there by this much.
