@@ -97,7 +97,8 @@ FmmSummation::FmmSummation(const Eigen::MatrixXd& sources, const Eigen::MatrixXd
       "; give 2e-12 to 0.1, or use the direct method for a smaller error");
   }
   const Grade& grade = GradeFor(options.Tolerance);
-  const double m = static_cast<double>(sources.rows()), n = static_cast<double>(points.rows());
+  const double m = static_cast<double>(sources.rows());
+  const double n = static_cast<double>(std::max(points.rows(), options.AllPoints));
   // Compares the costs of both methods, in pairs of the direct sum.
   const bool worth = m * n > grade.SetUp + grade.PerPoint * (m + n);
   if (sources.rows() == 0 || points.rows() == 0 || options.Method == MethodType::Direct ||

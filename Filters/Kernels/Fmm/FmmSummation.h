@@ -25,6 +25,9 @@ struct FmmSummationOptions
   /// at most fifty times Tolerance.
   double Tolerance = 1e-6;
   static constexpr double MinimumTolerance = 2e-12;
+  /// If the points are distributed over processes, the number of all of them; Automatic then
+  /// chooses the same method on every process. 0: the points given are all.
+  Eigen::Index AllPoints = 0;
 };
 
 /**

@@ -37,10 +37,11 @@ double ToleranceFor(const ChargeSet& set, double error)
 
 /// Sums over the charges: directly, or by the multipole method if it is faster and keeps the error.
 Eigen::MatrixXd Sums(const ChargeSet& set, const Eigen::MatrixXd& points, bool gradients,
-  double error, const Progress& progress)
+  double error, Eigen::Index allPoints, const Progress& progress)
 {
   constexpr double worthATry = 1e8; // below it the multipole method is not faster
-  const double pairs = static_cast<double>(set.Points.rows()) * points.rows();
+  const double pairs = static_cast<double>(set.Points.rows()) *
+    static_cast<double>(std::max(points.rows(), allPoints));
   if (pairs > worthATry && points.allFinite())
   {
     const double tolerance = ToleranceFor(set, error);
@@ -49,6 +50,7 @@ Eigen::MatrixXd Sums(const ChargeSet& set, const Eigen::MatrixXd& points, bool g
       FmmSummationOptions options;
       // 1e-3 is the loosest grade of FmmSummation; tolerances above 0.1 are rejected.
       options.Tolerance = std::min(tolerance, 1e-3);
+      options.AllPoints = allPoints;
       const FmmSummation fast(set.Points, points, options, progress.Part(0.0, 0.3));
       return gradients ? fast.Gradients(set.Charges, progress.Part(0.3, 1.0))
                        : fast.Potentials(set.Charges, progress.Part(0.3, 1.0));
@@ -61,10 +63,10 @@ Eigen::MatrixXd Sums(const ChargeSet& set, const Eigen::MatrixXd& points, bool g
 
 } // namespace
 
-Eigen::MatrixXd Evaluate(
-  const ChargeSet& set, const Eigen::MatrixXd& points, const Progress& progress, double error)
+Eigen::MatrixXd Evaluate(const ChargeSet& set, const Eigen::MatrixXd& points,
+  const Progress& progress, double error, Eigen::Index allPoints)
 {
-  Eigen::MatrixXd values = Sums(set, points, false, error, progress);
+  Eigen::MatrixXd values = Sums(set, points, false, error, allPoints, progress);
   values += points.lazyProduct(set.Affine.leftCols<3>().transpose());
   values.rowwise() += set.Affine.col(3).transpose();
   return values;
@@ -75,7 +77,7 @@ Eigen::MatrixXd EvaluateJacobians(
 {
   // The same error as the default of Evaluate.
   constexpr double error = 1e-10;
-  Eigen::MatrixXd values = Sums(set, points, true, error, progress);
+  Eigen::MatrixXd values = Sums(set, points, true, error, 0, progress);
   for (int r = 0; r < 3; ++r)
   {
     for (int c = 0; c < 3; ++c)

@@ -96,13 +96,22 @@ HarmonicVolumeMapResult ComputeHarmonicVolumeMap(const Surface& boundary,
       "FiniteElements makes no charges, which are needed here; choose Accelerated");
   }
   RequireValidInput(features, given);
+  if (setup && setup->Processes.Count > 1 &&
+    (given.Method != HarmonicVolumeMapOptions::MethodType::Accelerated ||
+      features.Points.rows() > 0))
+  {
+    throw InvalidInput("several processes share the work only of Accelerated without features; use "
+                       "one process");
+  }
   // Step 1: unit size.
   const ScaledBoundary scaled = ScaleBoundary(boundary, targets);
   HarmonicVolumeMapOptions options = given;
   options.OffsetDistance = NearestOffset(scaled.Surface, options);
   // Step 2: the affine part.
+  AcceleratedSetup own;
+  AcceleratedSetup& kept = setup ? *setup : own;
   FundamentalSolutionFit problem(
-    scaled, features, options, progress.Part(0.0, 0.02, "fitting the affine part"));
+    scaled, features, options, kept.Processes, progress.Part(0.0, 0.02, "fitting the affine part"));
   HarmonicVolumeMapResult result;
   result.OffsetDistance = options.OffsetDistance;
   result.Levels.push_back(problem.Errors());
@@ -124,8 +133,7 @@ HarmonicVolumeMapResult ComputeHarmonicVolumeMap(const Surface& boundary,
   else
   {
     // Step 3: charges close to the boundary.
-    AcceleratedSetup own;
-    SolveAccelerated(problem, options, setup ? *setup : own, result,
+    SolveAccelerated(problem, options, kept, result,
       progress.Part(0.02, problem.HasFeatures() ? 0.7 : 1.0, "fitting the charges"));
     if (problem.HasFeatures())
     {

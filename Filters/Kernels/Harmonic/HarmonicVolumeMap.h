@@ -42,7 +42,9 @@ struct AcceleratedSetup;
  * boundary: the closed surface around one solid and its voids, facing either way. Charges are
  * placed in the voids, too (ChargeShells). targets: n x 3, the image of each boundary point. setup:
  * keeps the system of Accelerated between calls (NearSurfaceCharges.h); it is rebuilt only if the
- * boundary has changed.
+ * boundary has changed. If it names several processes, they share the work and the memory: all of
+ * them call this function with the same arguments, and all return the same map. It differs from
+ * that of one process by rounding only. Then the method must be Accelerated, without features.
  *
  * Throws InvalidInput if the surface is not closed or bounds several solids, a value is not finite,
  * an option is out of range, or the method is FiniteElements. Throws InvalidInput, too, if a

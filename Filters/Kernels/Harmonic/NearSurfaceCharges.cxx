@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace shape
@@ -97,31 +98,45 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> HatMeans(
   {
     number(points(k)) = static_cast<int>(k);
   }
-  std::vector<Eigen::Triplet<double>> entries;
+  // Row by row: the point, then the triangles around it in ascending order.
+  Eigen::VectorXi start = Eigen::VectorXi::Zero(points.size() + 1);
+  for (const int corner : surface.Triangles().reshaped())
+  {
+    if (number(corner) >= 0)
+    {
+      ++start(number(corner) + 1);
+    }
+  }
+  start.tail(points.size()).array() += 1;
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  Eigen::SparseMatrix<double, Eigen::RowMajor> means(points.size(), n + surface.Triangles().rows());
+  means.resizeNonZeros(start(points.size()));
+  Eigen::Map<Eigen::VectorXi>(means.outerIndexPtr(), points.size() + 1) = start;
+  const auto append = [&](int row, int column, double share)
+  {
+    means.innerIndexPtr()[start(row)] = column;
+    means.valuePtr()[start(row)++] = share;
+  };
+  for (Eigen::Index k = 0; k < points.size(); ++k)
+  {
+    append(static_cast<int>(k), points(k), 0.25);
+  }
   for (int t = 0; t < surface.Triangles().rows(); ++t)
   {
     for (const int corner : surface.Triangles().row(t))
     {
       if (number(corner) >= 0)
       {
-        entries.emplace_back(number(corner), n + t, 0.25 * areas(t) / around(corner));
+        append(number(corner), n + t, 0.25 * areas(t) / around(corner));
       }
     }
   }
-  for (Eigen::Index k = 0; k < points.size(); ++k)
-  {
-    entries.emplace_back(static_cast<int>(k), points(k), 0.25);
-  }
-  Eigen::SparseMatrix<double, Eigen::RowMajor> means(points.size(), n + surface.Triangles().rows());
-  means.setFromTriplets(entries.begin(), entries.end());
   return means;
 }
 
-} // namespace
-
-NearSurfaceCharges InsertNearSurfaceCharges(const SignedDistance& boundary,
-  const Eigen::MatrixXd& sites, const Eigen::MatrixXd& normals, const Eigen::VectorXd& offsets,
-  const Progress& progress)
+/// Returns the offset at which each site has a charge; 0 if it has none.
+Eigen::VectorXd ReachedOffsets(const SignedDistance& boundary, const Eigen::MatrixXd& sites,
+  const Eigen::MatrixXd& normals, const Eigen::VectorXd& offsets, const Progress& progress)
 {
   // The offset is multiplied by `nearer` up to `steps` times: 0.7^4 = 0.24 is the limit of the
   // header.
@@ -167,37 +182,63 @@ NearSurfaceCharges InsertNearSurfaceCharges(const SignedDistance& boundary,
     }
     open = std::move(crowded);
   }
+  return reached;
+}
 
+/// The charges at the offsets that were reached.
+NearSurfaceCharges ChargesAt(
+  const Eigen::MatrixXd& sites, const Eigen::MatrixXd& normals, const Eigen::VectorXd& reached)
+{
   std::vector<int> placed;
   NearSurfaceCharges sources;
-  for (int i = 0; i < n; ++i)
+  for (int i = 0; i < reached.size(); ++i)
   {
     if (reached(i) > 0.0)
     {
       placed.push_back(i);
     }
   }
-  sources.Points = positions(placed);
+  sources.Points = sites(placed, Eigen::all) +
+    Eigen::VectorXd(reached(placed)).asDiagonal() * normals(placed, Eigen::all);
   sources.Offsets = reached(placed);
   sources.Sites = Eigen::Map<const Eigen::VectorXi>(placed.data(), placed.size());
   return sources;
 }
 
-NearSurfaceChargeSystem::NearSurfaceChargeSystem(
-  const SignedDistance& boundary, const Surface& surface, Effort effort, const Progress& progress)
+} // namespace
+
+NearSurfaceCharges InsertNearSurfaceCharges(const SignedDistance& boundary,
+  const Eigen::MatrixXd& sites, const Eigen::MatrixXd& normals, const Eigen::VectorXd& offsets,
+  const Progress& progress)
+{
+  return ChargesAt(sites, normals, ReachedOffsets(boundary, sites, normals, offsets, progress));
+}
+
+NearSurfaceChargeSystem::NearSurfaceChargeSystem(std::shared_ptr<const SignedDistance> boundary,
+  const Surface& surface, Effort effort, const shape::Processes& processes,
+  const Progress& progress)
+  : Shared(processes, { surface.Points().rows(), surface.Triangles().rows() })
 {
   // Outline:
   // 1. One charge on the normal of each surface point.
   // 2. Coarse charges farther out, one for each cluster of points.
   // 3. The rows: values at points and centroids, their weights by quadrature, and the averages that
   //    the preconditioner reads.
-  // 4. The preconditioner and the fast sums are set up.
+  // 4. The preconditioner and the fast sums are set up. Each process keeps its share of the rows.
   const Eigen::MatrixXd normals = ComputeVertexNormals(surface, NormalWeight::Area);
   const Eigen::VectorXd areas = ComputePointAreas(surface);
-  // Step 1: charges.
-  const NearSurfaceCharges near = InsertNearSurfaceCharges(boundary, surface.Points(), normals,
-    NearOffsetOfSpacing * SpacingOfRootArea * areas.cwiseSqrt(),
-    progress.Part(0.0, 0.3, "placing the charges"));
+  // Step 1: charges. Each process finds the offsets of its share.
+  const Eigen::Index n = surface.Points().rows(), m = surface.Triangles().rows();
+  const auto& points = this->Shared.OwnRange(0);
+  Eigen::VectorXd reached = Eigen::VectorXd::Zero(n);
+  reached.segment(points.Begin, points.Size()) =
+    ReachedOffsets(*boundary, surface.Points().middleRows(points.Begin, points.Size()),
+      normals.middleRows(points.Begin, points.Size()),
+      NearOffsetOfSpacing * SpacingOfRootArea *
+        areas.segment(points.Begin, points.Size()).cwiseSqrt(),
+      progress.Part(0.0, 0.3, "placing the charges"));
+  processes.Sum(reached);
+  const NearSurfaceCharges near = ChargesAt(surface.Points(), normals, reached);
   if (near.Sites.size() == 0)
   {
     throw SolveFailure(
@@ -211,34 +252,42 @@ NearSurfaceChargeSystem::NearSurfaceChargeSystem(
   std::nth_element(offsets.begin(), hundredth, offsets.end());
   this->NearOffset = *hundredth;
   // Step 2: coarse charges.
-  const CoarseLevel coarse = PositionCoarse(boundary, surface.Points()(near.Sites, Eigen::all),
+  const CoarseLevel coarse = PositionCoarse(*boundary, surface.Points()(near.Sites, Eigen::all),
     normals(near.Sites, Eigen::all), areas(near.Sites), effort == Effort::Little ? 128 : 32,
     progress.Part(0.3, 0.4, "placing the charges"));
-  const Eigen::Index n = surface.Points().rows(), m = surface.Triangles().rows();
+  boundary.reset();
   // Step 3: rows and averages.
-  this->System.Sites = surface.Points()(near.Sites, Eigen::all);
-  this->System.Sources = near.Points;
-  this->System.Rows.resize(n + m, 3);
-  this->System.Rows << surface.Points(), ComputeCentroids(surface);
-  this->System.Tests = HatMeans(surface, near.Sites);
+  TestedSystem system;
+  system.Sites = surface.Points()(near.Sites, Eigen::all);
+  system.Sources = near.Points;
+  system.Rows.resize(n + m, 3);
+  system.Rows << surface.Points(), ComputeCentroids(surface);
+  system.Tests = HatMeans(surface, near.Sites);
   // The quadrature of HatMeans: 1 / 12 of each triangle's area at its corners and 3 / 4 at its
   // centroid. An area vector is twice as long as the area.
-  this->System.Weights.resize(n + m);
-  this->System.Weights << 0.25 * areas, 0.375 * surface.AreaVectors().rowwise().norm();
+  system.Weights.resize(n + m);
+  system.Weights << 0.25 * areas, 0.375 * surface.AreaVectors().rowwise().norm();
   this->AllSources.resize(near.Points.rows() + coarse.Sources.rows(), 3);
   this->AllSources << near.Points, coarse.Sources;
+  const std::vector<int> own = this->Shared.OwnRows();
   // Step 4. With more effort blocks overlap more and all are solved by regularized least squares
   // (SchwarzOptions).
   SchwarzOptions blocks;
+  blocks.Processes = processes;
   if (effort != Effort::Little)
   {
     blocks.Around = 200;
     blocks.MaximumAmplification = 0.0;
   }
-  this->Preconditioner = std::make_unique<SchwarzPreconditioner>(this->System, coarse.Sources,
+  this->Preconditioner = std::make_unique<SchwarzPreconditioner>(system, own, coarse.Sources,
     coarse.Clusters, blocks, progress.Part(0.4, 0.9, "inverting the blocks"));
-  this->Sums = std::make_unique<FmmSummation>(this->AllSources, this->System.Rows,
-    FmmSummationOptions(), progress.Part(0.9, 1.0, "preparing the fast summation"));
+  this->Positions = system.Rows(own, Eigen::all);
+  this->Weights = system.Weights(own) / system.Weights.sum();
+  system = {};
+  FmmSummationOptions sums;
+  sums.AllPoints = n + m;
+  this->Sums = std::make_unique<FmmSummation>(this->AllSources, this->Positions, sums,
+    progress.Part(0.9, 1.0, "preparing the fast summation"));
 }
 
 Eigen::MatrixXd NearSurfaceChargeSystem::Values(
@@ -248,14 +297,17 @@ Eigen::MatrixXd NearSurfaceChargeSystem::Values(
 }
 
 GmresResult NearSurfaceChargeSystem::Solve(
-  const Eigen::MatrixXd& values, const GmresOptions& options, const Progress& progress) const
+  const Eigen::MatrixXd& values, const GmresOptions& given, const Progress& progress) const
 {
+  GmresOptions options = given;
+  options.Inner = [this](const Eigen::MatrixXd& u, const Eigen::MatrixXd& v)
+  { return this->Shared.Sum(this->Weights, u, v); };
   // Right-preconditioned GMRES in the weighted norm of the rows (Gmres.h).
   return SolveGmres([&](const Eigen::MatrixXd& charges, const Progress& part)
     { return this->Values(charges, part); },
     [&](const Eigen::MatrixXd& residual, const Progress& part)
     { return this->Preconditioner->Apply(residual, part); },
-    values, this->System.Weights, options, progress);
+    values, this->Weights, options, progress);
 }
 
 } // namespace shape

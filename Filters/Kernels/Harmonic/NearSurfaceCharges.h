@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Base/SharedRows.h"
 #include "Distance/SignedDistance.h"
 #include "Fmm/FmmSummation.h"
 #include "Harmonic/SchwarzPreconditioner.h"
@@ -47,14 +48,19 @@ public:
     Little,
     More
   };
-  /// boundary: closed, facing out of the solid, with longest side 1. surface: the boundary, or a
-  /// refinement of it. Throws SolveFailure if no charge has room; Aborted.
-  NearSurfaceChargeSystem(const SignedDistance& boundary, const Surface& surface,
-    Effort effort = Effort::Little, const Progress& progress = {});
+  /// boundary: closed, facing out of the solid, with longest side 1; it is let go as soon as the
+  /// charges have their positions. surface: the boundary, or a refinement of it. Throws
+  /// SolveFailure if no charge has room; Aborted. Several processes share the rows and the
+  /// preconditioner.
+  NearSurfaceChargeSystem(std::shared_ptr<const SignedDistance> boundary, const Surface& surface,
+    Effort effort = Effort::Little, const shape::Processes& processes = {},
+    const Progress& progress = {});
 
-  /// Positions where values are prescribed: m x 3, the surface's points and then its triangles'
-  /// centroids.
-  const Eigen::MatrixXd& Rows() const { return this->System.Rows; }
+  /// Positions where values are prescribed: m x 3, this process's share of the surface's points,
+  /// and then its share of the triangles' centroids.
+  const Eigen::MatrixXd& Rows() const { return this->Positions; }
+  /// The distribution of the rows: those of the points, and those of the triangles.
+  const SharedRows& Shares() const { return this->Shared; }
   /// Positions of all charges, k x 3; the coarse charges come last.
   const Eigen::MatrixXd& Sources() const { return this->AllSources; }
   /// Number of surface points without a charge, because a gap is too narrow or the point has no
@@ -72,7 +78,9 @@ public:
   Eigen::MatrixXd Values(const Eigen::MatrixXd& charges, const Progress& progress = {}) const;
 
 private:
-  TestedSystem System;
+  SharedRows Shared;         ///< the rows
+  Eigen::MatrixXd Positions; ///< Rows()
+  Eigen::VectorXd Weights;   ///< of Rows(); the sum over all processes is 1
   Eigen::MatrixXd AllSources;
   double NearOffset = 0.0;
   int WithoutCharge = 0;
@@ -83,6 +91,7 @@ private:
 /// A boundary and its system, which can be reused for other targets of the same boundary.
 struct AcceleratedSetup
 {
+  shape::Processes Processes; ///< share the system
   Surface Boundary;
   std::unique_ptr<NearSurfaceChargeSystem> System;
 };

@@ -135,9 +135,9 @@ std::vector<std::vector<int>> SplitAtMedians(const Eigen::MatrixXd& points, int 
 }
 
 SchwarzPreconditioner::SchwarzPreconditioner(const TestedSystem& system,
-  const Eigen::MatrixXd& coarseSources, const Eigen::VectorXi& clusters,
-  const SchwarzOptions& options, const Progress& progress)
-  : Tests(system.Tests)
+  const std::vector<int>& ownRows, const Eigen::MatrixXd& coarseSources,
+  const Eigen::VectorXi& clusters, const SchwarzOptions& options, const Progress& progress)
+  : Processes(options.Processes)
   , CoarseSources(coarseSources)
   , ClusterMeans(MeansOver(clusters, coarseSources.rows()))
 {
@@ -147,8 +147,10 @@ SchwarzPreconditioner::SchwarzPreconditioner(const TestedSystem& system,
   // 3. The positions where the blocks read the residual are collected.
   // 4. The coarse system is inverted (SetUpCoarse).
   const BlasThreads single(false); // the blocks are distributed over the threads
-  // Step 1: blocks.
-  const std::vector<std::vector<int>> parts = SplitAtMedians(system.Sites, options.Own);
+  // Step 1: blocks. Those of one process are neighbours.
+  const std::vector<std::vector<int>> all = SplitAtMedians(system.Sites, options.Own);
+  const auto mine = this->Processes.Own(static_cast<Eigen::Index>(all.size()));
+  const std::vector<std::vector<int>> parts(all.begin() + mine.Begin, all.begin() + mine.End);
   const PointRows sites = system.Sites;
   const Tree tree(3, std::cref(sites), 16);
   // Step 2: local inverses.
@@ -165,41 +167,129 @@ SchwarzPreconditioner::SchwarzPreconditioner(const TestedSystem& system,
     },
     progress.Part(0.0, 0.8));
   // Steps 3 and 4.
-  this->GatherPositions(system);
-  this->SetUpCoarse(progress.Part(0.8, 1.0));
+  const Eigen::MatrixXd averaged = system.Tests * system.Rows;
+  this->GatherPositions(system, averaged, this->NumberRows(system, ownRows));
+  this->SetUpCoarse(averaged, progress.Part(0.8, 1.0));
 }
 
-void SchwarzPreconditioner::GatherPositions(const TestedSystem& system)
+std::vector<int> SchwarzPreconditioner::NumberRows(
+  const TestedSystem& system, const std::vector<int>& ownRows)
 {
-  const auto sites = static_cast<int>(system.Sites.rows());
-  std::vector<int> number(system.Rows.rows(), -1);
+  // Outline:
+  // 1. The rows that this process reads and may have to receive: those of its blocks, and those of
+  //    its tests that belong to another process.
+  // 2. The rows that any process reads are numbered, and sent by the process that has them.
+  // 3. The tests of this process, whose sums therefore have the order of the system's.
+  const Eigen::Index m = system.Rows.rows();
+  std::vector<int> ownIndex(m, -1);
+  for (std::size_t k = 0; k < ownRows.size(); ++k)
+  {
+    ownIndex[ownRows[k]] = static_cast<int>(k);
+  }
+  const auto isOwn = [&](Eigen::Index site)
+  {
+    const Means::InnerIterator first(system.Tests, site);
+    return first && ownIndex[first.col()] >= 0;
+  };
+  // Step 1: what is read.
+  Eigen::VectorXd read = Eigen::VectorXd::Zero(m);
+  for (const Block& block : this->Blocks)
+  {
+    if (block.TakesRows)
+    {
+      read(block.Inputs).setOnes();
+    }
+  }
+  for (Eigen::Index site = 0; site < system.Tests.rows(); ++site)
+  {
+    for (Means::InnerIterator entry(system.Tests, site); isOwn(site) && entry; ++entry)
+    {
+      read(entry.col()) = ownIndex[entry.col()] < 0 ? 1.0 : read(entry.col());
+    }
+  }
+  // Step 2: numbers.
+  this->Processes.Sum(read);
+  std::vector<int> numbers(m, -1);
+  for (Eigen::Index row = 0; row < m; ++row)
+  {
+    if (read(row) > 0.0)
+    {
+      if (ownIndex[row] >= 0)
+      {
+        this->SentRows.push_back(this->NumberedRows);
+        this->SentIndices.push_back(ownIndex[row]);
+      }
+      numbers[row] = this->NumberedRows++;
+    }
+  }
+  // Step 3: tests.
+  const auto own = static_cast<int>(ownRows.size());
+  this->Tests.resize(system.Tests.rows(), own + this->NumberedRows);
+  for (Eigen::Index site = 0; site < system.Tests.rows(); ++site)
+  {
+    this->Tests.startVec(site);
+    for (Means::InnerIterator entry(system.Tests, site); isOwn(site) && entry; ++entry)
+    {
+      const int index = ownIndex[entry.col()];
+      this->Tests.insertBackByOuterInnerUnordered(
+        site, index >= 0 ? index : own + numbers[entry.col()]) = entry.value();
+    }
+  }
+  this->Tests.finalize();
+  return numbers;
+}
+
+void SchwarzPreconditioner::GatherPositions(
+  const TestedSystem& system, const Eigen::MatrixXd& averaged, const std::vector<int>& numbers)
+{
+  const Eigen::Index n = system.Sites.rows(), m = system.Rows.rows();
+  // What the blocks of this process read; then its number among their inputs.
+  std::vector<int> sites(n, -1), rows(m, -1), positions;
+  for (const Block& block : this->Blocks)
+  {
+    for (const int input : block.Inputs)
+    {
+      (block.TakesRows ? rows : sites)[input] = 0;
+    }
+  }
+  for (int site = 0; site < n; ++site)
+  {
+    if (sites[site] == 0)
+    {
+      sites[site] = static_cast<int>(this->ReadSites.size());
+      this->ReadSites.push_back(site);
+    }
+  }
+  for (int row = 0; row < m; ++row)
+  {
+    if (rows[row] == 0)
+    {
+      rows[row] = static_cast<int>(this->ReadSites.size() + positions.size());
+      positions.push_back(row);
+      this->ReadRows.push_back(numbers[row]);
+    }
+  }
   for (Block& block : this->Blocks)
   {
     for (int& input : block.Inputs)
     {
-      if (block.TakesRows)
-      {
-        if (number[input] < 0)
-        {
-          number[input] = sites + static_cast<int>(this->Rows.size());
-          this->Rows.push_back(input);
-        }
-        input = number[input];
-      }
+      input = (block.TakesRows ? rows : sites)[input];
     }
   }
-  this->Positions.resize(sites + static_cast<Eigen::Index>(this->Rows.size()), 3);
-  this->Positions << system.Tests * system.Rows, system.Rows(this->Rows, Eigen::all);
+  this->Positions.resize(static_cast<Eigen::Index>(this->ReadSites.size() + positions.size()), 3);
+  this->Positions << averaged(this->ReadSites, Eigen::all), system.Rows(positions, Eigen::all);
 }
 
-void SchwarzPreconditioner::SetUpCoarse(const Progress& progress)
+void SchwarzPreconditioner::SetUpCoarse(const Eigen::MatrixXd& averaged, const Progress& progress)
 {
   // The coarse charges reproduce the mean residual of each cluster, by regularized least squares.
+  // The processes share the columns of the system, and each inverts it.
   const Eigen::Index count = this->CoarseSources.rows();
-  Eigen::MatrixXd coarse(count, count); // transposed
-  for (Eigen::Index c = 0; c < count; ++c)
+  Eigen::MatrixXd coarse = Eigen::MatrixXd::Zero(count, count); // transposed
+  const auto mine = this->Processes.Own(count);
+  for (Eigen::Index c = mine.Begin; c < mine.End; ++c)
   {
-    progress(0.3 * static_cast<double>(c) / static_cast<double>(count));
+    progress(0.3 * static_cast<double>(c - mine.Begin) / static_cast<double>(mine.Size()));
     // A mean of potentials is the potential of a charge distributed over the positions.
     std::vector<int> sites;
     std::vector<double> shares;
@@ -208,10 +298,11 @@ void SchwarzPreconditioner::SetUpCoarse(const Progress& progress)
       sites.push_back(static_cast<int>(entry.col()));
       shares.push_back(entry.value());
     }
-    coarse.col(c) = SumPotentialsDirectly(this->Positions(sites, Eigen::all),
+    coarse.col(c) = SumPotentialsDirectly(averaged(sites, Eigen::all),
       Eigen::Map<const Eigen::VectorXd>(shares.data(), static_cast<Eigen::Index>(shares.size())),
       this->CoarseSources);
   }
+  this->Processes.Sum(coarse);
   // In narrow gaps coarse charges are nearly redundant; the regularization keeps them small.
   constexpr double ridge = 1e-4;
   this->CoarseInverse = coarse;
@@ -290,22 +381,37 @@ Eigen::MatrixXd SchwarzPreconditioner::Apply(
 {
   const BlasThreads single(false);
   // Outline:
-  // 1. The residual at the positions that blocks read: averages around the sites, then single rows.
+  // 1. The averages of the residual around all sites, and the rows that blocks read.
   // 2. The coarse charges, from the mean residual of each cluster.
   // 3. The blocks reduce the remaining residual, independently of each other.
   const Eigen::Index n = this->Tests.rows(), c = this->CoarseSources.rows();
-  // Step 1: the residual.
-  Eigen::MatrixXd left(this->Positions.rows(), residual.cols());
-  left.topRows(n) = this->Tests * residual;
-  left.bottomRows(left.rows() - n) = residual(this->Rows, Eigen::all);
+  const Eigen::Index columns = residual.cols();
+  // Step 1: the processes send numbered rows and averages.
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(this->NumberedRows, columns);
+  rows(this->SentRows, Eigen::all) = residual(this->SentIndices, Eigen::all);
+  this->Processes.Sum(rows);
+  Eigen::MatrixXd averages;
+  if (this->NumberedRows > 0)
+  {
+    Eigen::MatrixXd read(residual.rows() + this->NumberedRows, columns);
+    read << residual, rows;
+    averages = this->Tests * read;
+  }
+  else
+  {
+    averages = this->Tests * residual;
+  }
+  this->Processes.Sum(averages);
   // Step 2: coarse charges.
-  Eigen::MatrixXd charges(n + c, residual.cols());
-  charges.bottomRows(c) = this->CoarseInverse * (this->ClusterMeans * left.topRows(n));
+  const Eigen::MatrixXd coarse = this->CoarseInverse * (this->ClusterMeans * averages);
+  Eigen::MatrixXd left(this->Positions.rows(), columns);
+  left << averages(this->ReadSites, Eigen::all), rows(this->ReadRows, Eigen::all);
   // The potential of a coarse charge hardly varies over one average, so it is evaluated at its
   // centre.
-  left -= SumPotentialsDirectly(this->CoarseSources, charges.bottomRows(c), this->Positions,
-    RootError::Small, progress.Part(0.0, 0.5));
+  left -= SumPotentialsDirectly(
+    this->CoarseSources, coarse, this->Positions, RootError::Small, progress.Part(0.0, 0.5));
   // Step 3. Every site belongs to one block, so the blocks write different rows.
+  Eigen::MatrixXd charges = Eigen::MatrixXd::Zero(n + c, columns);
   ParallelFor(
     static_cast<int>(this->Blocks.size()), 16,
     [&](int begin, int end)
@@ -320,6 +426,8 @@ Eigen::MatrixXd SchwarzPreconditioner::Apply(
       }
     },
     progress.Part(0.5, 1.0));
+  this->Processes.Sum(charges);
+  charges.bottomRows(c) = coarse;
   return charges;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Base/Processes.h"
 #include "Base/Progress.h"
 
 #include <Eigen/SparseCore>
@@ -30,6 +31,8 @@ struct SchwarzOptions
   /// is 100 to 600. With 0 all blocks are solved by least squares. This takes three times the time
   /// and memory, but also works if charges are crowded.
   double MaximumAmplification = 1e3;
+  /// The blocks and the rows are distributed over these processes.
+  shape::Processes Processes;
 };
 
 /**
@@ -42,14 +45,15 @@ struct SchwarzOptions
 class SchwarzPreconditioner
 {
 public:
-  /// coarseSources: c x 3. clusters: for each of the n sites, the index of its coarse source.
-  /// Throws Aborted.
-  SchwarzPreconditioner(const TestedSystem& system, const Eigen::MatrixXd& coarseSources,
-    const Eigen::VectorXi& clusters, const SchwarzOptions& options = {},
-    const Progress& progress = {});
+  /// system: the same on all processes. ownRows: the rows of this process, ascending; every row
+  /// belongs to one process. coarseSources: c x 3. clusters: for each of the n sites, the index of
+  /// its coarse source. Throws Aborted.
+  SchwarzPreconditioner(const TestedSystem& system, const std::vector<int>& ownRows,
+    const Eigen::MatrixXd& coarseSources, const Eigen::VectorXi& clusters,
+    const SchwarzOptions& options = {}, const Progress& progress = {});
 
-  /// residual: m x k. Returns the charges at the sources, then the charges at the coarse sources:
-  /// (n + c) x k.
+  /// residual: the residual at this process's rows, with k columns. Returns the charges at the
+  /// sources, then the charges at the coarse sources: (n + c) x k, the same on all processes.
   Eigen::MatrixXd Apply(const Eigen::MatrixXd& residual, const Progress& progress = {}) const;
 
 private:
@@ -62,15 +66,26 @@ private:
   };
   static Block MakeBlock(const TestedSystem& system, const std::vector<int>& own,
     const std::vector<int>& around, double maximumAmplification);
-  void GatherPositions(const TestedSystem& system);
-  void SetUpCoarse(const Progress& progress);
+  /// Returns the number of each row of the system, or -1.
+  std::vector<int> NumberRows(const TestedSystem& system, const std::vector<int>& ownRows);
+  void GatherPositions(
+    const TestedSystem& system, const Eigen::MatrixXd& averaged, const std::vector<int>& numbers);
+  void SetUpCoarse(const Eigen::MatrixXd& averaged, const Progress& progress);
 
+  shape::Processes Processes;
+  /// Tests of the sites whose first row this process has; the others are zero. The columns are the
+  /// rows of this process, then the numbered rows.
   Eigen::SparseMatrix<double, Eigen::RowMajor> Tests;
-  std::vector<Block> Blocks;
-  /// Positions where blocks read the residual: first the weighted mean position of each site's
-  /// average, then the positions of the rows in Rows.
+  std::vector<Block> Blocks; ///< those of this process
+  /// Positions where blocks read the residual: first the weighted mean position of the average of
+  /// each site in ReadSites, then the positions of the rows in ReadRows.
   Eigen::MatrixXd Positions;
-  std::vector<int> Rows; ///< the rows of the system that at least one block reads
+  std::vector<int> ReadSites, ReadRows; ///< what the blocks of this process read, ascending
+  /// The rows are numbered that a block of any process reads, or a test of a process that does not
+  /// have the row. ReadRows holds these numbers.
+  int NumberedRows = 0;
+  /// Those of this process: the number of each, and its index among this process's rows.
+  std::vector<int> SentRows, SentIndices;
   Eigen::MatrixXd CoarseSources;
   /// c x n: mean over the sites of each cluster
   Eigen::SparseMatrix<double, Eigen::RowMajor> ClusterMeans;

@@ -23,6 +23,10 @@ GmresResult SolveGmres(const LinearMap& a, const LinearMap& b, const Eigen::Matr
   // Mean products over the rows, so a norm is a root mean square.
   const auto inner = [&](const Eigen::MatrixXd& u, const Eigen::MatrixXd& v)
   {
+    if (options.Inner)
+    {
+      return options.Inner(u, v);
+    }
     Eigen::RowVectorXd products(columns);
     for (Eigen::Index c = 0; c < columns; ++c)
     {

@@ -18,6 +18,9 @@ struct GmresOptions
   /// this share; >= 0, < 1. Two such iterations suffice if all residuals are at most 4 times
   /// Tolerance.
   double LeastGain = 0.0;
+  /// Returns the inner product of each two columns, for rows that are distributed over processes.
+  /// Empty: the mean of the products, by the weights of the rows.
+  std::function<Eigen::RowVectorXd(const Eigen::MatrixXd& u, const Eigen::MatrixXd& v)> Inner;
 };
 
 struct GmresResult
@@ -40,7 +43,7 @@ using LinearMap = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&, const Pr
  *
  * a: applies A to n x k values, giving m x k. b: applies the preconditioner B to m x k values,
  * giving n x k. rightSide: the right side b of the equation, m x k. weights: the weights of the
- * rows in all norms, m values, each >= 0. Throws Aborted.
+ * rows in all norms, m values, each >= 0; not used if options.Inner is given. Throws Aborted.
  */
 GmresResult SolveGmres(const LinearMap& a, const LinearMap& b, const Eigen::MatrixXd& rightSide,
   const Eigen::VectorXd& weights, const GmresOptions& options = {}, const Progress& progress = {});

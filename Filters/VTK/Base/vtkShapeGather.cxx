@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
 #include <functional>
 #include <map>
 #include <new>
@@ -242,6 +243,54 @@ void vtkShapeGather::RunOnAllOrFail(
   {
     throw shape::InvalidInput(message);
   }
+}
+
+void vtkShapeGather::RunTogether(
+  vtkMultiProcessController* controller, const std::function<void(const shape::Processes&)>& work)
+{
+  // Every sum begins with an agreement that no process has failed. A process that fails takes part
+  // in the next agreement, by which the others fail in their sum; they do not agree again.
+  bool agreed = false;
+  shape::Processes processes;
+  if (IsParallel(controller))
+  {
+    processes.Count = controller->GetNumberOfProcesses();
+    processes.Number = controller->GetLocalProcessId();
+    processes.Add = [&](double* values, Eigen::Index count)
+    {
+      agreed = true;
+      RunOnAllOrFail(controller, [] {});
+      agreed = false;
+      // The lengths of messages are int.
+      constexpr Eigen::Index longest = 1 << 24;
+      for (Eigen::Index first = 0; first < count; first += longest)
+      {
+        Reduce(controller, values + first, static_cast<int>(std::min(longest, count - first)),
+          Reduction::Sum);
+      }
+    };
+  }
+  std::exception_ptr failure;
+  try
+  {
+    work(processes);
+  }
+  catch (...)
+  {
+    failure = std::current_exception();
+    if (agreed)
+    {
+      throw;
+    }
+  }
+  RunOnAllOrFail(controller,
+    [&]
+    {
+      if (failure)
+      {
+        std::rethrow_exception(failure);
+      }
+    });
 }
 
 void vtkShapeGather::Share(vtkMultiProcessController* controller, vtkDataObject* data)

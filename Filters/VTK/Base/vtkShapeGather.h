@@ -2,6 +2,8 @@
 
 #include "vtkSmartPointer.h"
 
+#include "Base/Processes.h"
+
 #include <Eigen/Core>
 
 #include <functional>
@@ -53,6 +55,11 @@ vtkSmartPointer<vtkUnstructuredGrid> GatherGrid(
 /// processes. Use it for work of Execute that precedes a collective call. Otherwise, the other
 /// processes would wait forever for a process that has failed.
 void RunOnAllOrFail(vtkMultiProcessController* controller, const std::function<void()>& work);
+
+/// Calls `work` on every process, which may sum values over the processes. If it throws on one
+/// process, the next sum of the others throws, and this function throws on all processes.
+void RunTogether(
+  vtkMultiProcessController* controller, const std::function<void(const shape::Processes&)>& work);
 
 /// Returns the number of positions over all processes. A position that several processes have, at a
 /// seam between their pieces, counts once.

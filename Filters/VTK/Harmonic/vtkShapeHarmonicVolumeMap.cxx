@@ -86,7 +86,7 @@ const std::string Facts = vtkShapeVolumeMapFacts::Prefix;
 } // namespace
 
 shape::VolumeMapResult vtkShapeHarmonicVolumeMap::Solve(
-  vtkPolyData* facts, const shape::Progress& progress)
+  vtkPolyData* facts, shape::AcceleratedSetup& setup, const shape::Progress& progress)
 {
   vtkPolyData* boundary = this->GetGatheredInput(1).Data;
   vtkShapeRegions::RequireNoneTouch(boundary, "the Boundary");
@@ -122,8 +122,7 @@ shape::VolumeMapResult vtkShapeHarmonicVolumeMap::Solve(
     this->Options.FeatureWeight, LongestStep * shape::ComputeLongestBoxEdge(conditions.Boundary));
 
   const shape::VolumeMapOptions options{ this->Options, this->Exact, this->FreeBoundary };
-  shape::VolumeMapResult result =
-    shape::ComputeVolumeMap(conditions, options, progress, this->Setup.get());
+  shape::VolumeMapResult result = shape::ComputeVolumeMap(conditions, options, progress, &setup);
   vtkShapeVolumeMapFacts::AddFacts(result.Map, this->Options.Method, this->Exact, facts);
   vtkShapeConvert::AddFact(
     facts, Facts + "FeaturePoints", static_cast<double>(conditions.Features.Points.rows()));
@@ -177,7 +176,8 @@ Position ShareMap(vtkMultiProcessController* controller, shape::VolumeMapResult&
 
 } // namespace
 
-// 1. Check the domain on every process, and solve for the map on the first one.
+// 1. Check the domain on every process, and solve for the map: on all of them together where the
+//    method can, otherwise on the first one.
 // 2. Send the map and the facts to all processes.
 // 3. Each process moves its own pieces by it.
 // 4. With FoldFree, untangle the moved solid.
@@ -201,9 +201,20 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
       {
         vtkShapeSolid::RequireOneSolid(domain, controller);
       }
-      if (first)
+    });
+  const bool together =
+    this->Options.Method == shape::HarmonicVolumeMapOptions::MethodType::Accelerated &&
+    !this->Exact && !this->FreeBoundary && this->GetNumberOfInputConnections(2) == 0;
+  vtkShapeGather::RunTogether(controller,
+    [&](const shape::Processes& processes)
+    {
+      // What several processes share is valid only here.
+      shape::AcceleratedSetup shared;
+      shared.Processes = processes;
+      if (first || together)
       {
-        result = this->Solve(holder, progress.Part(0.0, solved));
+        result = this->Solve(holder, together && processes.Count > 1 ? shared : *this->Setup,
+          progress.Part(0.0, solved));
       }
     });
   vtkShapeGather::Share(controller, holder);

@@ -167,7 +167,8 @@ private:
 
   /// Computes the map from the gathered inputs, and adds its errors and choices to the field data
   /// of `facts`.
-  shape::VolumeMapResult Solve(vtkPolyData* facts, const shape::Progress& progress);
+  shape::VolumeMapResult Solve(
+    vtkPolyData* facts, shape::AcceleratedSetup& setup, const shape::Progress& progress);
 
   std::string MapArray = "TargetPosition";
   bool Exact = false;

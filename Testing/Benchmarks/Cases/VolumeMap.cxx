@@ -6,8 +6,10 @@
 #include "Distance/SignedDistance.h"
 #include "Harmonic/FiniteElementMap.h"
 #include "Harmonic/HarmonicVolumeMap.h"
+#include "Harmonic/NearSurfaceCharges.h"
 #include "Search/CellLocator.h"
 #include "Solids/Nesting.h"
+#include "Support/ForkedProcesses.h"
 
 #include <cblas.h>
 #include <cmath>
@@ -35,7 +37,10 @@ METHOD  Accelerated, MultiLevel, SingleShot (OffsetDistance=, CollocationRatio=,
         that keeps the surface's triangles (Refine=, RadiusEdgeRatio=, Solver=, Ordering=, Threads=)
 Reference=FILE  for data B and C: where the values of refined finite elements at the random points
         inside are kept
+Processes=4  share the solution by Accelerated: largest cpu and mib of a process are processcpu, processmib
 Evaluations=N  also evaluates a map of charges at N points inside: evaluate (CPU seconds) and evaluatemib
+Images=FILE  keeps the images of the random points inside, or says how far they are from those kept
+(imagesdiffer, of the size)
 Weld=1  joins points at the same position first
 Positions=4 in each triangle, Most=60000 of them in all, Interior=4000 points (with Winding=1 only where
 the surface winds around once), Seed=1
@@ -143,12 +148,29 @@ Eigen::MatrixXd ManyInside(const shape::Mesh& mesh, int count, unsigned int seed
 using Solution = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>;
 
 Solution RunVolumeMap(const shape::Mesh& mesh, const Eigen::MatrixXd& values,
-  const shape::HarmonicVolumeMapOptions& options, benchmark::Cost& cost, benchmark::Row& facts)
+  const shape::HarmonicVolumeMapOptions& options, int processes, benchmark::Cost& cost,
+  benchmark::Row& facts)
 {
   shape::HarmonicVolumeMapResult result;
   Stages stages;
-  cost = benchmark::Measure(
-    [&] { result = shape::ComputeHarmonicVolumeMap(mesh, values, {}, options, stages.Report()); });
+  Eigen::MatrixXd costs = Eigen::MatrixXd::Zero(processes, 2);
+  shapetest::ForkedProcesses::Run(processes,
+    [&](const shape::Processes& own)
+    {
+      shape::AcceleratedSetup setup;
+      setup.Processes = own;
+      cost = benchmark::Measure(
+        [&] {
+          result =
+            shape::ComputeHarmonicVolumeMap(mesh, values, {}, options, stages.Report(), &setup);
+        });
+      costs.row(own.Number) << cost.Cpu, cost.MiB;
+      own.Sum(costs);
+    });
+  if (processes > 1)
+  {
+    facts.Add("processcpu", costs.col(0).maxCoeff()).Add("processmib", costs.col(1).maxCoeff());
+  }
   facts.Add("charges", result.Map.Points.rows())
     .Add("offset", result.OffsetDistance)
     .Add("rmseinside", result.Levels.back().RMSEInside)
@@ -224,8 +246,9 @@ Method ReadMethod(const std::string& name, benchmark::Arguments& arguments)
   options.SourceRatio = arguments.Setting("SourceRatio", options.SourceRatio);
   options.Tolerance = arguments.Setting("Tolerance", options.Tolerance);
   options.MaximumMemory = arguments.Setting("MaximumMemory", 64.0);
-  return [options](const auto& mesh, const auto& values, auto& cost, auto& facts)
-  { return RunVolumeMap(mesh, values, options, cost, facts); };
+  const int processes = arguments.Setting("Processes", 1);
+  return [options, processes](const auto& mesh, const auto& values, auto& cost, auto& facts)
+  { return RunVolumeMap(mesh, values, options, processes, cost, facts); };
 }
 
 /// Finite elements for the same piecewise linear values on four times as many triangles and about
@@ -276,7 +299,8 @@ void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
   const bool weld = arguments.Setting("Weld", false), winding = arguments.Setting("Winding", false);
   const auto seed = static_cast<unsigned int>(arguments.Setting("Seed", 1));
   const std::string cache = arguments.Setting("Cache", "."),
-                    reference = arguments.Setting("Reference", "");
+                    reference = arguments.Setting("Reference", ""),
+                    kept = arguments.Setting("Images", "");
   const int each = arguments.Setting("Positions", 4), most = arguments.Setting("Most", 60000),
             interiorPoints = arguments.Setting("Interior", 4000),
             evaluations = arguments.Setting("Evaluations", 0);
@@ -325,6 +349,13 @@ void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
       ? field.Evaluate(points)
       : Kept(reference, points.rows(), [&] { return ReferenceValues(mesh, values, points); });
     interior = RootMeanSquare(solution(points) - truth) / size;
+  }
+  if (!kept.empty())
+  {
+    const Eigen::MatrixXd images =
+      solution(benchmark::InteriorPoints(mesh, interiorPoints, seed + 2, winding));
+    const Eigen::MatrixXd before = Kept(kept, images.rows(), [&] { return images; });
+    facts.Add("imagesdiffer", (images - before).cwiseAbs().maxCoeff() / size);
   }
   if (known)
   {

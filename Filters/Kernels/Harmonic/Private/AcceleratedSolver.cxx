@@ -36,13 +36,26 @@ struct RefinedBoundary
   Eigen::MatrixXd Targets;
 };
 
-/// Returns the squared residual integrated over each triangle, by the rule of
-/// NearSurfaceChargeSystem.
-Eigen::VectorXd SquaresLeft(const Mesh& surface, const Eigen::MatrixXd& left)
+/// Returns the values at this process's points (n x 3 in all), and their means at the centroids of
+/// its triangles.
+Eigen::MatrixXd TakeOwn(
+  const SharedRows& shared, const Eigen::MatrixXi& triangles, const Eigen::MatrixXd& values)
 {
-  const Eigen::VectorXd squares = left.rowwise().squaredNorm();
-  const Eigen::VectorXd areas = 0.5 * ComputeAreaVectors(surface).rowwise().norm();
+  const auto &points = shared.OwnRange(0), &own = shared.OwnRange(1);
+  Eigen::MatrixXd taken(shared.OwnCount(), 3);
+  taken << values.middleRows(points.Begin, points.Size()),
+    AverageAtCorners(triangles.middleRows(own.Begin, own.Size()), values);
+  return taken;
+}
+
+/// Returns the squared residual integrated over each triangle, by the rule of
+/// NearSurfaceChargeSystem. left: the residual at this process's rows.
+Eigen::VectorXd SquaresLeft(
+  const Mesh& surface, const Eigen::MatrixXd& left, const SharedRows& shared)
+{
+  const Eigen::VectorXd squares = shared.Gather(left.rowwise().squaredNorm());
   const Eigen::Index n = surface.Points.rows();
+  const Eigen::VectorXd areas = 0.5 * ComputeAreaVectors(surface).rowwise().norm();
   Eigen::VectorXd sums(surface.Triangles.rows());
   for (Eigen::Index t = 0; t < sums.size(); ++t)
   {
@@ -58,11 +71,11 @@ Eigen::VectorXd SquaresLeft(const Mesh& surface, const Eigen::MatrixXd& left)
 
 /// Bisects the triangles that together hold most of the squared residual (Doerfler marking, "A
 /// convergent adaptive algorithm for Poisson's equation", 1996).
-void Refine(RefinedBoundary& boundary, const Eigen::MatrixXd& left)
+void Refine(RefinedBoundary& boundary, const Eigen::MatrixXd& left, const SharedRows& shared)
 {
   // The bulk parameter of Doerfler's marking, for squared residuals.
   constexpr double share = 0.7;
-  const Eigen::VectorXd squares = SquaresLeft(boundary.Surface, left);
+  const Eigen::VectorXd squares = SquaresLeft(boundary.Surface, left, shared);
   std::vector<int> order(squares.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(
@@ -110,12 +123,13 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
   // 5. Unless a criterion stops the levels, triangles with the largest residual are bisected.
   auto start = std::chrono::steady_clock::now();
   const Surface& boundary = problem.Boundary();
+  const Processes& processes = setup.Processes;
   auto effort = NearSurfaceChargeSystem::Effort::Little;
   if (!setup.System || !AreEqual(setup.Boundary, boundary))
   {
     setup.Boundary = boundary;
     setup.System = std::make_unique<NearSurfaceChargeSystem>(
-      problem.Distance(), boundary, effort, progress.Part(0.0, 0.02));
+      problem.Distance(), boundary, effort, processes, progress.Part(0.0, 0.02));
   }
   result.OffsetDistance = setup.System->Offset();
   result.PointsWithoutCharge = setup.System->PointsWithoutCharge();
@@ -136,14 +150,14 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     if (number > 1)
     {
       finer = std::make_unique<NearSurfaceChargeSystem>(
-        problem.Distance(), refined.Surface, effort, part.Part(0.0, 0.55));
+        problem.Distance(), refined.Surface, effort, processes, part.Part(0.0, 0.55));
     }
     const NearSurfaceChargeSystem& system = finer ? *finer : *setup.System;
     result.OffsetDistance = std::min(result.OffsetDistance, system.Offset());
     // Step 2. The boundary map is linear on triangles: a centroid's image is the mean of the
     // corners' images.
-    Eigen::MatrixXd targets(system.Rows().rows(), 3);
-    targets << refined.Targets, AverageAtCorners(refined.Surface.Triangles, refined.Targets);
+    const Eigen::MatrixXd targets =
+      TakeOwn(system.Shares(), refined.Surface.Triangles, refined.Targets);
     const Eigen::MatrixXd left =
       problem.Left(system.Rows(), targets, part.Part(0.55, 0.6, "computing the residual"));
     // Step 3: GMRES.
@@ -156,13 +170,16 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     result.RefinedPoints =
       static_cast<int>(refined.Surface.Points.rows() - boundary.Points().rows());
     // Step 4: the sum.
+    const Eigen::Index rows = system.Shares().Count();
     const auto [factors, gain] =
       problem.Add(system.Sources(), fit.Solution, part.Part(0.95, 1.0, "measuring the error"));
-    AddLevel(problem, system.Sources().rows(), system.Rows().rows(), gain, start, result);
+    AddLevel(problem, system.Sources().rows(), rows, gain, start, result);
     HarmonicVolumeMapResult::Level& level = result.Levels.back();
     // The rows are the collocation points; the scaled map changed the residual there by this much.
-    const Eigen::MatrixXd change = (left - fit.Left) * factors.asDiagonal();
-    level.RMSECollocations = std::sqrt((left - change).squaredNorm() / left.rows());
+    const Eigen::MatrixXd after = left - (left - fit.Left) * factors.asDiagonal();
+    const Eigen::VectorXd ones = Eigen::VectorXd::Ones(after.rows());
+    level.RMSECollocations =
+      std::sqrt(system.Shares().Sum(ones, after, after).sum() / static_cast<double>(rows));
     // Step 5: stop or refine.
     if (level.RMSEInside <= options.Tolerance)
     {
@@ -182,7 +199,7 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     effort = level.RMSEInside > ToughTolerances * options.Tolerance
       ? NearSurfaceChargeSystem::Effort::More
       : NearSurfaceChargeSystem::Effort::Little;
-    Refine(refined, fit.Left);
+    Refine(refined, fit.Left, system.Shares());
     if (static_cast<double>(refined.Surface.Points.rows()) > maximum)
     {
       result.Reason = HarmonicVolumeMapResult::Stop::Refinement;

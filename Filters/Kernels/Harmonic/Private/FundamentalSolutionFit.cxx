@@ -85,9 +85,10 @@ double DecompositionMemory(double rows, double columns)
 } // namespace
 
 FundamentalSolutionFit::FundamentalSolutionFit(const ScaledBoundary& scaled,
-  const VolumeFeatures& features, const HarmonicVolumeMapOptions& options, const Progress& progress)
+  const VolumeFeatures& features, const HarmonicVolumeMapOptions& options,
+  const shape::Processes& processes, const Progress& progress)
   : Scaled(scaled)
-  , Field(scaled.Surface)
+  , Processes(processes)
   , SumError(std::clamp(0.03 * options.Tolerance, 1e-10, 1e-5))
   , Threshold(options.SingularValueThreshold)
   , MaximumMemory(options.MaximumMemory)
@@ -97,43 +98,70 @@ FundamentalSolutionFit::FundamentalSolutionFit(const ScaledBoundary& scaled,
     ? Eigen::VectorXd(features.Weights.cwiseSqrt())
     : Eigen::VectorXd::Constant(count, std::sqrt(options.FeatureWeight));
   const Eigen::MatrixXd positions = (features.Points.rowwise() - scaled.Origin) / scaled.Size;
-  const Eigen::VectorXi outside =
-    FindPointsOutsideDomain(this->Field, positions, 0.5 * options.OffsetDistance, progress);
-  if (count > 0 && outside.maxCoeff() > 0)
+  if (count > 0)
   {
+    const Eigen::VectorXi outside =
+      FindPointsOutsideDomain(*this->Distance(), positions, 0.5 * options.OffsetDistance, progress);
     Eigen::Index first = 0;
-    outside.maxCoeff(&first);
-    throw InvalidInput(std::to_string(outside.sum()) +
-      (outside.sum() == 1 ? " feature lies" : " features lie") +
-      " outside the boundary (first at feature point " + std::to_string(first) +
-      "); leave them out or correct their positions");
+    if (outside.maxCoeff(&first) > 0)
+    {
+      throw InvalidInput(std::to_string(outside.sum()) +
+        (outside.sum() == 1 ? " feature lies" : " features lie") +
+        " outside the boundary (first at feature point " + std::to_string(first) +
+        "); leave them out or correct their positions");
+    }
   }
 
   // The residual is known at all probes: boundary points, one position in each triangle, and
   // features. It starts as the images minus the affine part.
   const Surface& surface = scaled.Surface;
-  const Eigen::Index n = surface.Points().rows(), m = surface.Triangles().rows();
-  this->Probes.resize(n + m + count, 3);
-  this->Probes << surface.Points(), ComputeOffCentres(surface), positions;
-  this->Residual.resize(n + m + count, 3);
-  this->Residual << scaled.Targets, InterpolateAtOffCentres(surface, scaled.Targets),
-    (features.Targets.rowwise() - scaled.TargetOrigin) / scaled.TargetSize;
+  this->Shared =
+    SharedRows(processes, { surface.Points().rows(), surface.Triangles().rows(), count });
+  const auto &points = this->Shared.OwnRange(0), &triangles = this->Shared.OwnRange(1);
+  const auto own = [&](const Eigen::MatrixXd& ofPoints, const Eigen::MatrixXd& ofTriangles,
+                     const Eigen::MatrixXd& ofFeatures)
+  {
+    Eigen::MatrixXd all(this->Shared.OwnCount(), 3);
+    all << ofPoints.middleRows(points.Begin, points.Size()),
+      ofTriangles.middleRows(triangles.Begin, triangles.Size()), ofFeatures;
+    return all;
+  };
+  this->Probes = own(surface.Points(), ComputeOffCentres(surface), positions);
+  this->Residual = own(scaled.Targets, InterpolateAtOffCentres(surface, scaled.Targets),
+    (features.Targets.rowwise() - scaled.TargetOrigin) / scaled.TargetSize);
   this->Sum.Affine = AffineFit(surface.Points(), scaled.Targets, ComputePointAreas(surface));
   this->Residual -= Evaluate(this->Sum, this->Probes);
   this->Positions.resize(0, 3);
   this->CollocationResidual.resize(0, 3);
 }
 
+std::shared_ptr<const SignedDistance> FundamentalSolutionFit::Distance()
+{
+  const Surface& surface = this->Scaled.Surface;
+  if (this->Processes.Count > 1)
+  {
+    // The surface caches the search tree, so a copy of the surface is freed with the tree.
+    return std::make_shared<const SignedDistance>(surface.WithPoints(surface.Points()));
+  }
+  if (!this->Field)
+  {
+    this->Field = std::make_shared<const SignedDistance>(surface);
+  }
+  return this->Field;
+}
+
 Eigen::MatrixXd FundamentalSolutionFit::Left(
   const Eigen::MatrixXd& positions, const Eigen::MatrixXd& targets, const Progress& progress) const
 {
-  return targets - Evaluate(this->Sum, positions, progress, this->SumError);
+  const double all = this->Processes.SumOf(static_cast<double>(positions.rows()));
+  return targets -
+    Evaluate(this->Sum, positions, progress, this->SumError, static_cast<Eigen::Index>(all));
 }
 
 void FundamentalSolutionFit::Collocate(const Eigen::MatrixXd& points, const Progress& progress)
 {
   const Surface& surface = this->Scaled.Surface;
-  const ClosestPoints closest = this->Field.Locator().Find(points, progress.Part(0.0, 0.5));
+  const ClosestPoints closest = this->Distance()->Locator().Find(points, progress.Part(0.0, 0.5));
   const Eigen::Index before = this->Positions.rows();
   this->Positions.conservativeResize(before + points.rows(), 3);
   this->Positions.bottomRows(points.rows()) = closest.Positions;
@@ -233,20 +261,20 @@ FundamentalSolutionFit::Fit FundamentalSolutionFit::Solve(
 FundamentalSolutionFit::Added FundamentalSolutionFit::Add(
   const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges, const Progress& progress)
 {
-  const Eigen::Index n = this->Scaled.Surface.Points().rows();
   const Eigen::Index m = this->Scaled.Surface.Triangles().rows();
   ChargeSet step{ sources, charges };
   step.Affine.setZero();
+  // All processes sum by the same method.
   const Eigen::MatrixXd change =
-    Evaluate(step, this->Probes, progress.Part(0.0, 0.8), this->SumError);
+    Evaluate(step, this->Probes, progress.Part(0.0, 0.8), this->SumError, this->Shared.Count());
 
   // The least-squares factor of each coordinate, over the weighted probes.
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(this->Probes.rows());
-  weights.segment(n, m).setConstant(
-    static_cast<double>(std::max<Eigen::Index>(1, this->Positions.rows())) / m);
+  weights.segment(this->Shared.OwnRange(0).Size(), this->Shared.OwnRange(1).Size())
+    .setConstant(static_cast<double>(std::max<Eigen::Index>(1, this->Positions.rows())) / m);
   weights.tail(this->RootWeights.size()) = this->RootWeights.cwiseAbs2();
   const auto inner = [&](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
-  { return Eigen::RowVector3d(weights.transpose() * a.cwiseProduct(b)); };
+  { return Eigen::RowVector3d(this->Shared.Sum(weights, a, b)); };
   const Eigen::RowVector3d squares = inner(change, change);
   const Eigen::RowVector3d factors =
     (squares.array() > 0.0)
@@ -299,12 +327,28 @@ Eigen::MatrixXd FundamentalSolutionFit::WorstPoints(int count, double spacing) c
 
 HarmonicVolumeMapResult::Level FundamentalSolutionFit::Errors() const
 {
-  const Eigen::Index n = this->Scaled.Surface.Points().rows();
-  const Eigen::Index m = this->Scaled.Surface.Triangles().rows();
+  const double n = static_cast<double>(this->Scaled.Surface.Points().rows());
+  const double m = static_cast<double>(this->Scaled.Surface.Triangles().rows());
+  const Eigen::Index points = this->Shared.OwnRange(0).Size();
+  const Eigen::Index triangles = this->Shared.OwnRange(1).Size();
+  const auto squares = [&](Eigen::Index first, Eigen::Index count)
+  {
+    Eigen::VectorXd chosen = Eigen::VectorXd::Zero(this->Residual.rows());
+    chosen.segment(first, count).setOnes();
+    return this->Shared.Sum(chosen, this->Residual, this->Residual).sum();
+  };
   HarmonicVolumeMapResult::Level level;
-  level.RMSEVertices = std::sqrt(this->Residual.topRows(n).squaredNorm() / n);
-  level.RMSEInside = std::sqrt(this->Residual.middleRows(n, m).squaredNorm() / m);
-  level.Maximum = this->Residual.topRows(n + m).rowwise().norm().maxCoeff();
+  level.RMSEVertices = std::sqrt(squares(0, points) / n);
+  level.RMSEInside = std::sqrt(squares(points, triangles) / m);
+  // Each process fills its own entry.
+  Eigen::VectorXd largest = Eigen::VectorXd::Zero(this->Processes.Count);
+  if (points + triangles > 0)
+  {
+    largest(this->Processes.Number) =
+      this->Residual.topRows(points + triangles).rowwise().norm().maxCoeff();
+  }
+  this->Processes.Sum(largest);
+  level.Maximum = largest.maxCoeff();
   if (this->Collocations() > 0)
   {
     level.RMSECollocations =

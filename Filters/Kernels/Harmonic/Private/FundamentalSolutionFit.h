@@ -1,9 +1,12 @@
 #pragma once
 
+#include "Base/Processes.h"
+#include "Base/SharedRows.h"
 #include "Distance/SignedDistance.h"
 #include "Harmonic/HarmonicMapTypes.h"
 #include "Harmonic/Private/ScaledBoundary.h"
 
+#include <memory>
 #include <vector>
 
 namespace shape
@@ -16,13 +19,17 @@ namespace shape
 class FundamentalSolutionFit
 {
 public:
-  /// Fits the affine part. Throws InvalidInput if a feature lies outside the boundary; Aborted.
+  /// Fits the affine part. Several processes share the residual; then there must be no features.
+  /// Throws InvalidInput if a feature lies outside the boundary; Aborted.
   FundamentalSolutionFit(const ScaledBoundary& scaled, const VolumeFeatures& features,
-    const HarmonicVolumeMapOptions& options, const Progress& progress);
+    const HarmonicVolumeMapOptions& options, const shape::Processes& processes,
+    const Progress& progress);
 
   const Surface& Boundary() const { return this->Scaled.Surface; }        ///< longest side 1
   const Eigen::MatrixXd& Targets() const { return this->Scaled.Targets; } ///< longest side 1
-  const SignedDistance& Distance() const { return this->Field; }
+  /// Returns the signed distance of the boundary. One process keeps it. Several processes share
+  /// memory because it is scarce: each call makes it anew, and it is freed after use.
+  std::shared_ptr<const SignedDistance> Distance();
   bool HasFeatures() const { return this->RootWeights.size() > 0; }
 
   /// Returns the residual of the sum so far: `targets` minus the values of the sum at `positions`
@@ -80,11 +87,14 @@ private:
   Eigen::VectorXd GetCollocationAreas(int count) const;
 
   ScaledBoundary Scaled;
-  SignedDistance Field;                   ///< signed distance of the scaled boundary
-  std::vector<int> CollocationComponents; ///< component of each collocation point
-  Eigen::VectorXd RootWeights;            ///< square roots of the feature weights
-  /// Points of the boundary, then one point in each triangle, then feature points.
+  shape::Processes Processes;
+  std::shared_ptr<const SignedDistance> Field; ///< Distance(), or null
+  std::vector<int> CollocationComponents;      ///< component of each collocation point
+  Eigen::VectorXd RootWeights;                 ///< square roots of the feature weights
+  /// Points of the boundary, then one point in each triangle, then feature points. Of the first
+  /// two, those of this process.
   Eigen::MatrixXd Probes;
+  SharedRows Shared;                   ///< the probes: three groups
   Eigen::MatrixXd Residual;            ///< residual at the probes
   Eigen::MatrixXd Positions;           ///< collocation points
   Eigen::MatrixXd CollocationResidual; ///< residual at the collocation points

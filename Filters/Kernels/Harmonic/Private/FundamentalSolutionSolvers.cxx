@@ -227,7 +227,7 @@ void SolveMultiLevel(FundamentalSolutionFit& problem, const HarmonicVolumeMapOpt
   for (int s = 0; s + 1 < subsets; ++s)
   {
     const double finer = static_cast<double>(s) / (subsets - 1);
-    MoveAway(sources[s], problem.Distance(), std::pow(ComputeCoarseness(subsets), 1.0 - finer),
+    MoveAway(sources[s], *problem.Distance(), std::pow(ComputeCoarseness(subsets), 1.0 - finer),
       progress.Part(0.15 + 0.05 * s / subsets, 0.15 + 0.05 * (s + 1) / subsets));
   }
   // Step 2. With several components the counts are rounded, so there may be one point less than

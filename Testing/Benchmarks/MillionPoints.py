@@ -1,0 +1,140 @@
+"""The accelerated volume map from 10,000 to 1,000,000 boundary points: the CPU seconds of each stage, peak
+memory, errors, the evaluation of ten times as many points inside, and the same map shared by four
+processes. The data are those of VolumeMap.py: a known harmonic field (A), or the sphere map (B).
+
+    xvfb-run -a -s "-screen 0 1600x1000x24 -noreset" Utilities/pvpython.sh \\
+        Testing/Benchmarks/MillionPoints.py FOLDER [--data A] [--most 1000000] [--rows FILE]
+
+It draws FOLDER/MillionPoints.png: CPU seconds and memory over the number of points. The surfaces are
+models of libcgal-demo, made finer by sqrt(3)-subdivision. One thread; the processes take their turns on
+the cores that there are. It takes 4 CPU minutes and 6 GiB. --rows keeps the figures, or draws those kept.
+"""
+import json
+import math
+import os
+
+import sweep
+
+SIZES = ('bear_bis.off', 'bear_bis.off@1', 'bunny00.off@1', 'bunny00.off@2', 'bunny00.off@3')
+POINTS = (10096, 30284, 113114, 339338, 1018010)
+STAGES = (('fitting', 'surface, affine part'), ('placing', 'placing the charges'),
+          ('inverting', 'inverting the blocks'), ('solving', 'solving'), ('measuring', 'measuring the error'))
+PROCESSES = 4
+EVALUATIONS = 10  # for each boundary point
+
+
+def chart(path, title, axis, rows, series):
+    """Series (key, label) over the number of points, both axes logarithmic."""
+    from paraview import simple
+    table = simple.ProgrammableSource(OutputDataSetType='vtkTable')
+    columns = {'points': [row['points'] for row in rows]}
+    for key, label in series:
+        columns[label] = [row.get(key, math.nan) for row in rows]
+    table.Script = 'import numpy\nfor name, values in %r.items():\n' % columns + (
+        '    output.RowData.append(numpy.array(values, float), name)\n')
+    table.Script = 'nan = float("nan")\n' + table.Script
+    view = simple.CreateView('XYChartView')
+    view.ViewSize = [900, 700]
+    display = simple.Show(table, view)
+    display.UseIndexForXAxis, display.XArrayName = 0, 'points'
+    names = [label for _, label in series]
+    display.SeriesVisibility = names
+    display.SeriesLabel = [text for name in names for text in (name, name)]
+    display.SeriesLineThickness = [text for name in names for text in (name, '3')]
+    display.SeriesMarkerStyle = [text for name in names for text in (name, '4')]
+    display.SeriesMarkerSize = [text for name in names for text in (name, '10')]
+    view.ChartTitle, view.ChartTitleFontSize, view.LegendFontSize = title, 20, 15
+    view.LegendLocation = 'TopLeft'
+    view.LeftAxisTitle, view.BottomAxisTitle = axis, 'boundary points'
+    view.LeftAxisTitleFontSize = view.BottomAxisTitleFontSize = 17
+    view.LeftAxisLabelFontSize = view.BottomAxisLabelFontSize = 15
+    view.LeftAxisLogScale = view.BottomAxisLogScale = 1
+    simple.SaveScreenshot(path, view)
+    simple.Delete(view)
+
+
+def draw(folder, rows):
+    from vtkmodules.vtkImagingCore import vtkImageAppend
+    from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+    halves = []
+    for name, title, axis, series in (
+            ('seconds', 'Solution, and evaluation of 10 points for each boundary point', 'CPU seconds',
+             (('cpu', 'solution'), *STAGES, ('evaluate', 'evaluation'))),
+            ('memory', 'Memory of the solution', 'MiB',
+             (('mib', 'one process'), ('processmib', 'each of four processes')))):
+        half = os.path.join(folder, name + '.png')
+        chart(half, title, axis, rows, series)
+        halves.append(half)
+    both = vtkImageAppend()
+    for half in halves:
+        reader = vtkPNGReader()
+        reader.SetFileName(half)
+        reader.Update()
+        both.AddInputData(reader.GetOutput())
+        os.remove(half)
+    writer = vtkPNGWriter()
+    writer.SetInputConnection(both.GetOutputPort())
+    writer.SetFileName(os.path.join(folder, 'MillionPoints.png'))
+    writer.Write()
+
+
+def measure(options, program):
+    """The rows of all sizes."""
+    models = os.path.join(options.build, 'models')
+    cache = os.path.join(options.build, 'benchmarks')
+    os.makedirs(cache, exist_ok=True)
+    table = sweep.Table('points:8d', 'cpu:8.2f', 'mib:7.0f', *(key + ':9.2f' for key, _ in STAGES),
+                        'iterations:10.0f', 'vertices:9.1e', 'inside:9.1e', 'evaluate:8.2f',
+                        'evaluatemib:11.0f', 'processcpu:10.2f', 'processmib:10.0f', 'imagesdiffer:12.1e')
+    rows = []
+    for model, points in zip(SIZES, POINTS):
+        if points > 1.1 * options.most:
+            continue
+        images = os.path.join(cache, model + '.images')
+        if os.path.exists(images):
+            os.remove(images)
+        words = ('volume_map', os.path.join(models, model), options.data, 'Accelerated')
+        settings = {'Cache': cache, 'Images': images}
+        row = program.run(*words, **settings, Evaluations=EVALUATIONS * points, threads=1).row()
+        shared = program.run(*words, **settings, Processes=PROCESSES, threads=1).row()
+        row.update({key: shared[key] for key in ('processcpu', 'processmib', 'imagesdiffer')})
+        os.remove(images)
+        table.print(row)
+        rows.append(row)
+    return rows
+
+
+def main():
+    parser = sweep.parser(__doc__, models=False)
+    parser.add_argument('results', metavar='FOLDER', help='of the picture')
+    parser.add_argument('--data', default='A', choices='AB')
+    parser.add_argument('--most', type=int, default=1000000, help='boundary points')
+    parser.add_argument('--rows', help='a JSON file of the figures')
+    options = parser.parse_args()
+    if options.rows and os.path.exists(options.rows):
+        with open(options.rows) as kept:
+            rows = json.load(kept)
+    else:
+        rows = measure(options, sweep.Program(options))
+        if options.rows:
+            with open(options.rows, 'w') as kept:
+                json.dump(rows, kept)
+    os.makedirs(options.results, exist_ok=True)
+    draw(options.results, rows)
+    claims = sweep.Claims()
+    by_points = {row['points']: row for row in rows}
+    million, tenth = by_points.get(POINTS[4]), by_points.get(POINTS[2])
+    if million:
+        claims.at_most('1M', 'CPU seconds of the solution', million['cpu'], 60.0)
+        claims.at_most('1M', 'MiB of the solution', million['mib'], 4096.0)
+        claims.at_most('1M', 'RMSE inside triangles / that at 100k', million['inside'] / tenth['inside'], 1.0)
+        claims.at_most('10M evaluations', 'CPU seconds', million['evaluate'], 60.0)
+        claims.at_most('1M over 4 processes', 'memory of each / that of one',
+                       million['processmib'] / million['mib'], 0.4)
+    for row in rows:
+        claims.at_most('%d over 4 processes' % row['points'], 'difference / size', row['imagesdiffer'], 1e-9)
+    claims.finish()
+
+
+if __name__ == '__main__':
+    main()
