@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -274,17 +275,24 @@ NearSurfaceChargeSystem::NearSurfaceChargeSystem(std::shared_ptr<const SignedDis
   // (SchwarzOptions).
   SchwarzOptions blocks;
   blocks.Processes = processes;
-  if (effort != Effort::Little)
+  FmmSummationOptions sums;
+  if (effort == Effort::More)
   {
     blocks.Around = 200;
     blocks.MaximumAmplification = 0.0;
+  }
+  else if (effort == Effort::Exact)
+  {
+    blocks.MaximumAmplification = std::numeric_limits<double>::infinity();
+    sums.Tolerance = 1e-8;
+    this->TransposedSums = std::make_unique<FmmSummation>(system.Rows, this->AllSources, sums);
+    this->Tests = system.Tests;
   }
   this->Preconditioner = std::make_unique<SchwarzPreconditioner>(system, own, coarse.Sources,
     coarse.Clusters, blocks, progress.Part(0.4, 0.9, "inverting the blocks"));
   this->Positions = system.Rows(own, Eigen::all);
   this->Weights = system.Weights(own) / system.Weights.sum();
   system = {};
-  FmmSummationOptions sums;
   sums.AllPoints = n + m;
   this->Sums = std::make_unique<FmmSummation>(this->AllSources, this->Positions, sums,
     progress.Part(0.9, 1.0, "preparing the fast summation"));
@@ -308,6 +316,46 @@ GmresResult NearSurfaceChargeSystem::Solve(
     [&](const Eigen::MatrixXd& residual, const Progress& part)
     { return this->Preconditioner->Apply(residual, part); },
     values, this->Weights, options, progress);
+}
+
+GmresResult NearSurfaceChargeSystem::SolveAverages(
+  const Eigen::MatrixXd& values, const GmresOptions& options, const Progress& progress) const
+{
+  return SolveGmres([&](const Eigen::MatrixXd& charges, const Progress& part)
+    { return Eigen::MatrixXd(this->Tests * this->Values(charges, part)); },
+    [&](const Eigen::MatrixXd& averages, const Progress& part)
+    { return this->Preconditioner->ApplyToAverages(averages, part); },
+    this->Tests * values, this->AverageWeights(), options, progress);
+}
+
+GmresResult NearSurfaceChargeSystem::SolveTransposed(
+  const Eigen::MatrixXd& charges, const GmresOptions& options, const Progress& progress) const
+{
+  // (T A B)^T u = B^T charges; the result is T^T u. The norm of functionals is dual to that of
+  // averages. The right side is scaled to norm 1, because the tolerance is absolute.
+  const Eigen::VectorXd weights = this->AverageWeights().cwiseInverse();
+  Eigen::MatrixXd rightSide = this->Preconditioner->ApplyTransposed(charges);
+  const double norm = std::sqrt(
+                 (weights.transpose() * rightSide.cwiseAbs2()).maxCoeff() / weights.sum()),
+               size = norm > 0.0 ? norm : 1.0;
+  rightSide /= size;
+  GmresResult result = SolveGmres(
+    [&](const Eigen::MatrixXd& rows, const Progress& part)
+    {
+      return this->Preconditioner->ApplyTransposed(
+        this->TransposedSums->Potentials(rows, part.Part(0.0, 0.7)), part.Part(0.7, 1.0));
+    },
+    [&](const Eigen::MatrixXd& averages, const Progress&)
+    { return Eigen::MatrixXd(this->Tests.transpose() * averages); },
+    rightSide, weights, options, progress);
+  result.Solution *= size;
+  return result;
+}
+
+/// Returns the area of each average.
+Eigen::VectorXd NearSurfaceChargeSystem::AverageWeights() const
+{
+  return this->Tests * this->Weights;
 }
 
 } // namespace shape

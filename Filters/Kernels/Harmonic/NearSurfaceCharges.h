@@ -42,11 +42,13 @@ class NearSurfaceChargeSystem
 {
 public:
   /// More takes three times the time and memory of Little. It converges even if triangles are
-  /// uneven, parts of the solid are thin, gaps are narrow, or the residual is already small.
+  /// uneven, parts of the solid are thin, gaps are narrow, or the residual is already small. Exact
+  /// is for SolveAverages and SolveTransposed: its sums are accurate to 1e-8, in both directions.
   enum class Effort
   {
     Little,
-    More
+    More,
+    Exact
   };
   /// boundary: closed, facing out of the solid, with longest side 1; it is let go as soon as the
   /// charges have their positions. surface: the boundary, or a refinement of it. Throws
@@ -74,18 +76,38 @@ public:
   GmresResult Solve(const Eigen::MatrixXd& values, const GmresOptions& options,
     const Progress& progress = {}) const;
 
+  ///@{
+  /**
+   * A linear solution operator, and its transpose, on one process with Effort Exact. SolveAverages
+   * returns the charges (Solution: k x 3) whose potentials have the same average around each
+   * charge's site as `values` (m x 3): with the averages T, the potentials A and the preconditioner
+   * B, they are B (T A B)^-1 T values. SolveTransposed applies the transpose of this matrix to k x
+   * 3 values and returns m x 3 values (Solution), by as many sums of the same kind; its residuals
+   * are relative. Both are linear up to the tolerance of `options`. Throw Aborted.
+   */
+  GmresResult SolveAverages(const Eigen::MatrixXd& values, const GmresOptions& options,
+    const Progress& progress = {}) const;
+  GmresResult SolveTransposed(const Eigen::MatrixXd& charges, const GmresOptions& options,
+    const Progress& progress = {}) const;
+  ///@}
+
   /// Returns the potentials of `charges` (k x 3) at Rows(), m x 3. Throws Aborted.
   Eigen::MatrixXd Values(const Eigen::MatrixXd& charges, const Progress& progress = {}) const;
 
 private:
+  Eigen::VectorXd AverageWeights() const;
+
   SharedRows Shared;         ///< the rows
   Eigen::MatrixXd Positions; ///< Rows()
   Eigen::VectorXd Weights;   ///< of Rows(); the sum over all processes is 1
+  /// The averages around the sites, if Exact.
+  Eigen::SparseMatrix<double, Eigen::RowMajor> Tests;
   Eigen::MatrixXd AllSources;
   double NearOffset = 0.0;
   int WithoutCharge = 0;
   std::unique_ptr<SchwarzPreconditioner> Preconditioner;
   std::unique_ptr<FmmSummation> Sums;
+  std::unique_ptr<FmmSummation> TransposedSums; ///< from the rows to the charges, if Exact
 };
 
 /// A boundary and its system, which can be reused for other targets of the same boundary.

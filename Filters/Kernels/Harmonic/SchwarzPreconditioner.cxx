@@ -379,14 +379,9 @@ SchwarzPreconditioner::Block SchwarzPreconditioner::MakeBlock(const TestedSystem
 Eigen::MatrixXd SchwarzPreconditioner::Apply(
   const Eigen::MatrixXd& residual, const Progress& progress) const
 {
-  const BlasThreads single(false);
-  // Outline:
-  // 1. The averages of the residual around all sites, and the rows that blocks read.
-  // 2. The coarse charges, from the mean residual of each cluster.
-  // 3. The blocks reduce the remaining residual, independently of each other.
-  const Eigen::Index n = this->Tests.rows(), c = this->CoarseSources.rows();
+  // The averages of the residual around all sites, and the rows that blocks read: the processes
+  // send numbered rows and averages.
   const Eigen::Index columns = residual.cols();
-  // Step 1: the processes send numbered rows and averages.
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(this->NumberedRows, columns);
   rows(this->SentRows, Eigen::all) = residual(this->SentIndices, Eigen::all);
   this->Processes.Sum(rows);
@@ -402,16 +397,52 @@ Eigen::MatrixXd SchwarzPreconditioner::Apply(
     averages = this->Tests * residual;
   }
   this->Processes.Sum(averages);
-  // Step 2: coarse charges.
+  return this->FindCharges(averages, rows(this->ReadRows, Eigen::all), progress);
+}
+
+Eigen::MatrixXd SchwarzPreconditioner::ApplyToAverages(
+  const Eigen::MatrixXd& averages, const Progress& progress) const
+{
+  return this->FindCharges(averages, Eigen::MatrixXd(0, averages.cols()), progress);
+}
+
+Eigen::MatrixXd SchwarzPreconditioner::ApplyTransposed(
+  const Eigen::MatrixXd& charges, const Progress& progress) const
+{
+  // The steps of FindCharges, transposed, in reverse order.
+  const BlasThreads single(false);
+  const Eigen::Index n = this->Tests.rows(), c = this->CoarseSources.rows();
+  Eigen::MatrixXd left = Eigen::MatrixXd::Zero(n, charges.cols());
+  for (const Block& block : this->Blocks)
+  {
+    const Eigen::MatrixXd own = charges(block.Own, Eigen::all);
+    left(block.Inputs, Eigen::all) += block.Inverse.cast<double>().transpose() * own;
+  }
+  progress(0.5);
+  const Eigen::MatrixXd coarse = charges.bottomRows(c) -
+    SumPotentialsDirectly(
+      this->Positions, left, this->CoarseSources, RootError::Small, progress.Part(0.5, 1.0));
+  return left + this->ClusterMeans.transpose() * (this->CoarseInverse.transpose() * coarse);
+}
+
+Eigen::MatrixXd SchwarzPreconditioner::FindCharges(
+  const Eigen::MatrixXd& averages, const Eigen::MatrixXd& rows, const Progress& progress) const
+{
+  const BlasThreads single(false);
+  // Outline:
+  // 1. The coarse charges, from the mean residual of each cluster.
+  // 2. The blocks reduce the remaining residual, independently of each other.
+  const Eigen::Index n = this->Tests.rows(), c = this->CoarseSources.rows();
+  // Step 1: coarse charges.
   const Eigen::MatrixXd coarse = this->CoarseInverse * (this->ClusterMeans * averages);
-  Eigen::MatrixXd left(this->Positions.rows(), columns);
-  left << averages(this->ReadSites, Eigen::all), rows(this->ReadRows, Eigen::all);
+  Eigen::MatrixXd left(this->Positions.rows(), averages.cols());
+  left << averages(this->ReadSites, Eigen::all), rows;
   // The potential of a coarse charge hardly varies over one average, so it is evaluated at its
   // centre.
   left -= SumPotentialsDirectly(
     this->CoarseSources, coarse, this->Positions, RootError::Small, progress.Part(0.0, 0.5));
-  // Step 3. Every site belongs to one block, so the blocks write different rows.
-  Eigen::MatrixXd charges = Eigen::MatrixXd::Zero(n + c, columns);
+  // Step 2. Every site belongs to one block, so the blocks write different rows.
+  Eigen::MatrixXd charges = Eigen::MatrixXd::Zero(n + c, averages.cols());
   ParallelFor(
     static_cast<int>(this->Blocks.size()), 16,
     [&](int begin, int end)

@@ -56,6 +56,17 @@ public:
   /// sources, then the charges at the coarse sources: (n + c) x k, the same on all processes.
   Eigen::MatrixXd Apply(const Eigen::MatrixXd& residual, const Progress& progress = {}) const;
 
+  ///@{
+  /// The operator without its averages, and its transpose. ApplyToAverages computes charges
+  /// ((n + c) x k) from the averages of the residual (n x k): Apply(r) is ApplyToAverages(Tests r).
+  /// ApplyTransposed computes n x k values from (n + c) x k. They need one process and an infinite
+  /// MaximumAmplification, because blocks of least squares read more than averages.
+  Eigen::MatrixXd ApplyToAverages(
+    const Eigen::MatrixXd& averages, const Progress& progress = {}) const;
+  Eigen::MatrixXd ApplyTransposed(
+    const Eigen::MatrixXd& charges, const Progress& progress = {}) const;
+  ///@}
+
 private:
   struct Block
   {
@@ -71,6 +82,9 @@ private:
   void GatherPositions(
     const TestedSystem& system, const Eigen::MatrixXd& averaged, const std::vector<int>& numbers);
   void SetUpCoarse(const Eigen::MatrixXd& averaged, const Progress& progress);
+  /// Computes the charges from the averages at all sites, and the rows in ReadRows.
+  Eigen::MatrixXd FindCharges(
+    const Eigen::MatrixXd& averages, const Eigen::MatrixXd& rows, const Progress& progress) const;
 
   shape::Processes Processes;
   /// Tests of the sites whose first row this process has; the others are zero. The columns are the

@@ -119,6 +119,7 @@ ScaledBoundary ScaleBoundary(const Surface& boundary, const Eigen::MatrixXd& tar
     throw InvalidInput("the boundary encloses no volume; give the surface of a solid");
   }
   scaled.Targets = targets(used, Eigen::all);
+  scaled.Points = std::move(used);
   scaled.TargetOrigin = scaled.Targets.colwise().minCoeff();
   const double targetSize = ComputeLongestBoxEdge(scaled.Targets);
   scaled.TargetSize = targetSize > 0.0 ? targetSize : 1.0;

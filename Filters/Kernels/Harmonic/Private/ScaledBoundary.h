@@ -24,6 +24,7 @@ SortedSurface SortByPosition(const Mesh& surface);
 struct ScaledBoundary
 {
   shape::Surface Surface;  ///< without unused points, facing outwards, sorted by position
+  std::vector<int> Points; ///< for each of its points, the given one
   Eigen::MatrixXd Targets; ///< n x 3: the images of its points
   Eigen::RowVector3d Origin;
   double Size = 1.0;
