@@ -238,6 +238,22 @@ def with_charge(charges, position, charge):
     return result
 
 
+def errors_of(source, action):
+    """What an object says in error events while it acts."""
+    from vtkmodules.util.misc import calldata_type
+    from vtkmodules.util.vtkConstants import VTK_STRING
+    messages = []
+
+    @calldata_type(VTK_STRING)
+    def record(caller, event, message):
+        messages.append(message)
+
+    tag = source.AddObserver('ErrorEvent', record)
+    action()
+    source.RemoveObserver(tag)
+    return messages
+
+
 def run(algorithm):
     """Updates an algorithm; returns its error messages and those of its executive."""
     from vtkmodules.vtkCommonCore import vtkCommand

@@ -343,6 +343,25 @@ def Certificate():
 
 
 @drawing
+def MeshMotion():
+    """Tetrahedra around a body that turns, cut in the middle."""
+    body = Clean(Input=Sphere(Radius=0.25, ThetaResolution=32, PhiResolution=17))
+    body = Transform(Input=body)
+    body.Transform.Scale = [1.0, 0.4, 0.7]
+    box = Subdivide(Input=Triangulate(Input=Clean(Input=Box(XLength=1.2))), NumberofSubdivisions=3)
+    mesh = ShapeTetrahedralize(Input=AppendGeometry(Input=[box, body]), MaximumVolume=3e-4)
+    turned = Calculator(Input=body, ResultArrayName='TargetPosition', Function=(
+        '(cos(0.2)*coordsX-sin(0.2)*coordsY)*iHat+(sin(0.2)*coordsX+cos(0.2)*coordsY)*jHat+coordsZ*kHat'))
+    moved = ShapeMeshMotion(Input=mesh, Boundary=turned)
+    still = ShapeMeshMotion(Input=mesh, Boundary=Calculator(
+        Input=body, ResultArrayName='TargetPosition', Function='coords'))
+    for source, x in ((still, -0.65), (moved, 0.65)):
+        show(cut(source, (0, 0, 0), (0, 0, 1)), (x, 0, 0), array='ScaledJacobian', kind='CELLS', limits=(0, 1),
+             preset='quality', edges=True)
+    return (0.0, 0.0, 1.0), (0, 1, 0)
+
+
+@drawing
 def Untangle():
     ball = shape('BallSmall.vtu')
     folded = Calculator(Input=ball, CoordinateResults=1,

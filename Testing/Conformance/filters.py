@@ -9,6 +9,7 @@ import shapemap.vtkShapeFilters as module
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkMultiBlockDataSet, vtkUnstructuredGrid
+from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 
 import shapetesting
 
@@ -18,6 +19,7 @@ OTHER_INPUTS = {
     ('ShapeCertificate', 'Map'): 'DentedSphereCharges.vtp',
     ('ShapeDeform', 'Input'): 'FigureASmall.vtp',
     ('ShapeImageValues', 'Input'): 'BallSmall.vtu',
+    ('ShapeMeshMotion', 'Input'): 'BallSmall.vtu',
     ('ShapeUntangle', 'Input'): 'BallSmall.vtu',
 }
 # Options with which a filter works on the same inputs in less time: what is checked of every filter
@@ -77,6 +79,16 @@ def scanned():
     values.SetName('Grey')
     image.GetPointData().SetScalars(values)
     return image
+
+
+def stretched():
+    """The surface of the small ball, which stretches."""
+    geometry = vtkGeometryFilter()
+    geometry.SetInputData(shapetesting.read('BallSmall.vtu'))
+    geometry.Update()
+    surface = geometry.GetOutput()
+    shapetesting.add_array(surface, shapetesting.points(surface) * [1.0, 1.0, 1.2], 'TargetPosition')
+    return surface
 
 
 def divided():
@@ -154,6 +166,7 @@ NEEDED_INPUTS = {
     ('ShapeFillHoles', 'Input'): holed,
     ('ShapeLabelSurfaces', 'Input'): segmented,
     ('ShapeImageValues', 'Image'): scanned,
+    ('ShapeMeshMotion', 'Boundary'): stretched,
     ('ShapeStructuredBlocks', 'Input'): divided,
     ('ShapeSynthesize', 'Atlas'): modes,
 }

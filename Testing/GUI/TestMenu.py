@@ -31,13 +31,13 @@ def check(proxy):
 w.open('DentedSphereCharges.vtp')
 check(proxies['ShapeCertificate'])
 w.open('BallSmall.vtu')
-for name in ('ShapeUntangle', 'ShapeHarmonicVolumeMap', 'ShapeApplyVolumeMap'):
+for name in ('ShapeUntangle', 'ShapeHarmonicVolumeMap', 'ShapeApplyVolumeMap', 'ShapeMeshMotion'):
     check(proxies[name])
 w.open('DentedSphere600.vtp')
 for proxy in filters:
     if proxy.get('name') not in (
             'ShapeUntangle', 'ShapeLabelSurfaces', 'ShapeImageValues', 'ShapeStructuredBlocks', 'ShapeFromOperators',
-            'ShapeCertificate'):
+            'ShapeCertificate', 'ShapeMeshMotion'):
         check(proxy)
 w.python('assert len(GetSources()) == 3, GetSources()')
 

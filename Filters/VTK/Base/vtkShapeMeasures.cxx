@@ -62,7 +62,7 @@ const std::set<std::string> RealMeasures = {
   "AreaVariationFunctions", "ConformalVariationFunctions", "AreaModes", "ConformalModes",
   "SideLengths", "Angles", "NormalCurvatures", "Eigenfunctions", "Masses", "HeatKernelSignature",
   "WaveKernelSignature", "Embedding", "ArrivalTime", "Radius", "SplineError", "Determinant",
-  "VolumeInside", "MinimumDeterminant"
+  "VolumeInside", "MinimumDeterminant", "NonOrthogonality", "Skewness"
 };
 
 /// Measures that are counts or Booleans.
