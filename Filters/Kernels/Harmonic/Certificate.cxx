@@ -34,7 +34,7 @@ constexpr double FarRatio = 4.0;
 /// Fewer charges are not worth a polynomial of the full degree.
 constexpr int WorthExpanding = 32;
 /// Degree of the polynomials of near charges, which are used for one cube only.
-constexpr int NearDegree = 4;
+constexpr int NearDegree = TaylorExpansion::LowDegree;
 /// A cube with a charge nearer than 1 / this many radii is divided at once.
 constexpr double NearestRatio = 0.6;
 /// A box with a witness is not divided if its edge is at most this share of the domain's longest
@@ -48,6 +48,7 @@ struct ChargeField
 {
   TaylorExpansion Far;
   Eigen::Vector3d Centre;
+  Eigen::Matrix3d HighTerms; ///< bounds for Far in the cube (TaylorExpansion::BoundHighTerms)
   std::vector<int> Near;
 };
 
@@ -87,8 +88,10 @@ public:
     this->Scale = std::exp2(-std::ceil(std::log2(0.55 * longest)));
     this->SmallestEdge = options.Tolerance * longest * this->Scale;
     this->LargestWitness = WitnessEdge * longest * this->Scale;
-    this->Points = this->Scale * map.Points;
-    this->Charges = this->Scale * this->Scale * 0.25 * M_1_PI * map.Charges;
+    this->Charges.resize(6, map.Points.rows());
+    this->Charges.topRows<3>() = this->Scale * map.Points.transpose();
+    this->Charges.bottomRows<3>() =
+      this->Scale * this->Scale * 0.25 * M_1_PI * map.Charges.transpose();
     this->Linear = map.Affine.leftCols<3>();
     this->Domain = domain.WithPoints(this->Scale * domain.Points());
     this->Inside = std::make_unique<SignedDistance>(this->Domain);
@@ -102,6 +105,7 @@ public:
     this->Boxes.push_back(root);
     auto field = std::make_shared<ChargeField>();
     field->Centre = root.Place.Centre;
+    field->HighTerms.setZero();
     field->Far.Coefficients.middleRows<3>(1) = this->Linear.transpose();
     field->Near.resize(map.Points.rows());
     std::iota(field->Near.begin(), field->Near.end(), 0);
@@ -126,7 +130,7 @@ private:
 
   MapCertificateOptions Options;
   double Scale = 1.0, SmallestEdge = 0.0, LargestWitness = 0.0;
-  Eigen::MatrixXd Points, Charges;
+  ChargeColumns Charges;
   Eigen::Matrix3d Linear;
   Surface Domain;
   std::unique_ptr<SignedDistance> Inside;
@@ -135,7 +139,8 @@ private:
   bool Complete = true;
 };
 
-/// Returns the expansion of all charges around a position. tooNear: set if a charge is too near.
+/// Returns the expansion of all charges around a position, without the higher terms of the far
+/// ones. tooNear: set if a charge is too near.
 TaylorExpansion DomainCover::Expand(const ChargeField& field, const Eigen::Vector3d& centre,
   double radius, int degree, bool* tooNear) const
 {
@@ -144,15 +149,14 @@ TaylorExpansion DomainCover::Expand(const ChargeField& field, const Eigen::Vecto
     const double nearest = radius / NearestRatio;
     *tooNear = std::any_of(field.Near.begin(), field.Near.end(),
       [&](int i)
-      { return (this->Points.row(i).transpose() - centre).squaredNorm() < nearest * nearest; });
+      { return (this->Charges.col(i).head<3>() - centre).squaredNorm() < nearest * nearest; });
     if (*tooNear)
     {
       return {};
     }
   }
-  TaylorExpansion expansion = field.Far;
-  expansion.Shift(centre - field.Centre);
-  expansion.Add(this->Points, this->Charges, field.Near, centre, radius, degree);
+  TaylorExpansion expansion = field.Far.GetLowTerms(centre - field.Centre);
+  expansion.Add(this->Charges, field.Near, centre, radius, degree);
   return expansion;
 }
 
@@ -166,8 +170,9 @@ void DomainCover::Decide(const OpenBox& open)
   {
     return;
   }
-  const DeterminantSign verdict =
-    BoundDeterminant(expansion, box.Place.Half, TaylorExpansion::Degree);
+  const double half = box.Place.Half;
+  const DeterminantSign verdict = BoundDeterminant(
+    expansion, half, NearDegree, std::pow(half, NearDegree) * open.Field->HighTerms);
   box.State = static_cast<BoxState>(verdict.Sign);
   box.Determinant = verdict.Sign * verdict.Bound;
   const Eigen::Vector3d lowest = box.Place.Centre + verdict.Lowest;
@@ -243,7 +248,7 @@ std::shared_ptr<const ChargeField> DomainCover::Descend(const OpenBox& open) con
   std::vector<int> far, near;
   for (const int i : open.Field->Near)
   {
-    const double distance = (this->Points.row(i).transpose() - cube.Centre).norm();
+    const double distance = (this->Charges.col(i).head<3>() - cube.Centre).norm();
     (distance > FarRatio * radius ? far : near).push_back(i);
   }
   if (static_cast<int>(far.size()) < WorthExpanding)
@@ -251,9 +256,10 @@ std::shared_ptr<const ChargeField> DomainCover::Descend(const OpenBox& open) con
     return open.Field;
   }
   auto field =
-    std::make_shared<ChargeField>(ChargeField{ open.Field->Far, cube.Centre, std::move(near) });
+    std::make_shared<ChargeField>(ChargeField{ open.Field->Far, cube.Centre, {}, std::move(near) });
   field->Far.Shift(cube.Centre - open.Field->Centre);
-  field->Far.Add(this->Points, this->Charges, far, cube.Centre, radius, TaylorExpansion::Degree);
+  field->Far.Add(this->Charges, far, cube.Centre, radius, TaylorExpansion::Degree);
+  field->HighTerms = (1.0 + 1e-12) * field->Far.BoundHighTerms(cube.Half);
   return field;
 }
 

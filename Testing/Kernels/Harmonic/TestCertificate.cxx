@@ -62,6 +62,14 @@ Eigen::MatrixXd RandomPoints(int count, std::mt19937& random)
   return Eigen::MatrixXd::NullaryExpr(count, 3, [&] { return uniform(random); });
 }
 
+/// The charges as TaylorExpansion takes them.
+shape::ChargeColumns AsColumns(const ChargeSet& map)
+{
+  shape::ChargeColumns columns(6, map.Points.rows());
+  columns << map.Points.transpose(), map.Charges.transpose() / (4.0 * M_PI);
+  return columns;
+}
+
 /// Expects that the boxes cover the domain once, and that the shares are those of the volumes.
 void ExpectCover(const MapCertificate& result, const Mesh& domain)
 {
@@ -88,8 +96,11 @@ TEST(TaylorExpansion, BoundsItsError)
     const Eigen::RowVector3d step = radius * RandomPoints(1, random).normalized();
     const int degree = 1 + trial % TaylorExpansion::Degree;
     TaylorExpansion expansion;
-    expansion.Add(
-      map.Points, map.Charges / (4.0 * M_PI), { 0, 1, 2 }, centre.transpose(), radius, degree);
+    expansion.Add(AsColumns(map), { 0, 1, 2 }, centre.transpose(), radius, degree);
+    const TaylorExpansion near = expansion.GetLowTerms(0.5 * step.transpose());
+    TaylorExpansion all = expansion;
+    all.Shift(0.5 * step.transpose());
+    EXPECT_TRUE(near.Coefficients.topRows<35>().isApprox(all.Coefficients.topRows<35>(), 1e-12));
     expansion.Shift(step.transpose());
     const Eigen::MatrixXd exact = shape::EvaluateJacobians(map, centre + step);
     for (int c = 0; c < 3; ++c)
@@ -106,9 +117,40 @@ TEST(TaylorExpansion, BoundsItsError)
   map.Points = Eigen::RowVector3d(2.0, 0.0, 0.0);
   map.Charges = Eigen::RowVector3d(1.0, 0.0, 0.0);
   TaylorExpansion expansion;
-  expansion.Add(map.Points, map.Charges, { 0 }, Eigen::Vector3d::Zero(), 1.0, 5);
+  map.Charges *= 4.0 * M_PI;
+  expansion.Add(AsColumns(map), { 0 }, Eigen::Vector3d::Zero(), 1.0, 5);
   expansion.Shift(Eigen::Vector3d(1.0, 0.0, 0.0));
   EXPECT_NEAR(1.0 - expansion.Coefficients(1, 0), expansion.Remainder(0), 1e-13);
+}
+
+// In a smaller cube, the low terms and the bound of the others hold together.
+TEST(TaylorExpansion, BoundsItsHighTerms)
+{
+  std::mt19937 random(8);
+  double closest = 0.0;
+  for (int trial = 0; trial < 200; ++trial)
+  {
+    ChargeSet map;
+    map.Points = 2.5 * RandomPoints(3, random).rowwise().normalized();
+    map.Charges = RandomPoints(3, random);
+    constexpr double half = 0.5, smaller = 0.1;
+    TaylorExpansion expansion;
+    expansion.Add(
+      AsColumns(map), { 0, 1, 2 }, Eigen::Vector3d::Zero(), 2.0 * half, TaylorExpansion::Degree);
+    const Eigen::Vector3d step = (half - smaller) * RandomPoints(1, random).transpose();
+    const Eigen::Vector3d rest = smaller * RandomPoints(1, random).transpose().cwiseSign();
+    TaylorExpansion low = expansion.GetLowTerms(step), all = expansion;
+    low.Shift(rest);
+    all.Shift(step + rest);
+    const Eigen::Matrix3d bound = expansion.BoundHighTerms(half) * std::pow(smaller, 4);
+    const Eigen::Matrix3d error =
+      (low.Coefficients.middleRows<3>(1) - all.Coefficients.middleRows<3>(1))
+        .transpose()
+        .cwiseAbs();
+    EXPECT_TRUE((error.array() <= bound.array() + 1e-14).all());
+    closest = std::max(closest, (error.array() / bound.array()).maxCoeff());
+  }
+  EXPECT_GT(closest, 0.02);
 }
 
 // The volumes of a sphere's part in cubes sum to the sphere's.

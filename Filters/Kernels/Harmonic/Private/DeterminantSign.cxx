@@ -21,7 +21,8 @@ double DeterminantIfPositive(const Eigen::Matrix3d& m)
 
 } // namespace
 
-DeterminantSign BoundDeterminant(const TaylorExpansion& expansion, double half, int degree)
+DeterminantSign BoundDeterminant(
+  const TaylorExpansion& expansion, double half, int degree, const Eigen::Matrix3d& leftOut)
 {
   const auto& monomials = TaylorExpansion::GetMonomials();
   const Eigen::Matrix3d jacobian = expansion.Coefficients.middleRows<3>(1).transpose();
@@ -60,8 +61,8 @@ DeterminantSign BoundDeterminant(const TaylorExpansion& expansion, double half, 
     }
   }
   // Bounds of what is left out, for each entry of the derivative.
-  Eigen::Matrix3d rest =
-    (expansion.Remainder + TaylorExpansion::Rounding * expansion.Magnitude).replicate<1, 3>();
+  Eigen::Matrix3d rest = leftOut;
+  rest += (expansion.Remainder + TaylorExpansion::Rounding * expansion.Magnitude).replicate<1, 3>();
   double scale = half;
   for (int i = TaylorExpansion::SizeOf(2), n = 2; i < TaylorExpansion::SizeOf(degree); ++i)
   {

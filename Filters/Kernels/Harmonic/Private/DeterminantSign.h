@@ -20,7 +20,9 @@ struct DeterminantSign
 };
 
 /// Bounds the determinant in the cube around the centre of an expansion, whose terms up to `degree`
-/// are used. half: half its edge, and 0 for the centre alone. The method: CertifyMap.
-DeterminantSign BoundDeterminant(const TaylorExpansion& expansion, double half, int degree);
+/// are used. half: half its edge, and 0 for the centre alone. leftOut: bounds for the entries of
+/// the Jacobian of what the expansion leaves out, besides its own. The method: CertifyMap.
+DeterminantSign BoundDeterminant(const TaylorExpansion& expansion, double half, int degree,
+  const Eigen::Matrix3d& leftOut = Eigen::Matrix3d::Zero());
 
 } // namespace shape

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Harmonic/ChargeSet.h"
+#include "Harmonic/Private/TaylorSums.h"
 
 #include <Eigen/Core>
 
@@ -26,6 +26,9 @@ struct TaylorExpansion
 {
   static constexpr int Degree = 8;
   static constexpr int Size = (Degree + 1) * (Degree + 2) * (Degree + 3) / 6;
+  static_assert(Size == TaylorSums::MaximumSize);
+
+  static constexpr int LowDegree = 4;
 
   /// Row i: the coefficients of monomial i (GetMonomials) for the three components of the map.
   Eigen::Matrix<double, Size, 3> Coefficients = Eigen::Matrix<double, Size, 3>::Zero();
@@ -53,14 +56,23 @@ struct TaylorExpansion
    * coefficients is that of Duan and Krasny, "An adaptive treecode for computing nonbonded
    * potential energy in classical molecular systems" (2001).
    *
-   * points: n x 3. charges: n x 3, divided by 4 pi. ids: rows of both. radius: where the bound of
-   * the error holds; every charge is farther than this from the centre.
+   * ids: the charges that are added. radius: where the bound of the error holds; each of these
+   * charges is farther than this from the centre.
    */
-  void Add(const Eigen::MatrixXd& points, const Eigen::MatrixXd& charges,
-    const std::vector<int>& ids, const Eigen::Vector3d& centre, double radius, int degree);
+  void Add(const ChargeColumns& charges, const std::vector<int>& ids, const Eigen::Vector3d& centre,
+    double radius, int degree);
 
   /// Moves the centre by `step`. The polynomials stay the same functions.
   void Shift(const Eigen::Vector3d& step);
+
+  /// Returns the terms of LowDegree and less around a centre that is `step` away, and the bounds.
+  TaylorExpansion GetLowTerms(const Eigen::Vector3d& step) const;
+
+  /// For each entry of the Jacobian (rows are components), bounds the sum of its absolute
+  /// derivatives of order LowDegree, divided by LowDegree!, in the cube around the centre, of edge
+  /// 2 half. The product with the power LowDegree of half the edge of a smaller cube bounds what
+  /// its low terms leave out there.
+  Eigen::Matrix3d BoundHighTerms(double half) const;
 };
 
 } // namespace shape
