@@ -48,8 +48,8 @@ std::vector<std::pair<vtkDataObject*, std::string>> ListBlocks(vtkDataObject* da
 
 } // namespace
 
-std::vector<vtkShapeBlocks::Block> vtkShapeBlocks::Gather(
-  vtkDataObject* data, vtkMultiProcessController* controller, std::vector<Block>* empty)
+std::vector<vtkShapeBlocks::Block> vtkShapeBlocks::Gather(vtkDataObject* data,
+  vtkMultiProcessController* controller, std::vector<Block>* empty, const std::string& name)
 {
   vtkShapeGather::RunOnAllOrFail(controller, [&] { vtkShapeComposite::RequireDataSets(data); });
   std::vector<std::pair<vtkDataObject*, std::string>> own = ListBlocks(data);
@@ -59,17 +59,17 @@ std::vector<vtkShapeBlocks::Block> vtkShapeBlocks::Gather(
   std::vector<Block> blocks;
   for (int number = 0; number < static_cast<int>(own.size()); ++number)
   {
-    const auto& [block, name] = own[number];
+    const auto& [block, blockName] = own[number];
     if (vtkShapeGather::CountPoints(block, controller) > 0)
     {
       std::vector<int> ownPoints;
-      blocks.push_back({ vtkShapeGather::Gather(block, "Shapes", vtkShapeGather::Joined::Coincident,
-                           controller, ownPoints),
-        name, number });
+      blocks.push_back({ vtkShapeGather::Gather(
+                           block, name, vtkShapeGather::Joined::Coincident, controller, ownPoints),
+        blockName, number });
     }
     else if (empty)
     {
-      empty->push_back({ nullptr, name, number });
+      empty->push_back({ nullptr, blockName, number });
     }
   }
   return blocks;

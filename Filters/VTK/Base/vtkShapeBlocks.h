@@ -23,8 +23,9 @@ struct Block
 
 /// Returns the surface of each block of the top level, over all processes: blocks inside it and
 /// pieces of several processes are joined. Blocks without points are left out; `empty` gets their
-/// names and numbers. Throws shape::InvalidInput on every process if a block is no surface.
-std::vector<Block> Gather(
-  vtkDataObject* data, vtkMultiProcessController* controller, std::vector<Block>* empty = nullptr);
+/// names and numbers. name: of the input, in messages. Throws shape::InvalidInput on every process
+/// if a block is no surface.
+std::vector<Block> Gather(vtkDataObject* data, vtkMultiProcessController* controller,
+  std::vector<Block>* empty = nullptr, const std::string& name = "Shapes");
 
 } // namespace vtkShapeBlocks

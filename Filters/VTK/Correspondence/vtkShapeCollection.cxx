@@ -6,6 +6,7 @@
 #include "vtkShapeGather.h"
 #include "vtkShapePreciseMap.h"
 
+#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
@@ -23,6 +24,7 @@
 
 #include "Base/Errors.h"
 #include "Correspondence/Evaluate/InvertMap.h"
+#include "Correspondence/Landmarks/LandmarkPairs.h"
 #include "Correspondence/Pair/MatchingInput.h"
 #include "Mesh/Provenance.h"
 #include "Mesh/Topology.h"
@@ -58,6 +60,26 @@ shape::SurfacePoints ReadImages(vtkPolyData* data, const std::string& name,
       "the Template");
   shape::RequireFinite(images, "TargetPosition of " + name);
   return shape::SurfaceLocator(base).Find(images, progress);
+}
+
+/// The landmarks of a surface: the nearest points, by `Number`, or by their order, from 1.
+shape::NumberedPoints ReadNumbered(
+  vtkPolyData* landmarks, const shape::Surface& surface, const std::string& name)
+{
+  const Eigen::VectorXi nearest =
+    shape::FindNearestPoints(surface, vtkShapeConvert::ToPoints(landmarks), name);
+  vtkDataArray* numbers = landmarks->GetPointData()->GetArray("Number");
+  shape::NumberedPoints points;
+  for (int i = 0; i < static_cast<int>(nearest.size()); ++i)
+  {
+    const int number = numbers ? static_cast<int>(numbers->GetTuple1(i)) : i + 1;
+    if (!points.emplace(number, nearest(i)).second)
+    {
+      throw shape::InvalidInput("Landmarks has number " + std::to_string(number) + " twice for " +
+        name + "; give each landmark of a shape its own number");
+    }
+  }
+  return points;
 }
 
 /// What a shape is called in messages.
@@ -130,6 +152,7 @@ vtkShapeCollection::vtkShapeCollection()
 {
   this->DeclareInput("Shapes", PortData::Pieces, PortUse::Required, { "vtkPolyData" });
   this->DeclareInput("Template", PortData::WholePolygons, PortUse::Optional, { "vtkPolyData" });
+  this->DeclareInput("Landmarks", PortData::Pieces, PortUse::Optional, { "vtkPolyData" });
   this->DeclareOutput("vtkMultiBlockDataSet"); // Shapes
   this->DeclareOutput("vtkPolyData");          // Template
   this->DeclareOutput("vtkTable");             // Distances
@@ -243,6 +266,45 @@ void vtkShapeCollection::WriteFacts(const shape::ConsistentMaps& maps, vtkPolyDa
   add("Triples", maps.Triples);
 }
 
+std::vector<shape::NumberedPoints> vtkShapeCollection::ReadLandmarks(
+  const std::vector<shape::Surface>& surfaces, const std::vector<vtkShapeBlocks::Block>& blocks,
+  int count, const shape::Surface* base)
+{
+  if (this->GetNumberOfInputConnections(2) == 0)
+  {
+    return {};
+  }
+  if (this->Correspondence != CorrespondenceType::Computed)
+  {
+    this->Warn("Landmarks are used with Correspondence Computed alone; they are ignored");
+    return {};
+  }
+  std::vector<shape::NumberedPoints> numbered(surfaces.size() + (base ? 1 : 0));
+  for (const vtkShapeBlocks::Block& given : vtkShapeBlocks::Gather(
+         this->GetInputDataObject(2, 0), this->GetController(), nullptr, "Landmarks"))
+  {
+    if (given.Number == count && base)
+    {
+      numbered.back() = ReadNumbered(given.Data, *base, "the Template");
+      continue;
+    }
+    if (given.Number >= count)
+    {
+      throw shape::InvalidInput("Landmarks has a block " + std::to_string(given.Number) +
+        ", and Shapes has only " + std::to_string(count) +
+        "; give block k the landmarks of shape k");
+    }
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+    {
+      if (blocks[i].Number == given.Number)
+      {
+        numbered[i] = ReadNumbered(given.Data, surfaces[i], NameOf(blocks[i]));
+      }
+    }
+  }
+  return numbered;
+}
+
 // 1. The surface of each block, and its map onto the template, which is given or computed.
 // 2. The template, if it is not given.
 // 3. The inverse maps, and the comparison.
@@ -325,6 +387,8 @@ void vtkShapeCollection::Execute(const shape::Progress& progress)
   {
     this->Warn("Shapes has only one surface; put two or more together with Group Datasets");
   }
+  this->MapOptions.Numbered = this->ReadLandmarks(
+    surfaces, blocks, static_cast<int>(gathered.size() + empty.size()), given ? &base : nullptr);
   int nearest = -1;
   shape::ConsistentMaps maps;
   if (computed)

@@ -12,6 +12,10 @@
  *   left out, with a warning that names it. So are blocks without points.
  * - Template: required with Maps. An oriented 2-manifold, open or closed, to which the shapes are
  *   compared. By default, it is the shape with the smallest mean distance from the others.
+ * - Landmarks (optional): with Computed, points whose partners are known. Block k has those of
+ *   shape k, and the block after those of all shapes has those of the Template. They are moved to
+ *   the nearest points. Those with the same number correspond: the point array `Number`, or their
+ *   order, from 1. A pair of shapes with less than three common numbers is mapped without them.
  *
  * The number of a shape is that of its block. Outputs have no block for one that is left out.
  *
@@ -121,6 +125,10 @@ private:
   vtkShapeCollection(const vtkShapeCollection&) = delete;
   void operator=(const vtkShapeCollection&) = delete;
 
+  /// The landmarks of each shape, and of the template if it is given; none if there are none.
+  /// count: number of blocks of Shapes.
+  std::vector<shape::NumberedPoints> ReadLandmarks(const std::vector<shape::Surface>& surfaces,
+    const std::vector<vtkShapeBlocks::Block>& blocks, int count, const shape::Surface* base);
   void WriteShapes(const std::vector<shape::CollectionShape>& shapes,
     const std::vector<vtkShapeBlocks::Block>& blocks,
     const std::vector<shape::SurfacePoints>& inverses, vtkPolyData* templateData,

@@ -8,10 +8,14 @@
 #include <Eigen/Core>
 
 #include <functional>
+#include <map>
 #include <vector>
 
 namespace shape
 {
+
+/// Points of a surface by number. Those of two surfaces with the same number correspond.
+using NumberedPoints = std::map<int, int>;
 
 struct ConsistentMapsOptions
 {
@@ -25,8 +29,10 @@ struct ConsistentMapsOptions
   /// The method of the maps onto the template.
   enum class MethodType
   {
-    FunctionalMap,     ///< nearest rows of the functional maps
-    ReversibleHarmonic ///< RefineReversibleHarmonicMap, from these maps
+    /// Nearest rows of the functional maps, which the last iterations of
+    /// RefineReversibleHarmonicMap make smooth.
+    FunctionalMap,
+    ReversibleHarmonic ///< RefineReversibleHarmonicMap, from the nearest rows
   };
   MethodType Method = MethodType::FunctionalMap;
   /// LimitShape: each shape is matched with this many others, at least; those with the most similar
@@ -37,6 +43,10 @@ struct ConsistentMapsOptions
   int Eigenpairs = 120;    ///< maximum number of eigenfunctions of each surface; >= 20
   int CoarsePoints = 8000; ///< larger surfaces are matched on a coarse copy; 0: none is; or >= 100
   AutomaticLandmarksOptions Landmarks; ///< Rank is not used
+  /// The landmarks of each shape and, at the end, of a given template; empty: none. A pair with
+  /// three common numbers or more has one map, which follows from these. On the template, each
+  /// landmark is mapped to its partner exactly.
+  std::vector<NumberedPoints> Numbered;
 };
 
 /// Throws InvalidInput if an option is out of range.
@@ -67,8 +77,8 @@ struct ConsistentPair
 struct ConsistentMaps
 {
   int Template = -1; ///< number of the shape that is the template, -1 if it was given
-  /// For each shape: AToB are the images of its points on the template, BToA those of the
-  /// template's points on the shape (InvertMap of AToB).
+  /// For each shape: BToA are the positions of the template's points on the shape, AToB the images
+  /// of its points on the template (InvertMap of BToA).
   std::vector<SurfaceMaps> Maps;
   std::vector<ConsistentPair> Pairs; ///< with LimitShape
   /// For each shape, the mean Disagreement of its pairs that were kept; 0 with None.
@@ -83,7 +93,8 @@ struct ConsistentMaps
 };
 
 /**
- * Maps N surfaces with different points and triangles onto one template, without landmarks.
+ * Maps N surfaces with different points and triangles onto one template, from the surfaces alone
+ * or with landmarks (Numbered).
  *
  * Only pairs of similar shapes are matched (Neighbours), and those that connect all. Each offers
  * several maps (FindLandmarkCandidates). ChooseCandidates selects the ones that agree around cycles
@@ -92,8 +103,9 @@ struct ConsistentMaps
  * functions correspond, and these give functional maps of more eigenfunctions (Huang, Ren, Wonka
  * and Ovsjanikov, "Consistent ZoomOut: efficient spectral map synchronization", 2020). At the end,
  * the functional map of each shape onto the template, over the latent functions, is refined for
- * this pair alone (RefineByZoomOut). The map between two shapes
- * is the way over the template, so maps around cycles agree as far as each is one to one.
+ * this pair alone (RefineByZoomOut). The map between two shapes is the way over the template: to
+ * the image of a point, and to the position whose image is there (MapInverse). So maps around
+ * cycles agree as far as each map is one to one.
  *
  * shapes: surfaces that RequireConnected accepts. base: the template, or null: then it is the shape
  * whose products of latent functions (Y' Y and Y' L Y, with the eigenvalues L) differ least from

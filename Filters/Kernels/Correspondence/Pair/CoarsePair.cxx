@@ -1,6 +1,7 @@
 #include "Correspondence/Pair/CoarsePair.h"
 
 #include "Correspondence/Pair/MapPositions.h"
+#include "Correspondence/Pair/MatchingInput.h"
 #include "Search/TriangleWalk.h"
 
 #include <algorithm>
@@ -9,30 +10,27 @@
 
 namespace shape
 {
-namespace
-{
 
-std::optional<CoarseSurface> CoarsenIfLarge(const Surface& surface, const Landmarks& landmarks,
-  int which, int maximum, const Progress& progress)
+CoarsePair::Side CoarsePair::Coarsen(
+  const Surface& surface, const std::vector<int>& kept, int maximum, const Progress& progress)
 {
   if (maximum <= 0 || surface.Points().rows() <= maximum)
   {
-    return {};
+    return { surface, {} };
   }
-  std::vector<int> kept;
-  for (const auto& landmark : landmarks)
-  {
-    kept.push_back(landmark[which]);
-  }
-  return CoarsenSurface(surface, maximum, kept, progress);
+  return { surface, CoarsenSurface(surface, maximum, kept, progress) };
 }
 
-} // namespace
+CoarsePair::CoarsePair(Side a, Side b)
+  : One(std::move(a))
+  , Two(std::move(b))
+{
+}
 
 CoarsePair::CoarsePair(const Surface& a, const Surface& b, const Landmarks& landmarks, int maximum,
   const Progress& progress)
-  : One{ a, CoarsenIfLarge(a, landmarks, 0, maximum, progress.Part(0.0, 0.5)) }
-  , Two{ b, CoarsenIfLarge(b, landmarks, 1, maximum, progress.Part(0.5, 1.0)) }
+  : One(Coarsen(a, PointsOf(landmarks, 0), maximum, progress.Part(0.0, 0.5)))
+  , Two(Coarsen(b, PointsOf(landmarks, 1), maximum, progress.Part(0.5, 1.0)))
 {
 }
 

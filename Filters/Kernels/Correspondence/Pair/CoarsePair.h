@@ -6,6 +6,7 @@
 #include "Remesh/Coarsening.h"
 
 #include <optional>
+#include <vector>
 
 namespace shape
 {
@@ -16,6 +17,26 @@ namespace shape
 class CoarsePair
 {
 public:
+  /// A surface, and its coarse copy if it is large.
+  struct Side
+  {
+    Surface Fine;
+    std::optional<CoarseSurface> Coarse;
+
+    const Surface& Working() const { return this->Coarse ? this->Coarse->Surface : this->Fine; }
+    int FinePoint(int point) const { return this->Coarse ? this->Coarse->Points[point] : point; }
+    int CoarsePoint(int point) const; ///< of a point that was kept
+    Eigen::MatrixXd Interpolate(const Eigen::MatrixXd& values) const;
+  };
+
+  /// Coarsens a surface that has more than `maximum` points; see the constructor. kept: points that
+  /// are kept.
+  static Side Coarsen(const Surface& surface, const std::vector<int>& kept, int maximum,
+    const Progress& progress = {});
+
+  /// From surfaces that were coarsened before.
+  CoarsePair(Side a, Side b);
+
   /// a, b: surfaces that CoarsenSurface accepts. landmarks: pairs whose points are kept. maximum:
   /// the approximate number of points of a coarse surface; if 0, no surface is coarsened. Throws
   /// InvalidInput, Aborted.
@@ -50,16 +71,6 @@ public:
   ///@}
 
 private:
-  struct Side
-  {
-    Surface Fine;
-    std::optional<CoarseSurface> Coarse;
-    const Surface& Working() const { return this->Coarse ? this->Coarse->Surface : this->Fine; }
-    int FinePoint(int point) const { return this->Coarse ? this->Coarse->Points[point] : point; }
-    int CoarsePoint(int point) const;
-    Eigen::MatrixXd Interpolate(const Eigen::MatrixXd& values) const;
-  };
-
   static SurfacePoints Lifted(
     const SurfacePoints& map, const Side& from, const Side& to, const Progress& progress);
 

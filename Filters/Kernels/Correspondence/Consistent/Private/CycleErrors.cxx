@@ -1,5 +1,6 @@
 #include "Correspondence/Consistent/Private/CycleErrors.h"
 
+#include "Correspondence/Evaluate/InvertMap.h"
 #include "Correspondence/Pair/MapPositions.h"
 #include "Geodesics/HeatGeodesics.h"
 #include "Search/NearestSurfacePoints.h"
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <utility>
 
 namespace shape
@@ -44,11 +46,13 @@ std::vector<std::array<int, 3>> FindTriples(const std::vector<CandidatePair>& pa
 PositionMap MapsOverTemplate(
   const std::vector<Surface>& surfaces, std::size_t central, const std::vector<SurfaceMaps>& maps)
 {
-  return [&surfaces, &maps, central](int from, int to, const SurfacePoints& positions)
+  const auto inverses = std::make_shared<std::map<int, MapInverse>>();
+  return [&surfaces, &maps, central, inverses](int from, int to, const SurfacePoints& positions)
   {
     const Surface& base = surfaces[central];
-    return MapPositions(MapPositions(positions, surfaces[from].Triangles(), maps[from].AToB, base),
-      base.Triangles(), maps[to].BToA, surfaces[to]);
+    const MapInverse& inverse =
+      inverses->try_emplace(to, surfaces[to], maps[to].AToB, base).first->second;
+    return inverse.Find(MapPositions(positions, surfaces[from].Triangles(), maps[from].AToB, base));
   };
 }
 

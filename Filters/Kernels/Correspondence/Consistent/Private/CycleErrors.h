@@ -21,7 +21,8 @@ std::vector<std::array<int, 3>> FindTriples(const std::vector<CandidatePair>& pa
 /// Takes positions on one shape to another one. The arguments are their numbers and the positions.
 using PositionMap = std::function<SurfacePoints(int, int, const SurfacePoints&)>;
 
-/// The maps over the template: Maps.AToB of one shape, then Maps.BToA of the other one. The
+/// The maps over the template: Maps.AToB of one shape, then the inverse of that of the other one
+/// (MapInverse), which is not interpolated between points, as MapsOfPairs is not. The
 /// arguments must outlive the result, except `central`, the number of the template.
 PositionMap MapsOverTemplate(
   const std::vector<Surface>& surfaces, std::size_t central, const std::vector<SurfaceMaps>& maps);
