@@ -53,6 +53,12 @@ def renumbered(data, order, places):
     return result
 
 
+def root_of_area(surface):
+    corners = points(surface)[shapetesting.triangles(surface)]
+    return numpy.sqrt(numpy.linalg.norm(numpy.cross(
+        corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum() / 2)
+
+
 # The example: spheres with a bump at the top, and one with a bump at the side.
 sphere = simple.Clean(Input=simple.Sphere(ThetaResolution=24, PhiResolution=24, Radius=1.0))
 bump = 'coords*(1+%g*exp(6*(%s-1)))'
@@ -162,14 +168,46 @@ for number, each in enumerate(copies):
     assert numpy.median(abs(array(block, 'Number') - array(found[1], 'Number'))) < 1e-6
     assert (array(block, 'TargetPosition') == points(found[1])).all()
 
+# Landmarks of the copies, numbered and in another order in each, have their partners as images.
+chosen = numpy.arange(0, figure.GetNumberOfPoints(), figure.GetNumberOfPoints() // 7)
+
+
+def numbered(data, seed=None):
+    """Some of its points as landmarks, in the order of their numbers, or in another one with numbers."""
+    at = numpy.argsort(array(data, 'Number'))[chosen]
+    order = numpy.arange(len(at)) if seed is None else numpy.random.default_rng(seed).permutation(len(at))
+    result = vtkPolyData()
+    located = vtkPoints()
+    located.SetDataTypeToDouble()
+    for point in at[order]:
+        located.InsertNextPoint(points(data)[point])
+    result.SetPoints(located)
+    if seed is not None:
+        add_array(result, order + 1.0, 'Number')
+    return result
+
+
+marks = [numbered(data, None if number == 0 else number) for number, data in enumerate(copies)]
+for base in (None, copies[2]):
+    guided = shapetesting.outputs(shapetesting.new(
+        shapemap.vtkShapeCollection, group(copies), base, group(marks if base is None else marks + marks[2:]),
+        Correspondence=2))
+    size = root_of_area(guided[1])
+    for number, each in enumerate(copies):
+        images = array(guided[0].GetBlock(number), 'TargetPosition')[numpy.argsort(array(each, 'Number'))[chosen]]
+        truth = points(guided[1])[numpy.argsort(array(guided[1], 'Number'))[chosen]]
+        assert numpy.linalg.norm(images - truth, axis=1).max() < 1e-6 * size, (number, images - truth)
+many = shapetesting.new(shapemap.vtkShapeCollection, group(copies), None, group(marks + marks), Correspondence=2)
+check_refused(many, 'Landmarks', 'block 3', 'block k')
+add_array(marks[1], numpy.ones(len(chosen)), 'Number')
+check_refused(shapetesting.new(shapemap.vtkShapeCollection, group(copies), None, group(marks), Correspondence=2),
+              'number 1 twice', 'shape 1')
+unused = shapetesting.outputs(shapetesting.new(
+    shapemap.vtkShapeCollection, group([copies[0], copies[0]]), None, group(marks)))
+assert 'ignored' in fact(unused[1], 'Collection.Warning')
+
 # Surfaces of other sizes and triangles, one of a few hundred points, by each method, and with one of them as the
 # template that is given: each point goes to its own place. The bound is that of automatic maps.
-def root_of_area(surface):
-    corners = points(surface)[shapetesting.triangles(surface)]
-    return numpy.sqrt(numpy.linalg.norm(numpy.cross(
-        corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum() / 2)
-
-
 def decimated(surface, share, size):
     decimation = vtkQuadricDecimation()
     decimation.SetInputData(surface)

@@ -138,6 +138,25 @@ TEST(InvertMap, IsExactForRenumberedPoints)
   EXPECT_LT((positions(other.NewOf, Eigen::all) - mesh.Points).cwiseAbs().maxCoeff(), 1e-12);
 }
 
+TEST(InvertMap, IsExactInsideTriangles)
+{
+  // Images of corners are corners of the same triangle, so those between are, too.
+  const shape::Mesh mesh = shapetest::Icosphere(1);
+  const shape::Surface target(mesh);
+  const shape::Mesh turned{ mesh.Points * shapetest::Rotation(0.4, { 1, 2, 3 }).transpose(),
+    mesh.Triangles };
+  const shape::SurfacePoints same = shape::MakeSurfacePointsAtVertices(
+    Eigen::VectorXi::LinSpaced(mesh.Points.rows(), 0, static_cast<int>(mesh.Points.rows()) - 1),
+    mesh);
+  const shape::MapInverse inverse(turned, same, target);
+  shape::SurfacePoints inside{ Eigen::VectorXi::LinSpaced(
+                                 mesh.Triangles.rows(), 0, mesh.Triangles.rows() - 1),
+    Eigen::RowVector3d(0.5, 0.3, 0.2).replicate(mesh.Triangles.rows(), 1) };
+  const shape::SurfacePoints found = inverse.Find(inside);
+  EXPECT_EQ(found.Triangles, inside.Triangles);
+  EXPECT_LT((found.Barycentrics - inside.Barycentrics).cwiseAbs().maxCoeff(), 1e-12);
+}
+
 TEST(InvertMap, StaysOnTheSheetWhereTwoAreClose)
 {
   // Two spheres with a gap of 0.02, the inner one turned over. The chords of the coarse outer one
@@ -203,6 +222,75 @@ TEST(ConsistentMaps, RecoverTheTruthOfStretchedRenumberedCopies)
     const Eigen::MatrixXd truth = base.Points()(numbers[maps.Template], Eigen::all);
     EXPECT_LT((images - truth).rowwise().norm().mean(), 0.03 * length) << i;
   }
+}
+
+TEST(ConsistentMaps, FollowLandmarks)
+{
+  // An ellipsoid has four maps onto itself that keep orientation. The landmarks of the second shape
+  // are turned by half a turn, and so is its map.
+  shape::Mesh mesh = shapetest::Icosphere(3);
+  mesh.Points = mesh.Points * Eigen::Vector3d(3.0, 2.0, 1.0).asDiagonal();
+  const Eigen::Vector3d turn(-1.0, -1.0, 1.0);
+  const auto nearestTo = [&](const Eigen::RowVector3d& position)
+  {
+    Eigen::Index nearest = 0;
+    (mesh.Points.rowwise() - position).rowwise().squaredNorm().minCoeff(&nearest);
+    return static_cast<int>(nearest);
+  };
+  std::vector<shape::Surface> shapes;
+  std::vector<Eigen::VectorXi> numbers;
+  shape::ConsistentMapsOptions options;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    const shapetest::Renumbered copy = shapetest::Renumber(mesh, 20 + i);
+    shapes.emplace_back(copy.Mesh);
+    numbers.push_back(copy.NewOf);
+    options.Numbered.emplace_back();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (const double sign : { -1.0, 1.0 })
+      {
+        const double end = (i == 1 ? turn(axis) : 1.0) * sign * (3.0 - axis);
+        options.Numbered[i][2 * axis + (sign > 0.0 ? 1 : 0)] =
+          copy.NewOf(nearestTo(end * Eigen::RowVector3d::Unit(axis)));
+      }
+    }
+  }
+  using Type = shape::ConsistentMapsOptions;
+  const double length = std::sqrt(shape::ComputeArea(shapes[0]));
+  for (const auto consistency : { Type::ConsistencyType::LimitShape, Type::ConsistencyType::None })
+  {
+    for (const auto method :
+      { Type::MethodType::FunctionalMap, Type::MethodType::ReversibleHarmonic })
+    {
+      options.Consistency = consistency;
+      options.Method = method;
+      const shape::ConsistentMaps maps = shape::ComputeConsistentMaps(shapes, nullptr, options);
+      const shape::Surface& base = shapes[maps.Template];
+      for (int i = 0; i < 3; ++i)
+      {
+        const Eigen::MatrixXd images =
+          shape::PullBack(maps.Maps[i].AToB, base.Triangles(), base.Points());
+        const bool isTurned = (i == 1) != (maps.Template == 1);
+        const Eigen::MatrixXd truth =
+          isTurned ? Eigen::MatrixXd(mesh.Points * turn.asDiagonal()) : mesh.Points;
+        EXPECT_LT((images(numbers[i], Eigen::all) - truth).rowwise().norm().mean(), 0.03 * length)
+          << i;
+        if (consistency == Type::ConsistencyType::LimitShape)
+        {
+          for (const auto& [number, point] : options.Numbered[i])
+          {
+            const int partner = options.Numbered[maps.Template].at(number);
+            EXPECT_LT((images.row(point) - base.Points().row(partner)).norm(), 1e-9 * length);
+          }
+        }
+      }
+    }
+  }
+  options.Numbered.pop_back();
+  EXPECT_THROW(shape::ComputeConsistentMaps(shapes, nullptr, options), shape::InvalidInput);
+  options.Numbered.push_back({ { 1, 100000 } });
+  EXPECT_THROW(shape::ComputeConsistentMaps(shapes, nullptr, options), shape::InvalidInput);
 }
 
 TEST(ConsistentMaps, RefuseASingleSurfaceAndOptionsOutOfRange)
