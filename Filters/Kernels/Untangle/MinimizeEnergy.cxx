@@ -285,7 +285,8 @@ PatchResult MinimizeEnergy(Eigen::Matrix3Xd& x, EnergyProblem& problem, const Pa
     }
   }
   result.EnergyBefore = state.Energy;
-  int further = 0;
+  int further = 0, stalled = 0, fewest = result.Negative;
+  double lowest = state.MinimumDeterminant;
   double share = MinimumShare;
   Eigen::Matrix3Xd trial;
   for (; result.Steps < options.MaximumSteps; ++result.Steps)
@@ -342,6 +343,16 @@ PatchResult MinimizeEnergy(Eigen::Matrix3Xd& x, EnergyProblem& problem, const Pa
       {
         break;
       }
+    }
+    if (result.Negative < fewest || state.MinimumDeterminant > lowest + 0.01 * std::abs(lowest))
+    {
+      fewest = std::min(fewest, result.Negative);
+      lowest = std::max(lowest, state.MinimumDeterminant);
+      stalled = 0;
+    }
+    else if (result.Negative > 0 && ++stalled > options.Patience)
+    {
+      break;
     }
     if (epsilon != before)
     {

@@ -7,6 +7,7 @@
 #include "Search/ClosestPoint.h"
 #include "Untangle/MinimizeEnergy.h"
 #include "Untangle/Private/CellSplits.h"
+#include "Untangle/Private/ConeExpansion.h"
 #include "Untangle/Private/SlidingBoundary.h"
 #include "Untangle/Private/SolidCells.h"
 #include "Untangle/Private/SolidRefinement.h"
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -30,8 +30,11 @@ namespace
 constexpr int Rings[] = { 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 8, 8, 12, 12, 16, 16 };
 constexpr int FirstSplitting = 1, FirstCollar = 2;
 constexpr int Rounds = static_cast<int>(std::size(Rings));
-/// The end comes after this many rounds without a new minimum of inverted cells.
-constexpr int Patience = 6;
+/// The end comes after this many rounds without a new minimum of inverted cells. If tetrahedra can be
+/// expanded, it comes sooner.
+constexpr int Patience = 6, PatienceBeforeExpansion = 1;
+/// A patch is given up after this many Newton steps without progress.
+constexpr int StepPatience = 20;
 /// A state with this many times more inverted cells than the best is abandoned.
 constexpr std::size_t MaximumIncrease = 2;
 /// After this many consecutive rounds the edges of a fixed point may be split again.
@@ -42,6 +45,7 @@ struct Untangling
 {
   SolidCells Solid;
   std::unique_ptr<SlidingBoundary> Sliding; ///< none if the boundary is fixed
+  int Expansions = 0;                       ///< points that were placed by exact tests
   int Iterations = 0;                       ///< Newton steps so far
 
   bool IsMovable(int point) const
@@ -84,7 +88,7 @@ void RequireSolid(const Cells& cells, const SolidCells& solid)
 Untangling BeginUntangling(
   const Cells& cells, const Eigen::MatrixXd& rest, const UntangleOptions& options)
 {
-  Untangling begun{ SolidCells(cells, rest, "the Input"), nullptr, 0 };
+  Untangling begun{ SolidCells(cells, rest, "the Input"), nullptr, 0, 0 };
   RequireSolid(cells, begun.Solid);
   if (!options.FixBoundary)
   {
@@ -243,6 +247,7 @@ void MovePoints(Untangling& untangling, int rings, int maximumSteps, const Progr
     FindPatches(untangling, MarkAroundInverted(solid, rings));
   PatchOptions options;
   options.MaximumSteps = maximumSteps;
+  options.Patience = StepPatience;
   for (std::size_t i = 0; i < patches.size(); ++i)
   {
     const SimplexPatch patch = BuildPatch(solid, patches[i], sizes);
@@ -264,8 +269,9 @@ void MovePoints(Untangling& untangling, int rings, int maximumSteps, const Progr
 
 /// Moves points and splits cells until no cell is inverted or no further progress is found.
 /// maximumSteps: the maximum number of Newton steps for each patch in each round. Returns the
-/// number of inverted cells.
-int ReduceInverted(Untangling& untangling, int maximumSteps, const Progress& progress)
+/// number of inverted cells. patience: after how many rounds without a new minimum it ends.
+int ReduceInverted(
+  Untangling& untangling, int maximumSteps, int patience, const Progress& progress)
 {
   SolidCells& solid = untangling.Solid;
   progress(0.02);
@@ -274,7 +280,7 @@ int ReduceInverted(Untangling& untangling, int maximumSteps, const Progress& pro
   CellSplits splits(solid, [&](int point) { return untangling.IsMovable(point); });
   std::size_t minimum = bad.size();
   auto best = bad.empty() ? nullptr : std::make_unique<SolidCells>(solid);
-  for (int round = 0, last = 0; round < Rounds && !bad.empty() && round <= last + Patience; ++round)
+  for (int round = 0, last = 0; round < Rounds && !bad.empty() && round <= last + patience; ++round)
   {
     const Progress part =
       progress.Part(0.05 + 0.9 * round / Rounds, 0.05 + 0.9 * (round + 1.0) / Rounds);
@@ -305,6 +311,70 @@ int ReduceInverted(Untangling& untangling, int maximumSteps, const Progress& pro
   }
   progress(1.0);
   return static_cast<int>(bad.size());
+}
+
+/// Lowers the energy around the points that an expansion moved, without inverting a cell.
+void ImproveMoved(
+  Untangling& untangling, const Eigen::MatrixXd& before, const Progress& progress)
+{
+  SolidCells& solid = untangling.Solid;
+  std::vector<char> marked(solid.PointCount(), 0);
+  for (int point = 0; point < solid.PointCount(); ++point)
+  {
+    marked[point] = point >= before.rows() || solid.Points.row(point) != before.row(point);
+  }
+  const Eigen::VectorXd sizes = ComputeLogarithmicSizes(solid);
+  const std::vector<std::vector<int>> patches = FindPatches(untangling, marked);
+  PatchOptions options;
+  options.FurtherSteps = 20;
+  for (std::size_t i = 0; i < patches.size(); ++i)
+  {
+    const SimplexPatch patch = BuildPatch(solid, patches[i], sizes);
+    if (CountNegative(patch, solid.Points) > 0)
+    {
+      continue;
+    }
+    const Eigen::MatrixXd kept = solid.Points(patches[i], Eigen::all);
+    const PatchResult moved =
+      MinimizeEnergy(solid.Points, patch, untangling.Sliding.get(), options,
+        progress.Part(static_cast<double>(i) / patches.size(), (i + 1.0) / patches.size()));
+    untangling.Iterations += moved.Steps;
+    if (moved.Negative > 0)
+    {
+      solid.Points(patches[i], Eigen::all) = kept;
+    }
+  }
+}
+
+/// Moves points, then expands clusters of the tetrahedra that stay inverted, in turn: what one
+/// leaves inverted is another start for the other. Returns the number of inverted cells.
+int ReduceAndExpand(Untangling& untangling, int maximumSteps, const Progress& progress)
+{
+  SolidCells& solid = untangling.Solid;
+  constexpr int turns = 4;
+  int left = 0;
+  for (int turn = 0; turn < turns; ++turn)
+  {
+    const Progress part =
+      progress.Part(static_cast<double>(turn) / turns, (turn + 1.0) / turns);
+    left = ReduceInverted(untangling, maximumSteps, PatienceBeforeExpansion,
+      part.Part(0.0, 0.4, "untangling the inverted cells"));
+    if (left == 0)
+    {
+      break;
+    }
+    const Eigen::MatrixXd before = solid.Points.topRows(solid.PointCount());
+    const ConeExpansionResult expanded =
+      ExpandInverted(solid, {}, part.Part(0.4, 0.9, "placing points by exact tests"));
+    untangling.Expansions += expanded.Expansions;
+    left = static_cast<int>(FindInvertedCells(solid).size());
+    ImproveMoved(untangling, before, part.Part(0.9, 1.0, "improving the cells"));
+    if (left == 0)
+    {
+      break;
+    }
+  }
+  return left;
 }
 
 UntangleResult BuildResult(Untangling& untangling)
@@ -360,26 +430,27 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
     }
     RequireExtent(rest, "the RestShape");
   }
-  // If inverted cells remain, they may need more iterations, or another start.
-  const int steps = options.MaximumIterations;
-  constexpr int patience = 3;
-  const int moreSteps = patience * std::min(steps, std::numeric_limits<int>::max() / patience);
   Untangling best = BeginUntangling(cells, rest, options);
   const auto invertedBefore = static_cast<int>(FindInvertedCells(best.Solid).size());
   const bool isRefined = options.Refine != RefineType::None;
   const Progress untangling = progress.Part(0.0, isRefined ? 0.6 : 1.0);
-  int left =
-    ReduceInverted(best, steps, untangling.Part(0.0, 0.5, "untangling the inverted cells"));
-  left = left > 0 ? ReduceInverted(best, moreSteps,
-                      untangling.Part(0.5, 0.7, "untangling the last inverted cells"))
-                  : 0;
+  int left = 0;
+  if (best.Solid.HasTetrahedra())
+  {
+    left = ReduceAndExpand(best, options.MaximumIterations, untangling.Part(0.0, 0.7));
+  }
+  else
+  {
+    left = ReduceInverted(best, options.MaximumIterations, Patience,
+      untangling.Part(0.0, 0.7, "untangling the inverted cells"));
+  }
   if (left > 0)
   {
     Untangling other = BeginUntangling(cells, rest, options);
     // Restarts with each inner point at the mean of its neighbours.
     other.Solid.Points = SolveTutteEmbedding(other.Solid, untangling.Part(0.7, 0.7));
-    if (ReduceInverted(
-          other, moreSteps, untangling.Part(0.7, 0.95, "untangling from another start")) < left)
+    if (ReduceInverted(other, options.MaximumIterations, Patience,
+          untangling.Part(0.7, 0.95, "untangling from another start")) < left)
     {
       best = std::move(other);
     }

@@ -11,7 +11,9 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <random>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace shape
@@ -37,24 +39,26 @@ struct Placement
   bool IsValid = false;
   Eigen::RowVector3d Position = Eigen::RowVector3d::Zero();
   double Clearance = 0.0; ///< distance from the planes, relative to the size of the star
+  double Rank = 0.0;      ///< points with a greater rank leave a cluster first
 };
 
 /// A cluster of inner points at one position, which is expanded.
 class Cluster
 {
 public:
-  Cluster(SolidCells& solid, const std::vector<int>& members)
+  /// seed: of the order in which points leave, for another attempt.
+  Cluster(SolidCells& solid, const std::vector<int>& members, unsigned int seed, double& work)
     : Solid(solid)
-    , In(solid.PointCount(), 0)
+    , Work(work)
+    , Random(seed)
+    , Entity(solid.PointCount(), 0)
   {
     for (const int point : members)
     {
       this->Add(point);
     }
-    this->StartCount = static_cast<int>(members.size());
   }
 
-  bool Contains(int point) const { return this->In[point]; }
   const std::vector<int>& Points() const { return this->Members; }
 
   /// Enlarges the cluster until one position sees all faces opposite to a single point. Returns
@@ -68,8 +72,12 @@ public:
       const Placement found = this->FindPlacement(faces, this->Centroid());
       if (found.IsValid)
       {
-        this->MoveTo(found.Position);
-        return true;
+        if (this->IsCollapsible(progress) || !(this->Fill() || this->AddRing()))
+        {
+          this->MoveTo(found.Position);
+          return true;
+        }
+        continue;
       }
       if (!this->Grow(faces, found.Position))
       {
@@ -78,40 +86,60 @@ public:
     }
   }
 
-  void AddRing()
+  /// Adds the movable points around the cluster. Returns whether there are any.
+  bool AddRing()
   {
     const std::vector<int> members = this->Members;
     for (const int point : members)
     {
       for (const int other : this->Neighbours(point))
       {
-        if (!this->In[other] && this->IsMovable(other))
+        if (!this->IsIn(other) && this->IsMovable(other))
         {
           this->Add(other);
         }
       }
     }
-    this->StartCount = static_cast<int>(this->Members.size());
+    return this->Members.size() > members.size();
   }
 
-  /// Moves all points out of the cluster. Returns false if that takes too many splits.
+  /// Divides the cluster until each point is by itself. Returns false if that takes too many splits.
   bool Expand(const ConeExpansionOptions& options, ConeExpansionResult& result,
     const Progress& progress)
   {
     const auto start = static_cast<double>(this->Members.size());
-    const double allowed = 100.0 + options.MaximumSplits * start;
-    double most = start;
-    int splits = 0;
+    const int given = this->Solid.PointCount();
+    const double allowed = options.MaximumSplits * start;
+    std::vector<std::vector<int>> waiting;
+    int last = 1;
     bool isRelaxed = false;
-    while (!this->Members.empty())
+    for (;;)
     {
-      const auto left = static_cast<double>(this->Members.size());
-      most = std::max(most, left);
-      progress(1.0 - left / most);
-      int best = this->FindClearest(progress);
+      if (this->Members.size() <= 1)
+      {
+        if (!this->Members.empty())
+        {
+          this->Entity[this->Members.front()] = 0;
+        }
+        if (waiting.empty())
+        {
+          break;
+        }
+        this->Members = std::move(waiting.back());
+        waiting.pop_back();
+        this->Id = this->Entity[this->Members.front()];
+        for (const int point : this->Members)
+        {
+          this->IsKnown[point] = 0;
+        }
+        isRelaxed = false;
+        continue;
+      }
+      progress(std::min(1.0, result.Expansions / (start + this->Solid.PointCount() - given)));
+      const int best = this->FindClearest(progress);
       if (best >= 0 && (this->Known[best].Clearance > Comfortable || isRelaxed))
       {
-        this->Release(best);
+        this->Release({ best }, this->Known[best].Position, 0);
         ++result.Expansions;
         isRelaxed = false;
         continue;
@@ -122,27 +150,23 @@ public:
         isRelaxed = true;
         continue;
       }
-      std::vector<int> spokes;
-      best = this->FindCut(spokes, progress);
-      if (best < 0 || splits + spokes.size() > allowed)
-      {
-        return false;
-      }
-      for (const int end : spokes)
-      {
-        this->SplitSpoke(best, end);
-      }
-      splits += static_cast<int>(spokes.size());
-      result.Splits += static_cast<int>(spokes.size());
-      this->Known[best] = this->FindPlacement(best);
-      if (!this->Known[best].IsValid)
-      {
-        return false;
-      }
-      this->Release(best);
-      ++result.Expansions;
       isRelaxed = false;
+      std::vector<int> part;
+      const Placement placement = this->FindDivision(part, progress);
+      if (placement.IsValid)
+      {
+        this->Release(part, placement.Position, ++last);
+        waiting.push_back(std::move(part));
+        continue;
+      }
+      if (this->Work > options.MaximumWork || this->Solid.PointCount() - given > allowed ||
+        !(this->ReleaseAfterSplits(progress) || this->ReleasePart(progress)))
+      {
+        return false;
+      }
+      ++result.Expansions;
     }
+    result.Splits += this->Solid.PointCount() - given;
     return true;
   }
 
@@ -150,14 +174,20 @@ private:
   /// Points with this clearance leave the cluster before others are moved to make space.
   static constexpr double Comfortable = 0.02;
 
+  /// By how much the rank of a point is random; the share of its faces that are outside counts 1.
+  static constexpr double Disorder = 0.2;
+
   void Add(int point)
   {
-    this->In.resize(this->Solid.PointCount(), 0);
+    this->Entity.resize(this->Solid.PointCount(), 0);
+    this->Generations.resize(this->Solid.PointCount(), 0);
     this->Known.resize(this->Solid.PointCount());
     this->IsKnown.resize(this->Solid.PointCount(), 0);
-    this->In[point] = 1;
+    this->Entity[point] = this->Id;
     this->Members.push_back(point);
   }
+
+  bool IsIn(int point) const { return this->Entity[point] == this->Id; }
 
   bool IsMovable(int point) const
   {
@@ -165,11 +195,6 @@ private:
     return !this->Solid.OnBoundary(point) &&
       std::all_of(cells.begin(), cells.end(),
         [&](int cell) { return this->Solid.PointsOf(cell).size() == 4; });
-  }
-
-  Eigen::RowVector3d PositionOf(int point) const
-  {
-    return this->In[point] ? this->Position : Eigen::RowVector3d(this->Solid.Points.row(point));
   }
 
   Eigen::RowVector3d Centroid() const
@@ -182,9 +207,10 @@ private:
     return sum / static_cast<double>(this->Members.size());
   }
 
+  Eigen::RowVector3d Position() const { return this->Solid.Points.row(this->Members.front()); }
+
   void MoveTo(const Eigen::RowVector3d& position)
   {
-    this->Position = position;
     for (const int point : this->Members)
     {
       this->Solid.Points.row(point) = position;
@@ -192,9 +218,16 @@ private:
     }
   }
 
-  int CountIn(const StarFace& face) const
+  /// Whether the corners of a face are at different positions.
+  bool IsWide(const StarFace& face) const
   {
-    return this->In[face[0]] + this->In[face[1]] + this->In[face[2]];
+    const int a = this->Entity[face[0]], b = this->Entity[face[1]], c = this->Entity[face[2]];
+    return (a == 0 || (a != b && a != c)) && (b == 0 || b != c);
+  }
+
+  bool IsOutside(const StarFace& face) const
+  {
+    return !this->IsIn(face[0]) && !this->IsIn(face[1]) && !this->IsIn(face[2]);
   }
 
   std::set<int> Neighbours(int point) const
@@ -208,19 +241,33 @@ private:
     return found;
   }
 
-  /// Returns the faces opposite to a point whose tetrahedra have volume: at most one corner of such
-  /// a face is in the cluster, or none if the point is in it and `isOuter`.
-  std::vector<StarFace> FacesAround(int point, int maximum) const
+  std::vector<StarFace> AllFacesAround(int point) const
   {
     std::vector<StarFace> faces;
     for (const int cell : this->Solid.CellsOf(point))
     {
-      const StarFace face = FaceOpposite(this->Solid.PointsOf(cell), point);
-      if (this->CountIn(face) <= maximum)
-      {
-        faces.push_back(face);
-      }
+      faces.push_back(FaceOpposite(this->Solid.PointsOf(cell), point));
     }
+    return faces;
+  }
+
+  /// Returns the faces opposite to a point that it sees if it moves alone.
+  std::vector<StarFace> FacesAround(int point) const
+  {
+    std::vector<StarFace> faces = this->AllFacesAround(point);
+    faces.erase(std::remove_if(faces.begin(), faces.end(),
+                  [&](const StarFace& face) { return !this->IsWide(face); }),
+      faces.end());
+    return faces;
+  }
+
+  /// Returns those of them outside the cluster.
+  std::vector<StarFace> OuterFacesAround(int point) const
+  {
+    std::vector<StarFace> faces = this->FacesAround(point);
+    faces.erase(std::remove_if(faces.begin(), faces.end(),
+                  [&](const StarFace& face) { return !this->IsOutside(face); }),
+      faces.end());
     return faces;
   }
 
@@ -230,7 +277,7 @@ private:
     std::vector<StarFace> faces;
     for (const int point : this->Members)
     {
-      const std::vector<StarFace> around = this->FacesAround(point, 0);
+      const std::vector<StarFace> around = this->OuterFacesAround(point);
       faces.insert(faces.end(), around.begin(), around.end());
     }
     return faces;
@@ -240,6 +287,7 @@ private:
   Placement FindPlacement(
     const std::vector<StarFace>& faces, const Eigen::RowVector3d& origin) const
   {
+    this->Work += static_cast<double>(faces.size());
     Placement placement;
     placement.Position = origin;
     double size = 0.0;
@@ -247,16 +295,16 @@ private:
     {
       for (const int point : face)
       {
-        size = std::max(size, (this->PositionOf(point) - origin).norm());
+        size = std::max(size, (this->Solid.Points.row(point) - origin).norm());
       }
     }
     std::vector<HalfSpace> halfSpaces;
     halfSpaces.reserve(faces.size());
     for (const StarFace& face : faces)
     {
-      const Eigen::Vector3d p = (this->PositionOf(face[0]) - origin).transpose() / size,
-                            q = (this->PositionOf(face[1]) - origin).transpose() / size,
-                            r = (this->PositionOf(face[2]) - origin).transpose() / size;
+      const Eigen::Vector3d p = (this->Solid.Points.row(face[0]) - origin).transpose() / size,
+                            q = (this->Solid.Points.row(face[1]) - origin).transpose() / size,
+                            r = (this->Solid.Points.row(face[2]) - origin).transpose() / size;
       const Eigen::Vector3d normal = (q - p).cross(r - p);
       const double length = normal.norm();
       if (!(length > 0.0))
@@ -274,7 +322,7 @@ private:
 
   Placement FindPlacement(int point) const
   {
-    return this->FindPlacement(this->FacesAround(point, 1), this->PositionOf(point));
+    return this->FindPlacement(this->FacesAround(point), this->Solid.Points.row(point));
   }
 
   bool Sees(const Eigen::RowVector3d& position, const std::vector<StarFace>& faces) const
@@ -282,8 +330,8 @@ private:
     return std::all_of(faces.begin(), faces.end(),
       [&](const StarFace& face)
       {
-        return EvaluateOrientation(this->PositionOf(face[0]), this->PositionOf(face[1]),
-                 this->PositionOf(face[2]), position) > 0;
+        return EvaluateOrientation(this->Solid.Points.row(face[0]), this->Solid.Points.row(face[1]),
+                 this->Solid.Points.row(face[2]), position) > 0;
       });
   }
 
@@ -293,7 +341,7 @@ private:
     bool isGrown = false;
     for (const StarFace& face : faces)
     {
-      if (this->CountIn(face) > 0 ||
+      if (!this->IsOutside(face) ||
         EvaluateOrientation(this->Solid.Points.row(face[0]), this->Solid.Points.row(face[1]),
           this->Solid.Points.row(face[2]), position) > 0)
       {
@@ -342,6 +390,88 @@ private:
     return true;
   }
 
+  /// Whether the simplices of some points have the Euler characteristic of a ball.
+  bool IsContractible(const std::vector<int>& part) const
+  {
+    const std::set<int> points(part.begin(), part.end());
+    std::set<std::vector<int>> simplices;
+    for (const int point : part)
+    {
+      for (const int cell : this->Solid.CellsOf(point))
+      {
+        std::vector<int> inside;
+        for (const int corner : this->Solid.PointsOf(cell))
+        {
+          if (points.count(corner))
+          {
+            inside.push_back(corner);
+          }
+        }
+        std::sort(inside.begin(), inside.end());
+        for (unsigned int subset = 1; subset < (1U << inside.size()); ++subset)
+        {
+          std::vector<int> simplex;
+          for (std::size_t k = 0; k < inside.size(); ++k)
+          {
+            if (subset >> k & 1U)
+            {
+              simplex.push_back(inside[k]);
+            }
+          }
+          simplices.insert(std::move(simplex));
+        }
+      }
+    }
+    int characteristic = 0;
+    for (const std::vector<int>& simplex : simplices)
+    {
+      characteristic += simplex.size() % 2 == 1 ? 1 : -1;
+    }
+    return characteristic == 1;
+  }
+
+  /// Closes holes of the cluster that run around a single edge: one of its ends, or a new point in
+  /// it, joins the cluster. Returns whether there are any.
+  bool Fill()
+  {
+    std::map<std::pair<int, int>, bool> edges; // whether the cluster runs around it
+    for (const int point : this->Members)
+    {
+      for (const StarFace& face : this->FacesAround(point))
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          const int a = face[k], b = face[(k + 1) % 3], c = face[(k + 2) % 3];
+          if (!this->IsIn(a) && !this->IsIn(b))
+          {
+            const auto edge = edges.emplace(std::minmax(a, b), true).first;
+            edge->second = edge->second && this->IsIn(c);
+          }
+        }
+      }
+    }
+    bool isFilled = false;
+    for (const auto& [edge, isAround] : edges)
+    {
+      if (!isAround || this->IsIn(edge.first) || this->IsIn(edge.second))
+      {
+        continue;
+      }
+      const bool first = this->IsMovable(edge.first), second = this->IsMovable(edge.second);
+      if (first || second)
+      {
+        this->Add(first ? edge.first : edge.second);
+        isFilled = true;
+      }
+      else if (this->Solid.CanSplit({ edge.first, edge.second }))
+      {
+        this->Add(this->Solid.Split({ edge.first, edge.second }));
+        isFilled = true;
+      }
+    }
+    return isFilled;
+  }
+
   /// Whether the points around a point that are in the cluster are connected, and the others, too.
   /// The cluster then keeps its topology without the point.
   bool IsPeelable(int point) const
@@ -355,7 +485,7 @@ private:
       }
       return p;
     };
-    const std::vector<StarFace> faces = this->FacesAround(point, 3);
+    const std::vector<StarFace> faces = this->AllFacesAround(point);
     for (const StarFace& face : faces)
     {
       for (const int p : face)
@@ -367,7 +497,7 @@ private:
     {
       for (int k = 0; k < 3; ++k)
       {
-        if (this->In[face[k]] == this->In[face[(k + 1) % 3]])
+        if (this->IsIn(face[k]) == this->IsIn(face[(k + 1) % 3]))
         {
           parents[find(face[k])] = find(face[(k + 1) % 3]);
         }
@@ -378,15 +508,43 @@ private:
     {
       if (p == parent)
       {
-        ++(this->In[p] ? inside : outside);
+        ++(this->IsIn(p) ? inside : outside);
       }
     }
     return inside <= 1 && outside == 1;
   }
 
-  /// Returns the point that can leave the cluster with the greatest clearance, or -1.
+  /// Whether all points can leave the cluster one by one, wherever they are. It then is a ball.
+  bool IsCollapsible(const Progress& progress)
+  {
+    const std::vector<int> kept = this->Entity;
+    std::vector<int> left = this->Members;
+    for (std::size_t before = left.size() + 1; left.size() < before && left.size() > 1;)
+    {
+      before = left.size();
+      left.erase(std::remove_if(left.begin(), left.end(),
+                   [&](int point)
+                   {
+                     progress(0.0);
+                     const bool isGone = this->IsPeelable(point);
+                     this->Entity[point] = isGone ? 0 : this->Id;
+                     return isGone;
+                   }),
+        left.end());
+    }
+    this->Entity = kept;
+    return left.size() <= 1;
+  }
+
+  /// Returns the point that can leave the cluster best, or -1. Points that most of their faces
+  /// are outside for come first, so that the cluster stays round.
   int FindClearest(const Progress& progress)
   {
+    const auto rank = [](const Placement& placement)
+    {
+      return std::make_tuple(
+        placement.Clearance > Comfortable, placement.Rank, placement.Clearance);
+    };
     int best = -1;
     for (const int point : this->Members)
     {
@@ -398,10 +556,13 @@ private:
         if (this->IsPeelable(point))
         {
           this->Known[point] = this->FindPlacement(point);
+          this->Known[point].Rank = static_cast<double>(this->OuterFacesAround(point).size()) /
+              static_cast<double>(this->Solid.CellsOf(point).size()) +
+            Disorder * std::generate_canonical<double, 32>(this->Random);
         }
       }
       const Placement& known = this->Known[point];
-      if (known.IsValid && (best < 0 || known.Clearance > this->Known[best].Clearance))
+      if (known.IsValid && (best < 0 || rank(known) > rank(this->Known[best])))
       {
         best = point;
       }
@@ -417,28 +578,37 @@ private:
     }
   }
 
-  /// Moves a point from the cluster to its known placement, and those around it to their centres.
-  void Release(int point)
+  /// Moves points of the cluster to a position, as another cluster or (entity 0) by themselves, and
+  /// those around them to their centres.
+  void Release(const std::vector<int>& part, const Eigen::RowVector3d& position, int entity)
   {
-    this->Solid.Points.row(point) = this->Known[point].Position;
-    this->In[point] = 0;
-    this->Members.erase(std::find(this->Members.begin(), this->Members.end(), point));
-    this->Forget(point);
-    for (const int other : this->Neighbours(point))
+    for (const int point : part)
     {
-      this->Relax(other);
+      this->Solid.Points.row(point) = position;
+      this->Entity[point] = entity;
+      this->Forget(point);
     }
-    this->Relax(point);
+    this->Members.erase(std::remove_if(this->Members.begin(), this->Members.end(),
+                          [&](int point) { return !this->IsIn(point); }),
+      this->Members.end());
+    for (const int point : part)
+    {
+      for (const int other : this->Neighbours(point))
+      {
+        this->Relax(other);
+      }
+      this->Relax(point);
+    }
   }
 
   /// Moves a point that has left the cluster to the centre of its kernel. Returns whether it moved.
   bool Relax(int point)
   {
-    if (this->In[point] || !this->IsMovable(point))
+    if (this->Entity[point] != 0 || !this->IsMovable(point))
     {
       return false;
     }
-    const std::vector<StarFace> faces = this->FacesAround(point, 1);
+    const std::vector<StarFace> faces = this->FacesAround(point);
     const Eigen::RowVector3d before = this->Solid.Points.row(point);
     const Placement found = this->FindPlacement(faces, before);
     if (!found.IsValid || (found.Position - before).norm() < 1e-3 * this->SizeOf(faces, before))
@@ -455,7 +625,7 @@ private:
     double size = 0.0;
     for (const StarFace& face : faces)
     {
-      size = std::max(size, (this->PositionOf(face[0]) - origin).norm());
+      size = std::max(size, (this->Solid.Points.row(face[0]) - origin).norm());
     }
     return size;
   }
@@ -477,60 +647,314 @@ private:
         progress(0.0);
         this->Relax(point);
       }
-      const Placement found = this->FindPlacement(this->OuterFaces(), this->Position);
-      if (found.IsValid && found.Position != this->Position)
+      const Placement found = this->FindPlacement(this->OuterFaces(), this->Position());
+      if (found.IsValid && found.Position != this->Position())
       {
         this->MoveTo(found.Position);
       }
     }
   }
 
-  /// Finds the point that can leave the cluster after the fewest splits. ends: the other ends of the
-  /// edges to split. Returns -1 if there is none.
-  int FindCut(std::vector<int>& ends, const Progress& progress)
+  /// Returns the connected parts of some points of the cluster, the largest first.
+  std::vector<std::vector<int>> PartsOf(const std::set<int>& points) const
   {
-    int best = -1;
-    double clearance = 0.0;
-    for (const int point : this->Members)
+    std::vector<std::vector<int>> parts;
+    std::set<int> left = points;
+    while (!left.empty())
     {
-      progress(0.0);
-      std::vector<StarFace> faces = this->FacesAround(point, 0);
-      for (std::size_t seed = 0; seed < faces.size(); ++seed)
+      std::vector<int> part = { *left.begin() };
+      left.erase(left.begin());
+      for (std::size_t i = 0; i < part.size(); ++i)
       {
-        for (const bool isGrown : { true, false })
+        for (const int other : this->Neighbours(part[i]))
         {
-          std::vector<int> spokes = this->HiddenFrom(point, faces, seed, isGrown);
-          if (best >= 0 && spokes.size() > ends.size())
+          if (left.erase(other) > 0)
           {
-            continue;
-          }
-          if (!std::all_of(spokes.begin(), spokes.end(),
-                [&](int end) { return this->Solid.CanSplit({ point, end }); }))
-          {
-            continue;
-          }
-          // As if these points were in the cluster.
-          for (const int end : spokes)
-          {
-            this->In[end] = 1;
-          }
-          const Placement placement = this->FindPlacement(point);
-          for (const int end : spokes)
-          {
-            this->In[end] = 0;
-          }
-          if (placement.IsValid &&
-            (best < 0 || spokes.size() < ends.size() || placement.Clearance > clearance))
-          {
-            best = point;
-            clearance = placement.Clearance;
-            ends = std::move(spokes);
-            break;
+            part.push_back(other);
           }
         }
       }
+      parts.push_back(std::move(part));
+    }
+    std::stable_sort(parts.begin(), parts.end(),
+      [](const auto& a, const auto& b) { return a.size() > b.size(); });
+    return parts;
+  }
+
+  /// Where a part of the cluster can move, and the faces that it sees there.
+  Placement FindPartPlacement(const std::vector<int>& part, std::vector<StarFace>& faces)
+  {
+    constexpr int temporary = -1;
+    for (const int point : part)
+    {
+      this->Entity[point] = temporary;
+    }
+    for (const int point : part)
+    {
+      for (const StarFace& face : this->FacesAround(point))
+      {
+        if (this->Entity[face[0]] != temporary && this->Entity[face[1]] != temporary &&
+          this->Entity[face[2]] != temporary)
+        {
+          faces.push_back(face);
+        }
+      }
+    }
+    for (const int point : part)
+    {
+      this->Entity[point] = this->Id;
+    }
+    return this->FindPlacement(faces, this->Position());
+  }
+
+  /// Finds a part of the cluster that can move as one. It grows from each point by points beyond the
+  /// faces that it does not see.
+  Placement FindDivision(std::vector<int>& part, const Progress& progress)
+  {
+    Placement best;
+    for (const int first : this->Members)
+    {
+      progress(0.0);
+      if (this->OuterFacesAround(first).empty())
+      {
+        continue;
+      }
+      std::vector<int> grown = { first };
+      while (2 * grown.size() <= this->Members.size())
+      {
+        std::vector<StarFace> faces;
+        const Placement placement = this->FindPartPlacement(grown, faces);
+        if (placement.IsValid)
+        {
+          if (placement.Clearance > best.Clearance && this->IsDivision(grown))
+          {
+            best = placement;
+            part = grown;
+          }
+          break;
+        }
+        const int next = this->FindHinderer(faces, placement.Position);
+        if (next < 0)
+        {
+          break;
+        }
+        grown.push_back(next);
+      }
+      if (best.Clearance > Comfortable)
+      {
+        break;
+      }
     }
     return best;
+  }
+
+  /// Returns the point of the cluster with the most faces that a position does not see, or -1.
+  int FindHinderer(const std::vector<StarFace>& faces, const Eigen::RowVector3d& position) const
+  {
+    std::map<int, int> counts;
+    for (const StarFace& face : faces)
+    {
+      if (EvaluateOrientation(this->Solid.Points.row(face[0]), this->Solid.Points.row(face[1]),
+            this->Solid.Points.row(face[2]), position) <= 0)
+      {
+        for (const int point : face)
+        {
+          counts[point] += this->IsIn(point);
+        }
+      }
+    }
+    int best = -1, most = 0;
+    for (const auto& [point, count] : counts)
+    {
+      if (count > most)
+      {
+        best = point;
+        most = count;
+      }
+    }
+    return best;
+  }
+
+  /// Whether a part of the cluster and the rest of it are connected, without holes.
+  bool IsDivision(const std::vector<int>& part) const
+  {
+    std::set<int> rest(this->Members.begin(), this->Members.end());
+    for (const int point : part)
+    {
+      rest.erase(point);
+    }
+    const std::set<int> chosen(part.begin(), part.end());
+    return !rest.empty() && this->PartsOf(chosen).size() == 1 && this->PartsOf(rest).size() == 1 &&
+      this->IsContractible(part) && this->IsContractible({ rest.begin(), rest.end() });
+  }
+
+  /// A point of the cluster and the face from whose centre the fewest points are hidden.
+  struct Cut
+  {
+    int Generation = 0; ///< of the point
+    std::size_t Hidden = 0;
+    int Point = -1;
+    std::size_t Seed = 0;
+    bool operator<(const Cut& other) const
+    {
+      // Given points first: if new points were split again and again, there would be no end.
+      return std::tie(this->Generation, this->Hidden, this->Point) <
+        std::tie(other.Generation, other.Hidden, other.Point);
+    }
+  };
+
+  std::vector<Cut> FindCuts(bool onlyPeelable, const Progress& progress) const
+  {
+    std::vector<Cut> cuts;
+    for (const int point : this->Members)
+    {
+      progress(0.0);
+      if (onlyPeelable && !this->IsPeelable(point))
+      {
+        continue;
+      }
+      const std::vector<StarFace> faces = this->OuterFacesAround(point);
+      Cut best;
+      for (std::size_t seed = 0; seed < faces.size(); ++seed)
+      {
+        const std::size_t hidden = this->HiddenFrom(point, faces, seed, true).size();
+        if (best.Point < 0 || hidden < best.Hidden)
+        {
+          best = { this->Generations[point], hidden, point, seed };
+        }
+      }
+      if (best.Point >= 0)
+      {
+        cuts.push_back(best);
+      }
+    }
+    std::sort(cuts.begin(), cuts.end());
+    return cuts;
+  }
+
+  /// Splits the edges from a point of the cluster to the points that are hidden from it, and pulls
+  /// the new points to where they are not. Then the point leaves the cluster. Returns false if that
+  /// succeeds for no point.
+  bool ReleaseAfterSplits(const Progress& progress)
+  {
+    constexpr std::size_t maximumTrials = 8;
+    constexpr int rounds = 3, sweeps = 5;
+    std::vector<Cut> cuts = this->FindCuts(true, progress);
+    cuts.resize(std::min(cuts.size(), maximumTrials));
+    for (const Cut& cut : cuts)
+    {
+      const int point = cut.Point;
+      const StarFace seed = this->OuterFacesAround(point)[cut.Seed];
+      const Eigen::RowVector3d to = (this->Solid.Points.row(seed[0]) + this->Solid.Points.row(seed[1]) +
+                                      this->Solid.Points.row(seed[2])) / 3.0 - this->Position();
+      std::vector<int> pulled;
+      for (int round = 0; round < rounds; ++round)
+      {
+        progress(0.0);
+        const std::vector<StarFace> faces = this->OuterFacesAround(point);
+        std::size_t best = 0, fewest = faces.size() + 1000;
+        for (std::size_t i = 0; i < faces.size(); ++i)
+        {
+          const std::size_t hidden = this->HiddenFrom(point, faces, i, true).size();
+          if (hidden < fewest)
+          {
+            fewest = hidden;
+            best = i;
+          }
+        }
+        if (faces.empty())
+        {
+          break;
+        }
+        for (const int end : this->HiddenFrom(point, faces, best, true))
+        {
+          if (!this->Solid.CanSplit({ point, end }))
+          {
+            continue;
+          }
+          const int middle = this->SplitSpoke(point, end);
+          const Placement placement = this->FindPlacement(middle);
+          if (placement.IsValid)
+          {
+            this->Members.pop_back();
+            this->Entity[middle] = 0;
+            this->Solid.Points.row(middle) = placement.Position;
+            pulled.push_back(middle);
+          }
+        }
+        // As if the point had left towards the face.
+        this->Entity[point] = 0;
+        this->Solid.Points.row(point) = this->Position() + 0.1 * to;
+        for (int sweep = 0; sweep < sweeps; ++sweep)
+        {
+          for (const int middle : pulled)
+          {
+            const Placement placement = this->FindPlacement(middle);
+            if (placement.IsValid)
+            {
+              this->Solid.Points.row(middle) = placement.Position;
+            }
+          }
+        }
+        this->Entity[point] = this->Id;
+        this->Solid.Points.row(point) = this->Position();
+        this->Forget(point);
+        for (const int middle : pulled)
+        {
+          this->Forget(middle);
+        }
+        this->Known[point] = this->FindPlacement(point);
+        if (this->Known[point].IsValid)
+        {
+          this->Release({ point }, this->Known[point].Position, 0);
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /// Releases a point into the part of its star that is star-shaped. New points of the cluster, in
+  /// the edges to the points that are hidden, take its other part.
+  bool ReleasePart(const Progress& progress)
+  {
+    for (const Cut& cut : this->FindCuts(false, progress))
+    {
+      const int point = cut.Point;
+      const std::vector<StarFace> faces = this->OuterFacesAround(point);
+      for (const bool isGrown : { true, false })
+      {
+        const std::vector<int> hidden = this->HiddenFrom(point, faces, cut.Seed, isGrown);
+        if (!std::all_of(hidden.begin(), hidden.end(),
+              [&](int end) { return this->Solid.CanSplit({ point, end }); }))
+        {
+          continue;
+        }
+        // As if these points were in the cluster.
+        const std::vector<int> entities = this->Entity;
+        for (const int end : hidden)
+        {
+          this->Entity[end] = this->Id;
+        }
+        const Placement placement = this->FindPlacement(point);
+        this->Entity = entities;
+        if (!placement.IsValid)
+        {
+          continue;
+        }
+        for (const int end : hidden)
+        {
+          this->SplitSpoke(point, end);
+        }
+        this->Known[point] = this->FindPlacement(point);
+        if (this->Known[point].IsValid)
+        {
+          this->Release({ point }, this->Known[point].Position, 0);
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
   /// Returns the points around `point` outside the cluster that are not in the part of `faces` which
@@ -539,7 +963,7 @@ private:
     int point, const std::vector<StarFace>& faces, std::size_t seed, bool isGrown) const
   {
     const auto direction = [&](int p) -> Eigen::Vector3d
-    { return (this->Solid.Points.row(p) - this->Position).normalized().transpose(); };
+    { return (this->Solid.Points.row(p) - this->Position()).normalized().transpose(); };
     const StarFace& first = faces[seed];
     const Eigen::Vector3d view = direction(first[0]) + direction(first[1]) + direction(first[2]);
     std::set<int> seen(first.begin(), first.end());
@@ -587,7 +1011,7 @@ private:
     std::vector<int> hidden;
     for (const int other : this->Neighbours(point))
     {
-      if (!this->In[other] && !seen.count(other))
+      if (!this->IsIn(other) && !seen.count(other))
       {
         hidden.push_back(other);
       }
@@ -595,21 +1019,26 @@ private:
     return hidden;
   }
 
-  void SplitSpoke(int point, int end)
+  /// Inserts a point of the cluster into an edge from one of its points.
+  int SplitSpoke(int point, int end)
   {
     const int middle = this->Solid.Split({ point, end });
     this->Add(middle);
-    this->Solid.Points.row(middle) = this->Position;
+    this->Generations[middle] = this->Generations[point] + 1;
+    this->Solid.Points.row(middle) = this->Position();
     this->Forget(middle);
+    return middle;
   }
 
   SolidCells& Solid;
-  std::vector<char> In;
+  double& Work; ///< number of half-spaces in all linear programmes so far
+  std::vector<int> Entity; ///< for each point: the cluster that contains it, or 0
+  int Id = 1;              ///< the present cluster
+  std::mt19937 Random;
   std::vector<int> Members;
   std::vector<Placement> Known; ///< for each member: where it can move
   std::vector<char> IsKnown;
-  Eigen::RowVector3d Position = Eigen::RowVector3d::Zero();
-  int StartCount = 0;
+  std::vector<int> Generations; ///< for each point: how many splits in a row made it
 };
 
 /// Returns the inner points of an inverted tetrahedron and of those connected to it by such points,
@@ -662,9 +1091,18 @@ std::vector<int> NextCluster(SolidCells& solid, std::vector<char>& tried)
 } // namespace
 
 ConeExpansionResult ExpandInverted(
-  SolidCells& solid, const ConeExpansionOptions& options, const Progress& progress)
+  SolidCells& solid, const ConeExpansionOptions& options, const Progress& report)
 {
   ConeExpansionResult result;
+  double done = 0.0;
+  const Progress progress(
+    [&](double fraction)
+    {
+      // Attempts begin anew, but the reports do not fall.
+      done = std::max(done, fraction);
+      report(done);
+      return true;
+    });
   CellSplits splits(solid, [&](int point) { return !solid.OnBoundary(point); });
   std::vector<int> inverted;
   for (int cell = 0; cell < solid.CellCount(); ++cell)
@@ -675,6 +1113,7 @@ ConeExpansionResult ExpandInverted(
     }
   }
   splits.Impossible(inverted);
+  double work = 0.0;
   std::vector<char> tried;
   for (;;)
   {
@@ -686,29 +1125,29 @@ ConeExpansionResult ExpandInverted(
     }
     const SolidCells kept = solid;
     std::vector<int> enlarged = members;
-    for (int attempt = 0; attempt < options.MaximumAttempts; ++attempt)
+    for (int attempt = 0; attempt < options.MaximumAttempts && work < options.MaximumWork; ++attempt)
     {
-      Cluster cluster(solid, enlarged);
-      if (attempt > 0)
+      Cluster cluster(solid, enlarged, attempt, work);
+      if (attempt % 4 == 3)
       {
         cluster.AddRing();
       }
-      const bool isPlaced = cluster.Place(progress);
+      if (!cluster.Place(progress))
+      {
+        solid = kept;
+        break;
+      }
       enlarged = cluster.Points();
       enlarged.erase(std::remove_if(enlarged.begin(), enlarged.end(),
                        [&](int point) { return point >= kept.PointCount(); }),
         enlarged.end());
       ConeExpansionResult expanded = result;
-      if (isPlaced && cluster.Expand(options, expanded, progress))
+      if (cluster.Expand(options, expanded, progress))
       {
         result = expanded;
         break;
       }
       solid = kept;
-      if (!isPlaced)
-      {
-        break;
-      }
     }
   }
   return result;

@@ -11,9 +11,11 @@ namespace shape
 struct ConeExpansionOptions
 {
   /// Maximum number of inserted points, as a multiple of the number of points of the cluster.
-  double MaximumSplits = 20.0;
+  double MaximumSplits = 0.5;
+  /// Maximum number of half-spaces in all linear programmes, which take most of the time.
+  double MaximumWork = 3e7;
   /// How often a cluster that does not expand is enlarged and expanded again.
-  int MaximumAttempts = 4;
+  int MaximumAttempts = 16;
 };
 
 struct ConeExpansionResult

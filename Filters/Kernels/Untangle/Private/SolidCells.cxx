@@ -177,6 +177,11 @@ const std::vector<std::array<int, 4>>& SolidCells::SimplicesOf(int cell)
   return this->Scratch;
 }
 
+bool SolidCells::HasTetrahedra() const
+{
+  return std::find(this->Kinds.begin(), this->Kinds.end(), Tetrahedron) != this->Kinds.end();
+}
+
 double SolidCells::ShareOf(int cell) const
 {
   CellSimplices simplices;

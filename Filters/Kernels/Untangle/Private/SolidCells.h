@@ -36,6 +36,9 @@ public:
   bool OnBoundary(int point) const { return this->Boundary[point]; }
   const std::vector<std::array<int, 3>>& BoundaryTriangles() const { return this->Surface; }
 
+  /// Whether a cell is a tetrahedron.
+  bool HasTetrahedra() const;
+
   /// Returns the corner tetrahedra of a cell.
   const std::vector<std::array<int, 4>>& SimplicesOf(int cell);
 
