@@ -131,6 +131,9 @@ mapped = outputs(group([surface, stretched]), surface, Correspondence=1, Measure
 assert abs(columns(mapped[2], 'Distance') - [[0, 3], [3, 0]]).max() < 1e-9, 'areas are 4 times as large'
 assert outputs(group([surface, stretched]), Measure=1)[5].GetColumnByName(
     'Collection.LargestDistance').GetValue(0) < 1e-9, 'angles are the same'
+for measure in (0, 2, 3):
+    same = outputs(group([surface, stretched]), surface, Correspondence=1, Measure=measure, Scale=True)
+    assert columns(same[2], 'Distance').max() < 1e-6, 'only their sizes differ'
 # By positions: every point is as far from its partner as from the centre.
 superimposed = outputs(group([surface, stretched]), surface, Measure=3)
 assert array(superimposed[1], 'PositionDeviation').max() > 0.3

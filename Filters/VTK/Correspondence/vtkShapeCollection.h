@@ -114,6 +114,7 @@ public:
     shape::CollectionOptions::MeasureType::Area, shape::CollectionOptions::MeasureType::Procrustes);
   vtkShapeOption(BasisSize, int);
   vtkShapeOption(EmbeddingDimension, int);
+  vtkShapeOption(Scale, bool);
   ///@}
 
 protected:

@@ -272,6 +272,18 @@ void AddSquaredDistances(const std::vector<Eigen::MatrixXd>& operators, Eigen::M
   }
 }
 
+/// The shapes, each scaled to this area. One without area stays as it is.
+std::vector<CollectionShape> ScaledToArea(std::vector<CollectionShape> shapes, double area)
+{
+  for (CollectionShape& shape : shapes)
+  {
+    const double own = ComputeArea(shape.Shape), factor = own > 0.0 ? std::sqrt(area / own) : 1.0;
+    shape.Shape = shape.Shape.WithPoints(factor * shape.Shape.Points());
+    shape.OnShape *= factor;
+  }
+  return shapes;
+}
+
 } // namespace
 
 // 1. The eigenfunctions of the template, and their products there.
@@ -282,6 +294,12 @@ CollectionResult CompareCollection(const Surface& base, const std::vector<Collec
 {
   const Topology topology = RequireManifold(base, "the Template");
   RequireShapes(base, shapes, options.Measure);
+  if (options.Scale)
+  {
+    CollectionOptions unscaled = options;
+    unscaled.Scale = false;
+    return CompareCollection(base, ScaledToArea(shapes, ComputeArea(base)), unscaled, progress);
+  }
   RequireOption(options.EmbeddingDimension >= 1, "EmbeddingDimension", options.EmbeddingDimension,
     "at least 1");
   const Eigen::Index points = (topology.ComponentId.array() >= 0).count();

@@ -26,6 +26,8 @@ struct CollectionOptions
   /// components, and at most its number of points.
   int BasisSize = 50;
   int EmbeddingDimension = 3; ///< maximum number of coordinates; >= 1
+  /// Whether the shapes are scaled to the area of the template, so that size does not count.
+  bool Scale = false;
 };
 
 /// A shape of a collection, with the map onto the template.

@@ -277,6 +277,42 @@ void Refine(const MatchedSurface& a, const MatchedSurface& b, std::vector<Candid
   maps = Distinct({ a.Featured, b.Featured, SurfacePart::WhichType::None, 1.0 }, maps, maps.size());
 }
 
+/// Adds the map of two surfaces that stand alike: the nearest samples in space. Nearly round shapes
+/// have no tips whose distances tell them apart. It is added if three features agree.
+void AddMapAsTheyStand(
+  const MatchedSurface& a, const MatchedSurface& b, std::vector<Candidate>& maps)
+{
+  const auto positions = [](const MatchedSurface& side, const std::vector<int>& points)
+  {
+    const Eigen::VectorXd areas = ComputePointAreas(side.Surface);
+    const Eigen::RowVector3d centre = areas.transpose() * side.Surface.Points() / areas.sum();
+    return Eigen::MatrixXd(
+      (side.Surface.Points()(points, Eigen::all).rowwise() - centre) / std::sqrt(areas.sum()));
+  };
+  const Eigen::MatrixXd featuresA = positions(a, a.Featured.Features),
+                        featuresB = positions(b, b.Featured.Features),
+                        samplesA = positions(a, a.Featured.Samples),
+                        samplesB = positions(b, b.Featured.Samples);
+  Candidate map{ {}, FindNearestRows(samplesA, samplesB), FindNearestRows(samplesB, samplesA) };
+  const Eigen::VectorXi there = FindNearestRows(featuresA, featuresB),
+                        back = FindNearestRows(featuresB, featuresA);
+  for (int i = 0; i < static_cast<int>(there.size()); ++i)
+  {
+    if (back(there(i)) == i)
+    {
+      map.Pairs.push_back({ i, there(i) });
+    }
+  }
+  map.Distortion = 0.5 *
+    (MeanDifference(a.Featured, b.Featured, map.AToB) +
+      MeanDifference(b.Featured, a.Featured, map.BToA));
+  constexpr std::size_t fewest = 3;
+  if (map.Pairs.size() >= fewest)
+  {
+    maps.push_back(std::move(map));
+  }
+}
+
 /// The points of pairs of features.
 Landmarks PointsOfFeatures(
   const Landmarks& features, const std::vector<int>& ofA, const std::vector<int>& ofB)
@@ -356,7 +392,8 @@ AutomaticLandmarksResult Describe(const Found& found, double smallest, int rank)
 // 3. Let each assignment map the samples, and keep the different maps that change their distances
 //    least (FindMaps).
 // 4. Accept a part only if it explains the distances clearly better than two complete surfaces.
-// 5. Refine the maps of complete surfaces, and order them by what is left of their errors (Refine).
+// 5. Add the map of surfaces that stand alike (AddMapAsTheyStand).
+// 6. Refine the maps of complete surfaces, and order them by what is left of their errors (Refine).
 AutomaticLandmarksResult FindLandmarks(const Surface& a, const Surface& b,
   const AutomaticLandmarksOptions& options, const Progress& progress)
 {
@@ -408,6 +445,7 @@ AutomaticLandmarksResult FindLandmarks(const Surface& a, const Surface& b,
       { CandidateRefinement::Functions, a.Points().rows(), b.Points().rows() }));
     const MatchedSurface one{ a, onA, SolveScaled(a, pairs, progress.Part(0.6, 0.68)) };
     const MatchedSurface two{ b, onB, SolveScaled(b, pairs, progress.Part(0.68, 0.76)) };
+    AddMapAsTheyStand(one, two, found.Maps);
     Refine(one, two, found.Maps, progress.Part(0.76, 1.0));
   }
   const AutomaticLandmarksResult result = Describe(found, smallest, options.Rank);
@@ -430,6 +468,7 @@ std::vector<LandmarkCandidate> FindLandmarkCandidates(const MatchedSurface& a,
 {
   Found found = FindMaps({ a.Featured, b.Featured, SurfacePart::WhichType::None, 1.0 }, options,
     progress.Part(0.0, 0.4));
+  AddMapAsTheyStand(a, b, found.Maps);
   Refine(a, b, found.Maps, progress.Part(0.4, 1.0));
   std::vector<LandmarkCandidate> candidates;
   for (Candidate& map : found.Maps)

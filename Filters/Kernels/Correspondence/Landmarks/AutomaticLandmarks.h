@@ -44,7 +44,7 @@ struct AutomaticLandmarksResult
   /// of the three errors of the refined map (RefinedCandidate). The map of a part is not refined;
   /// its Error is Distortion.
   double Error = 0.0;
-  /// The number of different maps, of which Rank selects one; at most 8. Two maps are different if
+  /// The number of different maps, of which Rank selects one; at most 9. Two maps are different if
   /// the images of a point are more than 0.05 apart, on average, relative to the root of the area.
   int Alternatives = 1;
   ///@{
@@ -74,6 +74,10 @@ struct AutomaticLandmarksResult
  * distances from the features. Around both samples, the features must also lie in the same sense of
  * rotation, or in the opposite sense for a mirror image. Therefore the two sides of an animal,
  * which distances cannot distinguish, are not exchanged.
+ *
+ * One more candidate is the map of the nearest positions, if both surfaces are moved to one centre
+ * and not turned. It is the right one for nearly round shapes that stand alike, and is rejected
+ * like any other one for shapes that do not.
  *
  * a, b: consistently oriented 2-manifolds of one component, open or closed. Each point has a
  * triangle, and the triangles face outwards. Sizes may differ, since each surface is scaled to area

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Correspondence/Consistent/ConsistentMaps.h"
+#include "Correspondence/Consistent/ConsistentMapsOptions.h"
 #include "Correspondence/Consistent/Private/CandidateChoice.h"
 #include "Correspondence/Landmarks/LandmarkCandidates.h"
 #include "Correspondence/Pair/SurfaceMaps.h"
