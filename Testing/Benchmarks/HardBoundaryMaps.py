@@ -32,7 +32,7 @@ from vtkmodules.vtkFiltersCore import vtkDelaunay3D
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 
 SECONDS, PAUSE = 120.0, 2.0
-MODELS = ('femur', 'bear', 'bull', 'homer', 'hand', 'dino', 'camel', 'cow', 'armadillo', 'elk')
+MODELS = ('homer', 'hand', 'dino', 'triceratops', 'fandisk')
 
 
 def convex_hull(places):
@@ -136,8 +136,16 @@ def source(number, random):
 
 
 def case(number, seed):
-    """A name, the solid at rest, where its points are put, and which are on its boundary."""
+    """A name, the solid at rest, where its points are put, and which are on its boundary. At least two
+    tetrahedra are inverted."""
     random = numpy.random.default_rng([seed, number])
+    while True:
+        name, rest, places, fixed = one(number, random)
+        if count_not_positive(places, corners_of(rest)) >= 2:
+            return name, rest, places, fixed
+
+
+def one(number, random):
     name, surface, directions = source(number, random)
     if surface is None:
         surface = convex_hull(directions)

@@ -44,8 +44,8 @@ struct PatchOptions
   /// The further steps end early when one lowers the energy by less than this fraction of it.
   double LeastGain = 1e-3;
   /// The iteration stalls, and ends, after this many steps without progress while a simplex is not
-  /// positive. A step makes progress if it lowers the number of such simplices, or raises the minimum
-  /// determinant by 1 % of its amount.
+  /// positive. A step makes progress if it lowers the number of such simplices, or raises the
+  /// minimum determinant by 1 % of its amount.
   int Patience = std::numeric_limits<int>::max();
   double FirstEpsilon = 1.0; ///< the initial epsilon if a simplex is not positive
   /// Whether to start from the minimiser of the sum of |J|^2 if a simplex is not positive and the

@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Geometry/Orientation.h"
+#include "Geometry/SelfIntersections.h"
 #include "Mesh/Extent.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
@@ -30,8 +31,8 @@ namespace
 constexpr int Rings[] = { 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 8, 8, 12, 12, 16, 16 };
 constexpr int FirstSplitting = 1, FirstCollar = 2;
 constexpr int Rounds = static_cast<int>(std::size(Rings));
-/// The end comes after this many rounds without a new minimum of inverted cells. If tetrahedra can be
-/// expanded, it comes sooner.
+/// The end comes after this many rounds without a new minimum of inverted cells. If tetrahedra can
+/// be expanded, it comes sooner.
 constexpr int Patience = 6, PatienceBeforeExpansion = 1;
 /// A patch is given up after this many Newton steps without progress.
 constexpr int StepPatience = 20;
@@ -267,11 +268,10 @@ void MovePoints(Untangling& untangling, int rings, int maximumSteps, const Progr
   }
 }
 
-/// Moves points and splits cells until no cell is inverted or no further progress is found.
-/// maximumSteps: the maximum number of Newton steps for each patch in each round. Returns the
-/// number of inverted cells. patience: after how many rounds without a new minimum it ends.
+/// Moves points and splits cells until no cell is inverted or no further progress is found. Returns
+/// the number of inverted cells. patience: after how many rounds without a new minimum it ends.
 int ReduceInverted(
-  Untangling& untangling, int maximumSteps, int patience, const Progress& progress)
+  Untangling& untangling, const UntangleOptions& options, int patience, const Progress& progress)
 {
   SolidCells& solid = untangling.Solid;
   progress(0.02);
@@ -284,13 +284,16 @@ int ReduceInverted(
   {
     const Progress part =
       progress.Part(0.05 + 0.9 * round / Rounds, 0.05 + 0.9 * (round + 1.0) / Rounds);
-    splits.Impossible(bad);
-    if (round >= FirstSplitting)
+    if (options.SplitCells)
+    {
+      splits.Impossible(bad);
+    }
+    if (options.SplitCells && round >= FirstSplitting)
     {
       splits.Stubborn(FindInvertedCells(solid),
         round < FirstCollar ? 0 : 1 + (round - FirstCollar) / RoundsPerCollar);
     }
-    MovePoints(untangling, Rings[round], maximumSteps, part);
+    MovePoints(untangling, Rings[round], options.MaximumIterations, part);
     bad = FindInvertedCells(solid, part.Part(0.99, 1.0));
     if (bad.size() < minimum)
     {
@@ -314,8 +317,7 @@ int ReduceInverted(
 }
 
 /// Lowers the energy around the points that an expansion moved, without inverting a cell.
-void ImproveMoved(
-  Untangling& untangling, const Eigen::MatrixXd& before, const Progress& progress)
+void ImproveMoved(Untangling& untangling, const Eigen::MatrixXd& before, const Progress& progress)
 {
   SolidCells& solid = untangling.Solid;
   std::vector<char> marked(solid.PointCount(), 0);
@@ -335,9 +337,8 @@ void ImproveMoved(
       continue;
     }
     const Eigen::MatrixXd kept = solid.Points(patches[i], Eigen::all);
-    const PatchResult moved =
-      MinimizeEnergy(solid.Points, patch, untangling.Sliding.get(), options,
-        progress.Part(static_cast<double>(i) / patches.size(), (i + 1.0) / patches.size()));
+    const PatchResult moved = MinimizeEnergy(solid.Points, patch, untangling.Sliding.get(), options,
+      progress.Part(static_cast<double>(i) / patches.size(), (i + 1.0) / patches.size()));
     untangling.Iterations += moved.Steps;
     if (moved.Negative > 0)
     {
@@ -348,16 +349,18 @@ void ImproveMoved(
 
 /// Moves points, then expands clusters of the tetrahedra that stay inverted, in turn: what one
 /// leaves inverted is another start for the other. Returns the number of inverted cells.
-int ReduceAndExpand(Untangling& untangling, int maximumSteps, const Progress& progress)
+int ReduceAndExpand(
+  Untangling& untangling, const UntangleOptions& options, const Progress& progress)
 {
   SolidCells& solid = untangling.Solid;
   constexpr int turns = 4;
+  ConeExpansionOptions expansion;
+  expansion.SplitCells = options.SplitCells;
   int left = 0;
   for (int turn = 0; turn < turns; ++turn)
   {
-    const Progress part =
-      progress.Part(static_cast<double>(turn) / turns, (turn + 1.0) / turns);
-    left = ReduceInverted(untangling, maximumSteps, PatienceBeforeExpansion,
+    const Progress part = progress.Part(static_cast<double>(turn) / turns, (turn + 1.0) / turns);
+    left = ReduceInverted(untangling, options, PatienceBeforeExpansion,
       part.Part(0.0, 0.4, "untangling the inverted cells"));
     if (left == 0)
     {
@@ -365,7 +368,7 @@ int ReduceAndExpand(Untangling& untangling, int maximumSteps, const Progress& pr
     }
     const Eigen::MatrixXd before = solid.Points.topRows(solid.PointCount());
     const ConeExpansionResult expanded =
-      ExpandInverted(solid, {}, part.Part(0.4, 0.9, "placing points by exact tests"));
+      ExpandInverted(solid, expansion, part.Part(0.4, 0.9, "placing points by exact tests"));
     untangling.Expansions += expanded.Expansions;
     left = static_cast<int>(FindInvertedCells(solid).size());
     ImproveMoved(untangling, before, part.Part(0.9, 1.0, "improving the cells"));
@@ -375,6 +378,34 @@ int ReduceAndExpand(Untangling& untangling, int maximumSteps, const Progress& pr
     }
   }
   return left;
+}
+
+/// Finds out whether the boundary crosses itself: cells then cannot all be positive.
+void FindCrossings(const SolidCells& solid, UntangleResult& result, const Progress& progress)
+{
+  constexpr int maximum = 100;
+  Mesh boundary{ solid.Points.topRows(solid.PointCount()), Eigen::MatrixXi() };
+  std::vector<std::array<int, 3>> triangles;
+  for (const std::array<int, 3>& corners : solid.BoundaryTriangles())
+  {
+    const Eigen::Vector3d a = boundary.Points.row(corners[0]), b = boundary.Points.row(corners[1]),
+                          c = boundary.Points.row(corners[2]);
+    if ((b - a).cross(c - a).squaredNorm() > 0.0)
+    {
+      triangles.push_back(corners);
+    }
+  }
+  boundary.Triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
+  for (Eigen::Index t = 0; t < boundary.Triangles.rows(); ++t)
+  {
+    boundary.Triangles.row(t) << triangles[t][0], triangles[t][1], triangles[t][2];
+  }
+  const std::vector<Crossing> crossings = FindSelfIntersectionsFrom(boundary, 0, maximum, progress);
+  result.BoundaryCrossings = std::min(maximum, static_cast<int>(crossings.size()));
+  if (!crossings.empty())
+  {
+    result.FirstCrossing = crossings.front().Position;
+  }
 }
 
 UntangleResult BuildResult(Untangling& untangling)
@@ -437,19 +468,20 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
   int left = 0;
   if (best.Solid.HasTetrahedra())
   {
-    left = ReduceAndExpand(best, options.MaximumIterations, untangling.Part(0.0, 0.7));
+    left = ReduceAndExpand(best, options, untangling.Part(0.0, 0.7));
   }
   else
   {
-    left = ReduceInverted(best, options.MaximumIterations, Patience,
-      untangling.Part(0.0, 0.7, "untangling the inverted cells"));
+    left = ReduceInverted(
+      best, options, Patience, untangling.Part(0.0, 0.7, "untangling the inverted cells"));
   }
   if (left > 0)
   {
     Untangling other = BeginUntangling(cells, rest, options);
     // Restarts with each inner point at the mean of its neighbours.
     other.Solid.Points = SolveTutteEmbedding(other.Solid, untangling.Part(0.7, 0.7));
-    if (ReduceInverted(other, options.MaximumIterations, Patience,
+    if (ReduceInverted(other, options,
+          other.Solid.HasTetrahedra() ? PatienceBeforeExpansion : Patience,
           untangling.Part(0.7, 0.95, "untangling from another start")) < left)
     {
       best = std::move(other);
@@ -469,6 +501,11 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
   result.MeasureAfter = refined.Energy;
   result.RefineIterations = refined.Iterations;
   result.InvertedBefore = invertedBefore;
+  result.ExpandedPoints = best.Expansions;
+  if (result.InvertedAfter > 0 && options.FixBoundary)
+  {
+    FindCrossings(best.Solid, result, progress.Part(1.0, 1.0, "looking for crossings"));
+  }
   progress(1.0);
   for (Eigen::Index i = 0; i < cells.Points.rows(); ++i)
   {

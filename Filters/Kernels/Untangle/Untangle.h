@@ -14,9 +14,11 @@ namespace shape
 struct UntangleOptions
 {
   bool FixBoundary = true; ///< if false, boundary points slide along the boundary's surface
-  /// Maximum number of Newton steps for each connected patch of points in each round; >= 1. Three
-  /// times as many are allowed if inverted cells remain.
+  /// Maximum number of Newton steps for each connected patch of points in each round; >= 1.
   int MaximumIterations = 100;
+  /// Whether tetrahedra may be split where their points have no positions that make them positive.
+  /// If false, the result has the cells of the input.
+  bool SplitCells = true;
   /// Whether RefineInjectively then lowers the mean distortion of the cells, and by which measure.
   RefineType Refine = RefineType::None;
   /// Exponent of ExponentialSymmetricDirichlet and AMIPS; > 0. The larger it is, the more the worst
@@ -36,6 +38,11 @@ struct UntangleResult
   int SplitCells = 0;       ///< number of input cells that were split
   int MovedPoints = 0;      ///< number of input points that were moved
   int Iterations = 0;       ///< total number of Newton steps
+  int ExpandedPoints = 0;   ///< number of points that were placed by exact tests
+  /// Number of pairs of boundary triangles that cross or touch each other, up to 100. They are
+  /// looked for only if cells stay inverted and the boundary is fixed.
+  int BoundaryCrossings = 0;
+  Eigen::RowVector3d FirstCrossing; ///< where the first pair crosses, if there is one
   /// Mean of the measure of Refine, weighted by volume at rest, before and after the refinement; 0
   /// without it. An exponential measure is lowered from the result with SymmetricDirichlet.
   double MeasureBefore = 0.0, MeasureAfter = 0.0;
@@ -63,10 +70,14 @@ struct UntangleResult
  * four points are all fixed cannot become positive, so it is split. Other tetrahedra that stay
  * inverted are split later. No new point lies on an edge or face of the boundary.
  *
- * If inverted cells remain, the iteration continues with three times as many Newton steps. If some
- * still remain, everything is repeated with each inner point starting at the mean of its
- * neighbours, and the better result is returned. Cells that stay inverted, for example because the
- * boundary itself is inverted, are counted and marked.
+ * A patch ends early if its steps make no progress. Tetrahedra that are then still inverted are
+ * made positive by exact tests: their points are put at one position that sees all faces around
+ * them, and leave it one by one (after Nigolian, Campen and Bommes, "Expansion cones: a progressive
+ * volumetric mapping framework", 2023). Both methods take turns, four times at most. If inverted
+ * cells still remain, everything is repeated with each inner point starting at the mean of its
+ * neighbours, and the better result is returned. All limits are numbers of steps, so the work is
+ * bounded. Cells that stay inverted, for example because the boundary crosses itself, are counted
+ * and marked.
  *
  * If options.Refine is set, RefineInjectively then moves all points that the boundary permits, and
  * inverts no cell. The measure compares each cell with its rest shape or, if `rest` is empty, with

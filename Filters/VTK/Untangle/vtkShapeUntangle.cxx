@@ -15,6 +15,8 @@
 
 #include <array>
 #include <map>
+#include <sstream>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkShapeUntangle);
@@ -106,6 +108,29 @@ void Separate(
   }
 }
 
+/// Why cells stay inverted, or nothing.
+std::string ReasonOf(const shape::UntangleResult& result, const shape::UntangleOptions& options)
+{
+  if (result.InvertedAfter == 0)
+  {
+    return "";
+  }
+  if (result.BoundaryCrossings > 0)
+  {
+    std::ostringstream words;
+    words << "the boundary crosses itself, first near (" << result.FirstCrossing(0) << ", "
+          << result.FirstCrossing(1) << ", " << result.FirstCrossing(2) << ")";
+    return words.str();
+  }
+  if (!options.SplitCells)
+  {
+    return "no positions were found, and Split Cells is off";
+  }
+  const bool hasOthers = (result.Solid.Kinds.array() != shape::cell_kind::Tetrahedron).any();
+  return hasOthers ? "no positions were found, and only tetrahedra can be split"
+                   : "no positions were found within the limits";
+}
+
 } // namespace
 
 void vtkShapeUntangle::Execute(const shape::Progress& progress)
@@ -176,11 +201,12 @@ void vtkShapeUntangle::Execute(const shape::Progress& progress)
   const std::pair<const char*, int> facts[] = { { "InvertedBefore", result.InvertedBefore },
     { "InvertedAfter", result.InvertedAfter }, { "SplitCells", result.SplitCells },
     { "MovedPoints", result.MovedPoints }, { "Iterations", result.Iterations },
-    { "RefineIterations", result.RefineIterations } };
+    { "RefineIterations", result.RefineIterations }, { "ExpandedPoints", result.ExpandedPoints } };
   for (const auto& [fact, value] : facts)
   {
     vtkShapeConvert::AddFact(output, std::string("Untangle.") + fact, value);
   }
+  vtkShapeConvert::AddFact(output, "Untangle.Reason", ReasonOf(result, this->Options));
   vtkShapeConvert::AddFact(output, "Untangle.MeasureBefore", result.MeasureBefore);
   vtkShapeConvert::AddFact(output, "Untangle.MeasureAfter", result.MeasureAfter);
 }

@@ -3,7 +3,8 @@
  * @brief   move the points of a solid so that no cell is inverted
  *
  * Minimises the regularised elliptic energy of "Foldover-free maps in 50 lines of code" (Garanzha
- * et al. 2021) around inverted cells, with Newton's method.
+ * et al. 2021) around inverted cells, with Newton's method. Where it stalls, tetrahedra are made
+ * positive by exact tests and splits, after "Expansion cones" (Nigolian et al. 2023).
  *
  * Inputs
  * - Input: tetrahedra, pyramids, wedges, hexahedra and voxels (which become hexahedra), of any data
@@ -33,7 +34,9 @@
  * - .InvertedBefore, .InvertedAfter: numbers of inverted cells.
  * - .SplitCells: number of cells of Input that were split. .MovedPoints: number of points of Input
  *   that were moved.
- * - .Iterations: number of Newton steps in all patches.
+ * - .Iterations: number of Newton steps in all patches. .ExpandedPoints: number of points that were
+ *   placed by exact tests where these steps stalled.
+ * - .Reason: why cells stay inverted, or empty.
  * - .MeasureBefore, .MeasureAfter: mean of the measure of Refine before and after the refinement,
  *   weighted by the volume at rest; 0 without it. If RestShape is connected, MeasureAfter is the
  *   mean of Shape Map Quality of the map from RestShape to the output. An exponential measure is
@@ -60,6 +63,7 @@ public:
   /// shape::UntangleOptions.
   vtkShapeOption(FixBoundary, bool);
   vtkShapeOption(MaximumIterations, int);
+  vtkShapeOption(SplitCells, bool);
   vtkShapeEnumOption(Refine, shape::RefineType, shape::RefineType::None, shape::RefineType::ARAP);
   vtkShapeOption(RefineExponent, double);
   ///@}

@@ -47,8 +47,10 @@ class Cluster
 {
 public:
   /// seed: of the order in which points leave, for another attempt.
-  Cluster(SolidCells& solid, const std::vector<int>& members, unsigned int seed, double& work)
+  Cluster(SolidCells& solid, const std::vector<int>& members, unsigned int seed, bool canSplit,
+    double& work)
     : Solid(solid)
+    , MaySplit(canSplit)
     , Work(work)
     , Random(seed)
     , Entity(solid.PointCount(), 0)
@@ -65,9 +67,14 @@ public:
   /// false if there is none.
   bool Place(const Progress& progress)
   {
-    for (;;)
+    constexpr int slowSteps = 12;
+    for (int step = 0;; ++step)
     {
       progress(0.0);
+      if (step > slowSteps)
+      {
+        this->AddRing();
+      }
       std::vector<StarFace> faces = this->OuterFaces();
       const Placement found = this->FindPlacement(faces, this->Centroid());
       if (found.IsValid)
@@ -103,9 +110,10 @@ public:
     return this->Members.size() > members.size();
   }
 
-  /// Divides the cluster until each point is by itself. Returns false if that takes too many splits.
-  bool Expand(const ConeExpansionOptions& options, ConeExpansionResult& result,
-    const Progress& progress)
+  /// Divides the cluster until each point is by itself. Returns false if that takes too many
+  /// splits.
+  bool Expand(
+    const ConeExpansionOptions& options, ConeExpansionResult& result, const Progress& progress)
   {
     const auto start = static_cast<double>(this->Members.size());
     const int given = this->Solid.PointCount();
@@ -185,6 +193,11 @@ private:
     this->IsKnown.resize(this->Solid.PointCount(), 0);
     this->Entity[point] = this->Id;
     this->Members.push_back(point);
+  }
+
+  bool CanSplit(const std::vector<int>& simplex) const
+  {
+    return this->MaySplit && this->Solid.CanSplit(simplex);
   }
 
   bool IsIn(int point) const { return this->Entity[point] == this->Id; }
@@ -372,13 +385,13 @@ private:
       const std::vector<int> edge = { face[k], face[(k + 1) % 3] };
       const double length =
         (this->Solid.Points.row(edge[0]) - this->Solid.Points.row(edge[1])).norm();
-      if (length > longest && this->Solid.CanSplit(edge))
+      if (length > longest && this->CanSplit(edge))
       {
         longest = length;
         simplex = edge;
       }
     }
-    if (simplex.empty() && this->Solid.CanSplit({ face[0], face[1], face[2] }))
+    if (simplex.empty() && this->CanSplit({ face[0], face[1], face[2] }))
     {
       simplex = { face[0], face[1], face[2] };
     }
@@ -463,7 +476,7 @@ private:
         this->Add(first ? edge.first : edge.second);
         isFilled = true;
       }
-      else if (this->Solid.CanSplit({ edge.first, edge.second }))
+      else if (this->CanSplit({ edge.first, edge.second }))
       {
         this->Add(this->Solid.Split({ edge.first, edge.second }));
         isFilled = true;
@@ -540,8 +553,7 @@ private:
   /// are outside for come first, so that the cluster stays round.
   int FindClearest(const Progress& progress)
   {
-    const auto rank = [](const Placement& placement)
-    {
+    const auto rank = [](const Placement& placement) {
       return std::make_tuple(
         placement.Clearance > Comfortable, placement.Rank, placement.Clearance);
     };
@@ -676,8 +688,8 @@ private:
       }
       parts.push_back(std::move(part));
     }
-    std::stable_sort(parts.begin(), parts.end(),
-      [](const auto& a, const auto& b) { return a.size() > b.size(); });
+    std::stable_sort(
+      parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
     return parts;
   }
 
@@ -707,8 +719,8 @@ private:
     return this->FindPlacement(faces, this->Position());
   }
 
-  /// Finds a part of the cluster that can move as one. It grows from each point by points beyond the
-  /// faces that it does not see.
+  /// Finds a part of the cluster that can move as one. It grows from each point by points beyond
+  /// the faces that it does not see.
   Placement FindDivision(std::vector<int>& part, const Progress& progress)
   {
     Placement best;
@@ -845,8 +857,11 @@ private:
     {
       const int point = cut.Point;
       const StarFace seed = this->OuterFacesAround(point)[cut.Seed];
-      const Eigen::RowVector3d to = (this->Solid.Points.row(seed[0]) + this->Solid.Points.row(seed[1]) +
-                                      this->Solid.Points.row(seed[2])) / 3.0 - this->Position();
+      const Eigen::RowVector3d to =
+        (this->Solid.Points.row(seed[0]) + this->Solid.Points.row(seed[1]) +
+          this->Solid.Points.row(seed[2])) /
+          3.0 -
+        this->Position();
       std::vector<int> pulled;
       for (int round = 0; round < rounds; ++round)
       {
@@ -868,7 +883,7 @@ private:
         }
         for (const int end : this->HiddenFrom(point, faces, best, true))
         {
-          if (!this->Solid.CanSplit({ point, end }))
+          if (!this->CanSplit({ point, end }))
           {
             continue;
           }
@@ -926,7 +941,9 @@ private:
       {
         const std::vector<int> hidden = this->HiddenFrom(point, faces, cut.Seed, isGrown);
         if (!std::all_of(hidden.begin(), hidden.end(),
-              [&](int end) { return this->Solid.CanSplit({ point, end }); }))
+              [&](int end) {
+                return this->CanSplit({ point, end });
+              }))
         {
           continue;
         }
@@ -957,8 +974,9 @@ private:
     return false;
   }
 
-  /// Returns the points around `point` outside the cluster that are not in the part of `faces` which
-  /// is star-shaped as seen from the centre of face `seed`; or in that face alone, unless isGrown.
+  /// Returns the points around `point` outside the cluster that are not in the part of `faces`
+  /// which is star-shaped as seen from the centre of face `seed`; or in that face alone, unless
+  /// isGrown.
   std::vector<int> HiddenFrom(
     int point, const std::vector<StarFace>& faces, std::size_t seed, bool isGrown) const
   {
@@ -997,8 +1015,7 @@ private:
         {
           const int a = other[e], b = other[(e + 1) % 3];
           const bool isShared = a == face[(k + 1) % 3] && b == face[k];
-          isSeen = isSeen &&
-            (isShared || sign * view.dot(direction(a).cross(direction(b))) > 0.0);
+          isSeen = isSeen && (isShared || sign * view.dot(direction(a).cross(direction(b))) > 0.0);
         }
         if (isSeen)
         {
@@ -1031,10 +1048,11 @@ private:
   }
 
   SolidCells& Solid;
+  bool MaySplit;
   double& Work; ///< number of half-spaces in all linear programmes so far
+  std::mt19937 Random;
   std::vector<int> Entity; ///< for each point: the cluster that contains it, or 0
   int Id = 1;              ///< the present cluster
-  std::mt19937 Random;
   std::vector<int> Members;
   std::vector<Placement> Known; ///< for each member: where it can move
   std::vector<char> IsKnown;
@@ -1112,7 +1130,10 @@ ConeExpansionResult ExpandInverted(
       inverted.push_back(cell);
     }
   }
-  splits.Impossible(inverted);
+  if (options.SplitCells)
+  {
+    splits.Impossible(inverted);
+  }
   double work = 0.0;
   std::vector<char> tried;
   for (;;)
@@ -1125,9 +1146,10 @@ ConeExpansionResult ExpandInverted(
     }
     const SolidCells kept = solid;
     std::vector<int> enlarged = members;
-    for (int attempt = 0; attempt < options.MaximumAttempts && work < options.MaximumWork; ++attempt)
+    for (int attempt = 0; attempt < options.MaximumAttempts && work < options.MaximumWork;
+         ++attempt)
     {
-      Cluster cluster(solid, enlarged, attempt, work);
+      Cluster cluster(solid, enlarged, attempt, options.SplitCells, work);
       if (attempt % 4 == 3)
       {
         cluster.AddRing();

@@ -10,10 +10,11 @@ namespace shape
 
 struct ConeExpansionOptions
 {
-  /// Maximum number of inserted points, as a multiple of the number of points of the cluster.
+  bool SplitCells = true; ///< if false, no point is inserted
+  /// Maximum number of inserted points, as a multiple of the number of points of the cluster
   double MaximumSplits = 0.5;
   /// Maximum number of half-spaces in all linear programmes, which take most of the time.
-  double MaximumWork = 3e7;
+  double MaximumWork = 1e7;
   /// How often a cluster that does not expand is enlarged and expanded again.
   int MaximumAttempts = 16;
 };
@@ -29,21 +30,21 @@ struct ConeExpansionResult
  * not suffice, in the manner of expansion cones (Nigolian, Campen and Bommes, "Expansion cones: a
  * progressive volumetric mapping framework", 2023).
  *
- * The inner points of inverted tetrahedra form a cluster. The cluster grows until all its points can
- * be at one position c that sees the outer side of each tetrahedron with a single point in it. If the
- * boundary is star-shaped, all inner points are such a cluster. Tetrahedra with several points in
- * the cluster then have no volume, and all others around it are positive. The points leave the
- * cluster one by one. A point may move from c into the kernel of its star: the positions in which
- * its tetrahedra, all other points of the cluster at c, become or stay positive. If a kernel is
- * empty, edges to the faces that the point does not see are split at c, so that it remains visible
- * from the others. Points that have left, and c itself, move to the centres of their kernels, which
- * makes space.
+ * The inner points of inverted tetrahedra form a cluster. The cluster grows until all its points
+ * can be at one position c that sees the outer side of each tetrahedron with a single point in it.
+ * If the boundary is star-shaped, all inner points are such a cluster. Tetrahedra with several
+ * points in the cluster then have no volume, and all others around it are positive. The points
+ * leave the cluster one by one. A point may move from c into the kernel of its star: the positions
+ * in which its tetrahedra, all other points of the cluster at c, become or stay positive. If a
+ * kernel is empty, edges to the faces that the point does not see are split at c, so that it
+ * remains visible from the others. Points that have left, and c itself, move to the centres of
+ * their kernels, which makes space.
  *
  * Positions are doubles, and each is accepted by exact predicates only. A cluster that cannot be
  * expanded within the given limits is restored. Cells of other kinds do not change. Boundary points
  * do not move. Throws Aborted.
  */
-ConeExpansionResult ExpandInverted(SolidCells& solid, const ConeExpansionOptions& options = {},
-  const Progress& progress = {});
+ConeExpansionResult ExpandInverted(
+  SolidCells& solid, const ConeExpansionOptions& options = {}, const Progress& progress = {});
 
 } // namespace shape

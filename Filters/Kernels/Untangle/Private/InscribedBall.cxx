@@ -122,8 +122,8 @@ InscribedBall FindInscribedBall(const std::vector<HalfSpace>& halfSpaces, double
   constraints.reserve(halfSpaces.size());
   for (const HalfSpace& half : halfSpaces)
   {
-    constraints.push_back({ Eigen::Vector4d(half.Normal(0), half.Normal(1), half.Normal(2), -1.0),
-      -half.Offset });
+    constraints.push_back(
+      { Eigen::Vector4d(half.Normal(0), half.Normal(1), half.Normal(2), -1.0), -half.Offset });
   }
   std::mt19937 random(1);
   for (std::size_t i = constraints.size(); i > 1; --i)
