@@ -102,19 +102,19 @@ struct LinearVolumeMap::Parts
     return images;
   }
 
-  GmresOptions IterationOptions() const
+  GmresOptions IterationOptions(double tolerance) const
   {
     GmresOptions options;
-    options.Tolerance = this->Options.Tolerance;
+    options.Tolerance = tolerance;
     options.MaximumIterations = this->Options.MaximumIterations;
     return options;
   }
 
-  void RequireConvergence(const GmresResult& result) const
+  static void RequireConvergence(const GmresResult& result, double tolerance)
   {
     // A residual near the tolerance is as good: the sums have rounding errors.
     constexpr double slack = 10.0;
-    if (!(result.Residuals.maxCoeff() <= slack * this->Options.Tolerance))
+    if (!(result.Residuals.maxCoeff() <= slack * tolerance))
     {
       std::ostringstream message;
       message << "the charges do not converge: the residual is " << result.Residuals.maxCoeff()
@@ -136,6 +136,8 @@ LinearVolumeMap::LinearVolumeMap(
 {
   RequireOption(options.Tolerance > 0.0 && std::isfinite(options.Tolerance), "Tolerance",
     options.Tolerance, "positive and finite");
+  RequireOption(options.GradientTolerance > 0.0 && std::isfinite(options.GradientTolerance),
+    "GradientTolerance", options.GradientTolerance, "positive and finite");
   RequireOption(
     options.MaximumIterations >= 1, "MaximumIterations", options.MaximumIterations, "at least 1");
   Parts& self = *this->Self;
@@ -162,8 +164,9 @@ ChargeSet LinearVolumeMap::Fit(const Eigen::MatrixXd& given, const Progress& pro
   const double longest = ComputeLongestBoxEdge(images), size = longest > 0.0 ? longest : 1.0;
   const Eigen::MatrixXd left =
     (self.ToRows(images) - WithOnes(self.System->Rows()) * affine) / size;
-  const GmresResult fit = self.System->SolveAverages(left, self.IterationOptions(), progress);
-  self.RequireConvergence(fit);
+  const GmresResult fit =
+    self.System->SolveAverages(left, self.IterationOptions(self.Options.Tolerance), progress);
+  Parts::RequireConvergence(fit, self.Options.Tolerance);
   // The coordinates of the input: y = size * s + origin, for points s of the unit box.
   ChargeSet map;
   map.Points = (self.System->Sources() * scaled.Size).rowwise() + scaled.Origin;
@@ -193,9 +196,9 @@ Eigen::MatrixXd LinearVolumeMap::Gradient(const Eigen::MatrixXd& points,
     ComputeChargeGradient(sources, (points.rowwise() - scaled.Origin) / scaled.Size, byImages,
       byJacobians / scaled.Size, progress.Part(0.0, 0.2));
   // Step 2.
-  const GmresResult swept = self.System->SolveTransposed(
-    gradient.Charges, self.IterationOptions(), progress.Part(0.2, 1.0));
-  self.RequireConvergence(swept);
+  const GmresResult swept = self.System->SolveTransposed(gradient.Charges,
+    self.IterationOptions(self.Options.GradientTolerance), progress.Part(0.2, 1.0));
+  Parts::RequireConvergence(swept, self.Options.GradientTolerance);
   const Eigen::MatrixXd& byRows = swept.Solution;
   // Step 3.
   const Eigen::MatrixXd byAffine =

@@ -34,9 +34,10 @@ ChargeGradient ComputeChargeGradient(const ChargeSet& map, const Eigen::MatrixXd
 
 struct LinearVolumeMapOptions
 {
-  /// Root mean square residual of the fit, relative to the size of the image. The gradient has this
-  /// relative error, too. > 0.
+  /// Root mean square residual of the fit, relative to the size of the image. > 0.
   double Tolerance = 1e-9;
+  /// Relative residual of the transposed system, and about the relative error of the gradient. > 0.
+  double GradientTolerance = 1e-7;
   int MaximumIterations = 100; ///< of one solve; >= 1
 };
 
@@ -56,7 +57,7 @@ struct LinearVolumeMapOptions
  * the boundary to the charges. This is the adjoint method (Giles and Pierce, "An introduction to
  * the adjoint approach to design", Flow, Turbulence and Combustion 65, 2000). In terms of the
  * continuum, the gradient sweeps the derivative at inner points to the boundary: for F = f(y) it is
- * the harmonic measure of y. It takes about the time of one fit, for any number of images.
+ * the harmonic measure of y. It takes the time of one to two fits, for any number of images.
  */
 class LinearVolumeMap
 {

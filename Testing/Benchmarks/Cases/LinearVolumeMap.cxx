@@ -16,7 +16,8 @@ namespace
 constexpr const char* Usage = R"(MODEL [Key=value ...]
 
 MODEL   an OFF file: a closed surface; the images are those of the harmonic field A of volume_map
-Tolerance=1e-9 of the fit and of the gradient, Subdivisions=0, Repeats=3, Interior=4000 points inside
+Tolerance=1e-9 of the fit, GradientTolerance=1e-7, Subdivisions=0, Repeats=3, Interior=4000 points
+inside
 
 CPU seconds of the set-up, of a fit, of the gradient of a function of the points inside, and of
 Accelerated with its usual tolerance; ratio is gradient / fit. error is that of the gradient: of the
@@ -29,6 +30,7 @@ void Run(benchmark::Arguments& arguments, benchmark::Figures& figures)
   const std::string model = arguments.NextWord();
   shape::LinearVolumeMapOptions options;
   options.Tolerance = arguments.Setting("Tolerance", options.Tolerance);
+  options.GradientTolerance = arguments.Setting("GradientTolerance", options.GradientTolerance);
   const int repeats = arguments.Setting("Repeats", 3), steps = arguments.Setting("Subdivisions", 0),
             count = arguments.Setting("Interior", 4000);
   arguments.RequireAllRead();

@@ -101,6 +101,7 @@ shape::LinearVolumeMapOptions Accurate()
 {
   shape::LinearVolumeMapOptions options;
   options.Tolerance = 1e-12;
+  options.GradientTolerance = 1e-10;
   return options;
 }
 
