@@ -7,10 +7,9 @@ processes. The data are those of VolumeMap.py: a known harmonic field (A), or th
 
 It draws FOLDER/MillionPoints.png: CPU seconds and memory over the number of points. The surfaces are
 models of libcgal-demo, made finer by sqrt(3)-subdivision. One thread; the processes take their turns on
-the cores that there are. It takes 4 CPU minutes and 6 GiB. --rows keeps the figures, or draws those kept.
+the cores that there are. It takes 6 CPU minutes and 6 GiB. --rows keeps the figures, or draws those kept.
 """
 import json
-import math
 import os
 
 import sweep
@@ -29,10 +28,9 @@ def chart(path, title, axis, rows, series):
     table = simple.ProgrammableSource(OutputDataSetType='vtkTable')
     columns = {'points': [row['points'] for row in rows]}
     for key, label in series:
-        columns[label] = [row.get(key, math.nan) for row in rows]
+        columns[label] = [row[key] for row in rows]
     table.Script = 'import numpy\nfor name, values in %r.items():\n' % columns + (
         '    output.RowData.append(numpy.array(values, float), name)\n')
-    table.Script = 'nan = float("nan")\n' + table.Script
     view = simple.CreateView('XYChartView')
     view.ViewSize = [900, 700]
     display = simple.Show(table, view)

@@ -16,6 +16,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
 from vtkmodules.vtkFiltersCore import vtkExtractCells
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkImagingCore import vtkImageChangeInformation, vtkRTAnalyticSource
 import shapemap
 
@@ -121,6 +122,27 @@ back.InverseOn()
 assert not shapetesting.run(back)
 if rank in workers:
     assert abs(points(back.GetOutputDataObject(0)) - points(domain)).max() < 1e-9
+
+# The processes share the work on a boundary of many points, and find the same map to the last bit.
+ball = vtkSphereSource(Radius=1.0, ThetaResolution=205, PhiResolution=102, OutputPointsPrecision=1)
+ball.Update()
+large = shapetesting.copy(ball.GetOutput())
+large.GetPointData().Initialize()
+assert large.GetNumberOfPoints() > 20000
+shapetesting.add_array(large, targets(points(large)), 'TargetPosition')
+volume.SetInputDataObject(1, large if rank == 0 else vtkPolyData())
+volume.SetInputDataObject(0, solid)
+assert not shapetesting.run(volume)
+shared = points(volume.GetOutputDataObject(0))
+truth.setdefault('Shared', shared)
+assert (truth['Shared'] == shared).all(), abs(truth['Shared'] - shared).max()
+# It fails on all processes together, too.
+broken = shapetesting.copy(large)
+shapetesting.add_array(broken, numpy.full((large.GetNumberOfPoints(), 3), numpy.nan), 'TargetPosition')
+volume.SetInputDataObject(1, broken if rank == 0 else vtkPolyData())
+assert any('map array' in message for message in shapetesting.run(volume))
+volume.SetInputDataObject(0, domain)
+volume.SetInputDataObject(1, boundary)
 
 # Finite elements: the first process makes them, and all have them.
 volume.SetMethod(3)

@@ -96,15 +96,21 @@ HarmonicVolumeMapResult ComputeHarmonicVolumeMap(const Surface& boundary,
       "FiniteElements makes no charges, which are needed here; choose Accelerated");
   }
   RequireValidInput(features, given);
-  if (setup && setup->Processes.Count > 1 &&
+  const bool several = setup && setup->Processes.Count > 1;
+  if (several &&
     (given.Method != HarmonicVolumeMapOptions::MethodType::Accelerated ||
       features.Points.rows() > 0))
   {
     throw InvalidInput("several processes share the work only of Accelerated without features; use "
                        "one process");
   }
-  // Step 1: unit size.
-  const ScaledBoundary scaled = ScaleBoundary(boundary, targets);
+  // Step 1: unit size. Several processes share memory because it is scarce: what surfaces cache is
+  // freed as soon as it has been used.
+  ScaledBoundary scaled = ScaleBoundary(several ? Surface(boundary.AsMesh()) : boundary, targets);
+  if (several)
+  {
+    scaled.Surface = Surface(scaled.Surface.AsMesh());
+  }
   HarmonicVolumeMapOptions options = given;
   options.OffsetDistance = NearestOffset(scaled.Surface, options);
   // Step 2: the affine part.

@@ -40,7 +40,13 @@ CoarseLevel PositionCoarse(const SignedDistance& boundary, const Eigen::MatrixXd
   constexpr int fewest = 64, maximum = 3000;
   const int n = static_cast<int>(sites.rows());
   const int wanted = std::clamp(n / perCluster, std::min(fewest, n), maximum);
-  const auto parts = SplitAtMedians(sites, (n + wanted - 1) / wanted);
+  // Halves of halves: there can be almost twice as many parts as wanted.
+  const int size = (n + wanted - 1) / wanted;
+  auto parts = SplitAtMedians(sites, size);
+  if (parts.size() > maximum)
+  {
+    parts = SplitAtMedians(sites, 2 * size);
+  }
   const auto count = static_cast<Eigen::Index>(parts.size());
   Eigen::MatrixXd centres(count, 3), directions(count, 3);
   Eigen::VectorXd offsets(count);

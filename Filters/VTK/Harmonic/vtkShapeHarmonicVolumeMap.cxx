@@ -202,9 +202,12 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
         vtkShapeSolid::RequireOneSolid(domain, controller);
       }
     });
+  // Below this number of boundary points, messages take longer than the work that is shared.
+  constexpr vtkIdType worthSharing = 20000;
   const bool together =
     this->Options.Method == shape::HarmonicVolumeMapOptions::MethodType::Accelerated &&
-    !this->Exact && !this->FreeBoundary && this->GetNumberOfInputConnections(2) == 0;
+    !this->Exact && !this->FreeBoundary && this->GetNumberOfInputConnections(2) == 0 &&
+    this->GetGatheredInput(1).Data->GetNumberOfPoints() >= worthSharing;
   vtkShapeGather::RunTogether(controller,
     [&](const shape::Processes& processes)
     {

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <set>
 #include <sstream>
@@ -39,17 +38,31 @@ Eigen::Matrix<double, 3, 4> AffineFit(
 /// Merges charges at the same position and drops zero charges; the field stays the same.
 ChargeSet MergeCharges(const ChargeSet& set)
 {
-  std::map<std::array<double, 3>, int> positions;
-  std::vector<int> first;
+  const auto at = [&](int i) {
+    return std::array<double, 3>{ set.Points(i, 0), set.Points(i, 1), set.Points(i, 2) };
+  };
+  // Sorted by position; equal positions by their number, so the first of each comes first.
+  std::vector<int> order(set.Points.rows());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return at(a) < at(b); });
   Eigen::VectorXi position(set.Points.rows());
-  for (int i = 0; i < set.Points.rows(); ++i)
+  for (std::size_t k = 0; k < order.size(); ++k)
   {
-    const std::array<double, 3> point{ set.Points(i, 0), set.Points(i, 1), set.Points(i, 2) };
-    const auto [found, isNew] = positions.try_emplace(point, static_cast<int>(first.size()));
-    position(i) = found->second;
-    if (isNew)
+    position(order[k]) =
+      k > 0 && at(order[k - 1]) == at(order[k]) ? position(order[k - 1]) : order[k];
+  }
+  // Numbers of the merged charges, in the order of the first of each.
+  std::vector<int> first;
+  for (int i = 0; i < position.size(); ++i)
+  {
+    if (position(i) == i)
     {
       first.push_back(i);
+      position(i) = static_cast<int>(first.size()) - 1;
+    }
+    else
+    {
+      position(i) = position(position(i)); // the first comes earlier, and has its number
     }
   }
   ChargeSet merged{ set.Points(first, Eigen::all), Eigen::MatrixXd::Zero(first.size(), 3) };
@@ -141,7 +154,7 @@ std::shared_ptr<const SignedDistance> FundamentalSolutionFit::Distance()
   if (this->Processes.Count > 1)
   {
     // The surface caches the search tree, so a copy of the surface is freed with the tree.
-    return std::make_shared<const SignedDistance>(surface.WithPoints(surface.Points()));
+    return std::make_shared<const SignedDistance>(Surface(surface.AsMesh()));
   }
   if (!this->Field)
   {
