@@ -5,10 +5,10 @@ shares of the volume; `cpu` and `memory` (GiB, above that before) are the certif
 error of the map at the boundary. Witnesses are checked here again by the derivative of
 vtkShapeHarmonicTransform: none is positive.
 
-    Utilities/pvpython.sh Testing/Benchmarks/Certificate.py [--keep FOLDER] [MODEL ...] [Property=value ...]
+    Utilities/pvpython.sh Testing/Benchmarks/Certificate.py [--distance 0.9] [MODEL ...] [Property=value ...]
 
-Properties are Shape Certificate's. With --keep the charge sets are kept in that folder, or taken from
-there.
+Properties are Shape Certificate's; --distance is Charge Distance of the maps. With --keep FOLDER the
+charge sets are kept in that folder, or taken from there.
 """
 import os
 import time
@@ -25,8 +25,8 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 MODELS = (
-    'bear', 'blobby', 'bull', 'bunny00', 'camel', 'cow', 'dino', 'dragknob', 'femur', 'hand', 'head',
-    'homer', 'itemb', 'lion-head', 'man', 'nefertiti', 'oblong', 'pig', 'retinal', 'spool')
+    'bear', 'bear_bis', 'blobby', 'bull', 'bunny00', 'cactus', 'camel', 'cow', 'dino', 'dragknob', 'fandisk',
+    'hand', 'handle', 'homer', 'itemb', 'man', 'oblong', 'retinal', 'spool', 'triceratops')
 
 
 def peak_memory(reset=False):
@@ -38,7 +38,7 @@ def peak_memory(reset=False):
         return next(int(line.split()[1]) for line in file if line.startswith('VmHWM')) / 2.0 ** 20
 
 
-def charges_of(surface, map_array, kept):
+def charges_of(surface, map_array, distance, kept):
     """The charge set of a map of the solid in a surface, or why there is none."""
     if kept and os.path.exists(kept):
         reader = vtkXMLPolyDataReader()
@@ -49,6 +49,7 @@ def charges_of(surface, map_array, kept):
     volume_map.SetInputDataObject(0, surface)
     volume_map.SetInputDataObject(1, surface)
     volume_map.SetMapArray(map_array)
+    volume_map.SetChargeDistance(distance)
     messages = shapetesting.run(volume_map)
     if messages:
         return None, messages[0].strip().splitlines()[-1]
@@ -97,6 +98,7 @@ def certified(charges, settings):
 
 def main():
     parser = sweep.parser(__doc__)
+    parser.add_argument('--distance', type=float, default=0.9, help='of the charges')
     parser.add_argument('--keep', help='a folder for the charge sets')
     options = parser.parse_args()
     claims, wrong, maps = sweep.Claims(), [], 0
@@ -115,7 +117,7 @@ def main():
                                    ('ball to ' + name, 1, 'SourcePosition')):
             surface = parameterize.GetOutputDataObject(port)
             kept = os.path.join(options.keep, label.replace(' ', '_') + '.vtp') if options.keep else ''
-            charges, reason = charges_of(surface, array, kept)
+            charges, reason = charges_of(surface, array, options.distance, kept)
             row = {'map': label}
             if charges:
                 row.update(certified(charges, sweep.properties(options)),

@@ -23,6 +23,8 @@ void RequireValidInput(const VolumeFeatures& features, const HarmonicVolumeMapOp
   { RequireOption(value > 0.0 && std::isfinite(value), name, value, "positive and finite"); };
   positive(options.FeatureWeight, "FeatureWeight");
   positive(options.MostRefined, "MostRefined");
+  RequireOption(options.ChargeDistance >= 0.3 && options.ChargeDistance <= 3.0, "ChargeDistance",
+    options.ChargeDistance, "from 0.3 to 3");
   positive(options.CollocationRatio, "CollocationRatio");
   positive(options.SourceRatio, "SourceRatio");
   positive(options.SingularValueThreshold, "SingularValueThreshold");

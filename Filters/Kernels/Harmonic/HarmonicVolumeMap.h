@@ -16,10 +16,10 @@ struct AcceleratedSetup;
  * mapping using MFS", Computers & Graphics 34, 2010). The affine part is fitted first, so affine
  * maps are exact.
  *
- * Accelerated places one charge outside each boundary point, at a distance of 0.9 times the spacing
- * of the points. Up to a few thousand coarse charges lie farther out. The equations at the boundary
- * points and triangle centroids are solved by least squares. GMRES is preconditioned by local
- * blocks, and sums are computed by the fast multipole method (NearSurfaceCharges.h,
+ * Accelerated places one charge outside each boundary point, at a distance of ChargeDistance times
+ * the spacing of the points. Up to a few thousand coarse charges lie farther out. The equations at
+ * the boundary points and triangle centroids are solved by least squares. GMRES is preconditioned
+ * by local blocks, and sums are computed by the fast multipole method (NearSurfaceCharges.h,
  * SchwarzPreconditioner.h, FmmSummation.h). Then the triangles with the largest residual are
  * bisected, and a further map is fitted to the residual. This is repeated until the tolerance is
  * met. Time and memory grow nearly linearly with the boundary. CPU time and RMSEInside of sphere

@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Distance/SignedDistance.h"
+#include "Harmonic/HarmonicMapTypes.h"
 #include "Harmonic/NearSurfaceCharges.h"
 #include "Harmonic/Private/ScaledBoundary.h"
 
@@ -146,7 +147,8 @@ LinearVolumeMap::LinearVolumeMap(
   self.Scaled = ScaleBoundary(boundary, boundary.Points());
   const Surface& surface = self.Scaled.Surface;
   self.System = std::make_unique<NearSurfaceChargeSystem>(std::make_shared<SignedDistance>(surface),
-    surface, NearSurfaceChargeSystem::Effort::Exact, Processes(), progress);
+    surface, HarmonicVolumeMapOptions().ChargeDistance, NearSurfaceChargeSystem::Effort::Exact,
+    Processes(), progress);
   // Weighted least squares of affine maps by their normal equations: the box has unit size.
   const Eigen::MatrixXd rows = WithOnes(surface.Points());
   const Eigen::MatrixXd weighted = rows.transpose() * ComputePointAreas(surface).asDiagonal();

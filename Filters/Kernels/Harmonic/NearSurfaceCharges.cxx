@@ -17,11 +17,6 @@ namespace
 
 /// Spacing of a triangular lattice / the side of a square of the area of one point.
 constexpr double SpacingOfRootArea = 1.07;
-/// Offset of the charges / the spacing. If it is smaller, the map is bumpy between its points; if
-/// it is larger, the charges become redundant. RMSE inside triangles of sphere maps at 0.6, 0.75,
-/// 0.9, 1.0: bear_bis 1.9e-4, 1.5e-4, 1.4e-4, 1.4e-4; bunny00 1.1e-4, 8.8e-5, 7.8e-5, 7.6e-5;
-/// retinal 6.0e-4, 5.6e-4, 5.7e-4, 6.5e-4.
-constexpr double NearOffsetOfSpacing = 0.9;
 /// Offset of the coarse charges / the spacing of the clusters.
 constexpr double CoarseOffset = 0.5;
 
@@ -222,7 +217,7 @@ NearSurfaceCharges InsertNearSurfaceCharges(const SignedDistance& boundary,
 }
 
 NearSurfaceChargeSystem::NearSurfaceChargeSystem(std::shared_ptr<const SignedDistance> boundary,
-  const Surface& surface, Effort effort, const shape::Processes& processes,
+  const Surface& surface, double chargeDistance, Effort effort, const shape::Processes& processes,
   const Progress& progress)
   : Shared(processes, { surface.Points().rows(), surface.Triangles().rows() })
 {
@@ -241,8 +236,7 @@ NearSurfaceChargeSystem::NearSurfaceChargeSystem(std::shared_ptr<const SignedDis
   reached.segment(points.Begin, points.Size()) =
     ReachedOffsets(*boundary, surface.Points().middleRows(points.Begin, points.Size()),
       normals.middleRows(points.Begin, points.Size()),
-      NearOffsetOfSpacing * SpacingOfRootArea *
-        areas.segment(points.Begin, points.Size()).cwiseSqrt(),
+      chargeDistance * SpacingOfRootArea * areas.segment(points.Begin, points.Size()).cwiseSqrt(),
       progress.Part(0.0, 0.3, "placing the charges"));
   processes.Sum(reached);
   const NearSurfaceCharges near = ChargesAt(surface.Points(), normals, reached);

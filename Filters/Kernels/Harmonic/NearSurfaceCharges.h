@@ -35,8 +35,8 @@ NearSurfaceCharges InsertNearSurfaceCharges(const SignedDistance& boundary,
 
 /**
  * The linear system for charges close to a surface. One charge lies outside each surface point, at
- * 0.9 times the spacing of the points. A few coarse charges lie farther out. The system is set up
- * once for a surface, and can then be solved for any number of sets of boundary values.
+ * a given multiple of the spacing of the points. A few coarse charges lie farther out. The system
+ * is set up once for a surface, and can then be solved for any number of sets of boundary values.
  */
 class NearSurfaceChargeSystem
 {
@@ -51,11 +51,11 @@ public:
     Exact
   };
   /// boundary: closed, facing out of the solid, with longest side 1; it is let go as soon as the
-  /// charges have their positions. surface: the boundary, or a refinement of it. Throws
-  /// SolveFailure if no charge has room; Aborted. Several processes share the rows and the
-  /// preconditioner.
+  /// charges have their positions. surface: the boundary, or a refinement of it. chargeDistance:
+  /// HarmonicVolumeMapOptions::ChargeDistance. Throws SolveFailure if no charge has room; Aborted.
+  /// Several processes share the rows and the preconditioner.
   NearSurfaceChargeSystem(std::shared_ptr<const SignedDistance> boundary, const Surface& surface,
-    Effort effort = Effort::Little, const shape::Processes& processes = {},
+    double chargeDistance, Effort effort = Effort::Little, const shape::Processes& processes = {},
     const Progress& progress = {});
 
   /// Positions where values are prescribed: m x 3, this process's share of the surface's points,
@@ -115,6 +115,7 @@ struct AcceleratedSetup
 {
   shape::Processes Processes; ///< share the system
   Surface Boundary;
+  double ChargeDistance = 0.0;
   std::unique_ptr<NearSurfaceChargeSystem> System;
 };
 

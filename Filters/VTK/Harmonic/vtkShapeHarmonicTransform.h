@@ -22,6 +22,11 @@
  * transformed by the calling thread, and sets of points by all threads. After Update, both
  * functions may be called from any thread.
  *
+ * Where the map folds, the inverse is not unique. vtkShapeCertificate tells where, from the same charge
+ * set:
+ *
+ *   certificate = vtkShapeCertificate(); certificate.SetInputData(0, charges); certificate.Update()
+ *
  * The mathematics: shape::VolumeTransform.
  */
 #ifndef vtkShapeHarmonicTransform_h

@@ -20,8 +20,10 @@
 
 #include "Base/Errors.h"
 #include "Harmonic/ApplyVolumeMap.h"
+#include "Harmonic/Certificate.h"
 #include "Harmonic/FiniteElementMap.h"
 #include "Harmonic/NearSurfaceCharges.h"
+#include "Harmonic/PiecewiseHarmonicMap.h"
 #include "Mesh/Extent.h"
 #include "Mesh/Topology.h"
 
@@ -88,6 +90,13 @@ const std::string Facts = vtkShapeVolumeMapFacts::Prefix;
 shape::VolumeMapResult vtkShapeHarmonicVolumeMap::Solve(
   vtkPolyData* facts, shape::AcceleratedSetup& setup, const shape::Progress& progress)
 {
+  if (this->Certify &&
+    (this->Exact ||
+      this->Options.Method == shape::HarmonicVolumeMapOptions::MethodType::FiniteElements))
+  {
+    throw shape::InvalidInput("Certify needs one harmonic map of the whole solid; turn Exact off, "
+                              "and choose another Method than FiniteElements");
+  }
   vtkPolyData* boundary = this->GetGatheredInput(1).Data;
   vtkShapeRegions::RequireNoneTouch(boundary, "the Boundary");
   shape::VolumeMapConditions conditions;
@@ -122,7 +131,17 @@ shape::VolumeMapResult vtkShapeHarmonicVolumeMap::Solve(
     this->Options.FeatureWeight, LongestStep * shape::ComputeLongestBoxEdge(conditions.Boundary));
 
   const shape::VolumeMapOptions options{ this->Options, this->Exact, this->FreeBoundary };
-  shape::VolumeMapResult result = shape::ComputeVolumeMap(conditions, options, progress, &setup);
+  shape::VolumeMapResult result = shape::ComputeVolumeMap(
+    conditions, options, progress.Part(0.0, this->Certify ? 0.3 : 1.0), &setup);
+  if (this->Certify)
+  {
+    const shape::PiecewiseHarmonicMap map(result.Map.Charges);
+    const shape::MapCertificate certificate =
+      shape::CertifyMap(map.Map(0), map.Domain().GetSurface(), {}, progress.Part(0.3, 1.0));
+    vtkShapeConvert::AddFact(facts, Facts + "CertifiedShare", certificate.CertifiedShare);
+    vtkShapeConvert::AddFact(facts, Facts + "UndecidedShare", certificate.UndecidedShare);
+    vtkShapeConvert::AddFact(facts, Facts + "InvertedShare", certificate.InvertedShare);
+  }
   vtkShapeVolumeMapFacts::AddFacts(result.Map, this->Options.Method, this->Exact, facts);
   vtkShapeConvert::AddFact(
     facts, Facts + "FeaturePoints", static_cast<double>(conditions.Features.Points.rows()));

@@ -92,6 +92,9 @@
  * also have .InvertedBefore and .InvertedAfter, the numbers of inverted cells. The charge set still
  * stores the harmonic map, which may fold.
  *
+ * With Certify, the facts also have .CertifiedShare, .UndecidedShare and .InvertedShare, shares of
+ * the volume: what vtkShapeCertificate proves about the charge set with its default properties.
+ *
  * FiniteElements takes no Features, and neither Exact nor FreeBoundary. Its table has one level
  * with the number of unknowns as Sources and Collocations.
  *
@@ -135,6 +138,7 @@ public:
   vtkShapeOption(MaximumLevels, int);
   vtkShapeOption(SourceSubsets, int);
   vtkShapeOption(MostRefined, double);
+  vtkShapeOption(ChargeDistance, double);
   vtkShapeOption(LeastGain, double);
   vtkShapeOption(FeatureWeight, double);
   vtkSetMacro(Exact, bool);
@@ -152,6 +156,8 @@ public:
   vtkGetMacro(FreeBoundary, bool);
   vtkSetMacro(FoldFree, bool);
   vtkGetMacro(FoldFree, bool);
+  vtkSetMacro(Certify, bool);
+  vtkGetMacro(Certify, bool);
   vtkShapeOption(MaximumMemory, double);
   vtkShapeOption(Tetrahedra, int);
   ///@}
@@ -174,6 +180,7 @@ private:
   bool Exact = false;
   bool FreeBoundary = false;
   bool FoldFree = false;
+  bool Certify = false;
   shape::HarmonicVolumeMapOptions Options;
   std::shared_ptr<shape::AcceleratedSetup> Setup; ///< reused if the boundary does not change
 };

@@ -125,11 +125,13 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
   const Surface& boundary = problem.Boundary();
   const Processes& processes = setup.Processes;
   auto effort = NearSurfaceChargeSystem::Effort::Little;
-  if (!setup.System || !AreEqual(setup.Boundary, boundary))
+  const double distance = options.ChargeDistance;
+  if (!setup.System || setup.ChargeDistance != distance || !AreEqual(setup.Boundary, boundary))
   {
     setup.Boundary = boundary;
+    setup.ChargeDistance = distance;
     setup.System = std::make_unique<NearSurfaceChargeSystem>(
-      problem.Distance(), boundary, effort, processes, progress.Part(0.0, 0.02));
+      problem.Distance(), boundary, distance, effort, processes, progress.Part(0.0, 0.02));
   }
   result.OffsetDistance = setup.System->Offset();
   result.PointsWithoutCharge = setup.System->PointsWithoutCharge();
@@ -150,7 +152,7 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     if (number > 1)
     {
       finer = std::make_unique<NearSurfaceChargeSystem>(
-        problem.Distance(), refined.Surface, effort, processes, part.Part(0.0, 0.55));
+        problem.Distance(), refined.Surface, distance, effort, processes, part.Part(0.0, 0.55));
     }
     const NearSurfaceChargeSystem& system = finer ? *finer : *setup.System;
     result.OffsetDistance = std::min(result.OffsetDistance, system.Offset());

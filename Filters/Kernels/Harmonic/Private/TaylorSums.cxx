@@ -15,7 +15,7 @@ namespace shape::HWY_NAMESPACE
 namespace hn = hwy::HWY_NAMESPACE;
 using TaylorLanes = hn::CappedTag<double, 8>;
 
-void AddAll(const TaylorSums& given)
+void SumTaylorTerms(const TaylorSums& given)
 {
   constexpr std::size_t most = 8;
   const TaylorLanes wide;
@@ -114,13 +114,13 @@ namespace shape
 namespace
 {
 
-HWY_EXPORT(AddAll);
+HWY_EXPORT(SumTaylorTerms);
 
 } // namespace
 
 void AddTaylorSums(const TaylorSums& sums)
 {
-  HWY_DYNAMIC_DISPATCH(AddAll)(sums);
+  HWY_DYNAMIC_DISPATCH(SumTaylorTerms)(sums);
 }
 
 } // namespace shape
