@@ -90,3 +90,31 @@ assert 'Maximum Boxes' in table.GetRowData().GetAbstractArray('Certificate.Warni
 shapetesting.check_refused(new(surface), 'Affine', 'charge set')
 shapetesting.check_refused(new(charges, read('TwistedBarSmall.vtp')), 'outside the surface of the Map')
 shapetesting.check_refused(new(charges, Tolerance=0.0), 'Tolerance', '1e-5')
+
+# Charge Distance is a multiple of the spacing. A ball has room for all charges.
+parameterize = shapetesting.new(shapemap.vtkShapeParameterize, surface)
+parameterize.SetDomain(1)
+boundary = shapetesting.outputs(parameterize)[1]
+ends = {}
+for distance in (0.9, 1.5):
+    algorithm = shapetesting.new(shapemap.vtkShapeHarmonicVolumeMap, boundary, boundary)
+    algorithm.SetMapArray('SourcePosition')
+    algorithm.SetMaximumLevels(1)
+    algorithm.SetChargeDistance(distance)
+    algorithm.SetCertify(True)
+    moved, charges, _ = shapetesting.outputs(algorithm)[:3]
+    ends[distance] = fact(charges, 'HarmonicVolumeMap.OffsetDistance')
+    # Certify tells the same as the certificate of the charges.
+    shares = [fact(moved, 'HarmonicVolumeMap.%sShare' % state) for state in (
+        'Certified', 'Undecided', 'Inverted')]
+    assert abs(sum(shares) - 1.0) < 1e-12
+    assert abs(shares[0] - certify(charges)[2]('Certified')) < 1e-9
+assert abs(ends[1.5] / ends[0.9] - 1.5 / 0.9) < 1e-9, ends
+algorithm = shapetesting.new(shapemap.vtkShapeHarmonicVolumeMap, boundary, boundary)
+algorithm.SetMapArray('SourcePosition')
+algorithm.SetChargeDistance(5.0)
+shapetesting.check_refused(algorithm, 'ChargeDistance', '0.3')
+algorithm.SetChargeDistance(0.9)
+algorithm.SetCertify(True)
+algorithm.SetExact(True)
+shapetesting.check_refused(algorithm, 'Certify', 'Exact')

@@ -481,30 +481,3 @@ homeless = new(tetrahedra, with_targets(surface, twisted))
 homeless.SetFreeBoundary(True)
 assert "FreeBoundary needs the input 'Target'" in refusal(homeless)
 print('solids follow their boundary')
-
-# Charge Distance is a multiple of the spacing. A ball has room for all charges.
-boundary = shapetesting.output(image, 0)
-ends = {}
-for distance in (0.9, 1.5):
-    algorithm = new(boundary, boundary)
-    algorithm.SetMapArray('SourcePosition')
-    algorithm.SetMaximumLevels(1)
-    algorithm.SetChargeDistance(distance)
-    algorithm.SetCertify(True)
-    moved, charges, _ = shapetesting.outputs(algorithm)[:3]
-    ends[distance] = fact(charges, 'HarmonicVolumeMap.OffsetDistance')
-    # Certify tells the same as the certificate of the charges.
-    shares = [fact(moved, 'HarmonicVolumeMap.%sShare' % state) for state in (
-        'Certified', 'Undecided', 'Inverted')]
-    assert abs(sum(shares) - 1.0) < 1e-12
-    table = shapetesting.outputs(shapetesting.new(shapemap.vtkShapeCertificate, charges))[2]
-    assert abs(shares[0] - fact(table, 'Certificate.Certified')) < 1e-9
-assert abs(ends[1.5] / ends[0.9] - 1.5 / 0.9) < 1e-9, ends
-algorithm = new(boundary, boundary)
-algorithm.SetMapArray('SourcePosition')
-algorithm.SetChargeDistance(5.0)
-shapetesting.check_refused(algorithm, 'ChargeDistance', '0.3')
-algorithm.SetChargeDistance(0.9)
-algorithm.SetCertify(True)
-algorithm.SetExact(True)
-shapetesting.check_refused(algorithm, 'Certify', 'Exact')

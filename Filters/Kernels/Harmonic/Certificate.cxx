@@ -1,7 +1,6 @@
 #include "Harmonic/Certificate.h"
 
 #include "Base/Errors.h"
-#include "Base/FormatNumber.h"
 #include "Base/Parallel.h"
 #include "Distance/SignedDistance.h"
 #include "Geometry/SelfIntersections.h"
@@ -17,7 +16,6 @@
 #include <limits>
 #include <memory>
 #include <numeric>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -478,16 +476,9 @@ void CheckBoundary(
 MapCertificate CertifyMap(const ChargeSet& map, const Surface& domain,
   const MapCertificateOptions& options, const Progress& progress)
 {
-  if (!(options.Tolerance >= 1e-5 && options.Tolerance <= 0.5))
-  {
-    throw InvalidInput(
-      "Tolerance is " + FormatNumber(options.Tolerance) + "; use a value from 1e-5 to 0.5");
-  }
-  if (options.MaximumBoxes < 1)
-  {
-    throw InvalidInput(
-      "Maximum Boxes is " + std::to_string(options.MaximumBoxes) + "; use at least 1");
-  }
+  RequireOption(options.Tolerance >= 1e-5 && options.Tolerance <= 0.5, "Tolerance",
+    options.Tolerance, "from 1e-5 to 0.5");
+  RequireOption(options.MaximumBoxes >= 1, "Maximum Boxes", options.MaximumBoxes, "at least 1");
   RequireClosedSurface(domain, "the domain");
   DomainCover cover(map, domain, options);
   cover.Examine(progress.Part(0.0, 0.9, "bounding the determinant"));

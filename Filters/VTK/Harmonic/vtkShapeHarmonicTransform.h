@@ -22,8 +22,8 @@
  * transformed by the calling thread, and sets of points by all threads. After Update, both
  * functions may be called from any thread.
  *
- * Where the map folds, the inverse is not unique. vtkShapeCertificate tells where, from the same charge
- * set:
+ * Where the map folds, the inverse is not unique. vtkShapeCertificate tells where, from the same
+ * charge set:
  *
  *   certificate = vtkShapeCertificate(); certificate.SetInputData(0, charges); certificate.Update()
  *

@@ -120,7 +120,7 @@ HWY_EXPORT(SumTaylorTerms);
 
 void AddTaylorSums(const TaylorSums& sums)
 {
-  HWY_DYNAMIC_DISPATCH(SumTaylorTerms)(sums);
+  return HWY_DYNAMIC_DISPATCH(SumTaylorTerms)(sums);
 }
 
 } // namespace shape
