@@ -9,6 +9,8 @@
 #include <Eigen/Core>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 #include <vector>
@@ -200,6 +202,36 @@ TEST(AutomaticLandmarks, FindsAPartInTheWholeAndHowLargeItIs)
   const auto told = shape::FindLandmarks(cut.Surface, whole, options);
   EXPECT_EQ(told.Part, Which::None);
   EXPECT_GT(told.Distortion, found.Distortion);
+}
+
+TEST(AutomaticLandmarks, OfNearlyRoundShapesFollowTheirPositions)
+{
+  // The dents differ in depth, and so do the points and triangles. Features pair up within a fifth
+  // of the root of the area; a wrong rotation moves points by a third, or more.
+  const auto dented = [](const Eigen::Matrix3d& turn, double depth)
+  {
+    shape::Mesh mesh = shapetest::Icosphere(3);
+    mesh.Points = mesh.Points * turn.transpose();
+    for (Eigen::Index i = 0; i < mesh.Points.rows(); ++i)
+    {
+      const double x = mesh.Points(i, 0), y = mesh.Points(i, 1), z = mesh.Points(i, 2);
+      mesh.Points.row(i) *=
+        1.0 + depth * std::sin(3.0 * x + y) - 0.05 * std::cos(2.0 * z - x) + 0.05 * y * z;
+    }
+    return mesh;
+  };
+  for (int i = 0; i < 4; ++i)
+  {
+    const shape::Mesh a = dented(shapetest::Rotation(0.3 * i, { 1, 2, 3 }), 0.05),
+                      b = dented(shapetest::Rotation(1.0 + i, { 3, -1, 2 }), 0.06);
+    const shape::Landmarks pairs = shape::FindLandmarks(a, b).Pairs;
+    double mean = 0.0;
+    for (const auto& [k, l] : pairs)
+    {
+      mean += (a.Points.row(k) - b.Points.row(l)).norm() / static_cast<double>(pairs.size());
+    }
+    EXPECT_LT(mean, 0.2 * std::sqrt(shape::ComputeArea(a))) << i;
+  }
 }
 
 TEST(AutomaticLandmarks, NamesWhatIsWrong)
