@@ -121,7 +121,7 @@ public:
     std::vector<std::vector<int>> waiting;
     int last = 1;
     bool isRelaxed = false;
-    for (;;)
+    while (this->Work < options.MaximumWork)
     {
       if (this->Members.size() <= 1)
       {
@@ -131,7 +131,8 @@ public:
         }
         if (waiting.empty())
         {
-          break;
+          result.Splits += this->Solid.PointCount() - given;
+          return true;
         }
         this->Members = std::move(waiting.back());
         waiting.pop_back();
@@ -167,15 +168,14 @@ public:
         waiting.push_back(std::move(part));
         continue;
       }
-      if (this->Work > options.MaximumWork || this->Solid.PointCount() - given > allowed ||
+      if (this->Solid.PointCount() - given > allowed ||
         !(this->ReleaseAfterSplits(progress) || this->ReleasePart(progress)))
       {
         return false;
       }
       ++result.Expansions;
     }
-    result.Splits += this->Solid.PointCount() - given;
-    return true;
+    return false;
   }
 
 private:
@@ -499,6 +499,7 @@ private:
       return p;
     };
     const std::vector<StarFace> faces = this->AllFacesAround(point);
+    this->Work += static_cast<double>(faces.size());
     for (const StarFace& face : faces)
     {
       for (const int p : face)
