@@ -29,7 +29,7 @@ struct ConeExpansionResult
 /**
  * Makes inverted tetrahedra positive by exact tests, with inserted points where positions alone do
  * not suffice, in the manner of expansion cones (Nigolian, Campen and Bommes, "Expansion cones: a
- * progressive volumetric mapping framework", 2023).
+ * progressive volumetric mapping framework" (2023)).
  *
  * The inner points of inverted tetrahedra form a cluster. The cluster grows until all its points
  * can be at one position c that sees the outer side of each tetrahedron with a single point in it.

@@ -1,0 +1,161 @@
+#include "Untangle/Private/ConeExpansion.h"
+#include "Untangle/Private/InscribedBall.h"
+#include "Untangle/Untangle.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace
+{
+
+/// A cube [-1, 1]^3 of n^3 cubes of six tetrahedra each.
+shape::Cells TetrahedralCube(int n)
+{
+  const int side = n + 1, count = 6 * n * n * n;
+  shape::Cells solid{ Eigen::MatrixXd(side * side * side, 3), Eigen::VectorXi::Constant(count, 10),
+    Eigen::VectorXi::LinSpaced(count + 1, 0, 4 * count), Eigen::VectorXi(4 * count) };
+  const auto at = [&](int i, int j, int k) { return (k * side + j) * side + i; };
+  int corner = 0;
+  for (int k = 0; k < side; ++k)
+  {
+    for (int j = 0; j < side; ++j)
+    {
+      for (int i = 0; i < side; ++i)
+      {
+        solid.Points.row(at(i, j, k)) =
+          Eigen::RowVector3d(i, j, k) * (2.0 / n) - Eigen::RowVector3d::Ones();
+        if (i == n || j == n || k == n)
+        {
+          continue;
+        }
+        const int h[8] = { at(i, j, k), at(i + 1, j, k), at(i + 1, j + 1, k), at(i, j + 1, k),
+          at(i, j, k + 1), at(i + 1, j, k + 1), at(i + 1, j + 1, k + 1), at(i, j + 1, k + 1) };
+        const int around[7] = { 1, 2, 3, 7, 4, 5, 1 };
+        for (int t = 0; t < 6; ++t)
+        {
+          for (const int point : { h[0], h[around[t]], h[around[t + 1]], h[6] })
+          {
+            solid.Corners(corner++) = point;
+          }
+        }
+      }
+    }
+  }
+  return solid;
+}
+
+/// Puts the boundary of such a cube on a random star-shaped surface, and all inner points at one
+/// position outside of it.
+void MakeStar(shape::Cells& cube, unsigned int seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0.3, 1.0);
+  for (Eigen::Index i = 0; i < cube.Points.rows(); ++i)
+  {
+    const bool isInner = cube.Points.row(i).cwiseAbs().maxCoeff() < 1.0 - 1e-9;
+    cube.Points.row(i) = isInner ? Eigen::RowVector3d(2.0, 1.0, 0.5)
+                                 : Eigen::RowVector3d(cube.Points.row(i) * uniform(random));
+  }
+}
+
+int CountInverted(shape::SolidCells& solid)
+{
+  int count = 0;
+  for (int cell = 0; cell < solid.CellCount(); ++cell)
+  {
+    count += solid.Inverted(cell);
+  }
+  return count;
+}
+
+TEST(InscribedBall, IsThatOfATetrahedronAndTellsAnEmptyIntersection)
+{
+  // x, y, z >= 0 and x + y + z <= 1: the inscribed ball has the radius 1 / (3 + sqrt 3).
+  std::vector<shape::HalfSpace> half;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    half.push_back({ Eigen::Vector3d::Unit(axis), 0.0 });
+  }
+  half.push_back({ -Eigen::Vector3d::Ones() / std::sqrt(3.0), 1.0 / std::sqrt(3.0) });
+  const double radius = 1.0 / (3.0 + std::sqrt(3.0));
+  const shape::InscribedBall ball = shape::FindInscribedBall(half, 2.0);
+  EXPECT_NEAR(ball.Radius, radius, 1e-14);
+  EXPECT_LT((ball.Centre.array() - radius).abs().maxCoeff(), 1e-14);
+  // x >= 1 and x <= 0 are missed by 1/2 each at x = 1/2.
+  half = { { Eigen::Vector3d::UnitX(), -1.0 }, { -Eigen::Vector3d::UnitX(), 0.0 } };
+  const shape::InscribedBall none = shape::FindInscribedBall(half, 2.0);
+  EXPECT_NEAR(none.Radius, -0.5, 1e-14);
+  EXPECT_NEAR(none.Centre(0), 0.5, 1e-14);
+}
+
+TEST(ConeExpansion, MakesEveryTetrahedronOfAStarPositive)
+{
+  for (const int n : { 2, 3, 4 })
+  {
+    for (const unsigned int seed : { 11U, 12U, 13U })
+    {
+      const shape::Cells rest = TetrahedralCube(n);
+      shape::Cells cells = rest;
+      MakeStar(cells, seed);
+      shape::SolidCells solid(cells, rest.Points, "the cube");
+      ASSERT_GT(CountInverted(solid), 0);
+      const shape::ConeExpansionResult result = shape::ExpandInverted(solid);
+      EXPECT_EQ(CountInverted(solid), 0) << n << ' ' << seed;
+      EXPECT_GT(result.Expansions, 0);
+      double volume = 0.0, before = 0.0;
+      for (int cell = 0; cell < solid.CellCount(); ++cell)
+      {
+        const auto sum = [&](const Eigen::MatrixXd& x)
+        {
+          const std::vector<int>& c = solid.PointsOf(cell);
+          Eigen::Matrix3d edges;
+          edges << x.row(c[1]) - x.row(c[0]), x.row(c[2]) - x.row(c[0]), x.row(c[3]) - x.row(c[0]);
+          return edges.determinant() / 6.0;
+        };
+        volume += sum(solid.Rest);
+        before = std::min(before, sum(solid.Rest));
+      }
+      EXPECT_NEAR(volume, 8.0, 1e-12) << "the parts at rest fill the cube";
+      EXPECT_GE(before, 0.0) << "and none of them is inverted";
+      for (Eigen::Index i = 0; i < rest.Points.rows(); ++i)
+      {
+        if (solid.OnBoundary(static_cast<int>(i)))
+        {
+          EXPECT_EQ(solid.Points.row(i), cells.Points.row(i)) << "the boundary stays";
+        }
+      }
+    }
+  }
+}
+
+TEST(ConeExpansion, KeepsTheCellsIfTheyMayNotBeSplit)
+{
+  shape::Cells cells = TetrahedralCube(3);
+  const Eigen::MatrixXd rest = cells.Points;
+  MakeStar(cells, 21);
+  shape::UntangleOptions options;
+  options.SplitCells = false;
+  const shape::UntangleResult result = shape::Untangle(cells, rest, options);
+  EXPECT_EQ(result.Solid.Corners, cells.Corners);
+  EXPECT_EQ(result.SplitCells, 0);
+  EXPECT_EQ(shape::Untangle(cells, rest).InvertedAfter, 0) << "with splits";
+}
+
+TEST(ConeExpansion, EndsAndFindsWhereABoundaryCrossesItself)
+{
+  shape::Cells cells = TetrahedralCube(3);
+  const Eigen::MatrixXd rest = cells.Points;
+  // The corner (-1, -1, -1) is pushed out through the opposite side.
+  cells.Points.row(0) << 1.5, 1.6, 1.7;
+  const shape::UntangleResult result = shape::Untangle(cells, rest);
+  EXPECT_GT(result.InvertedAfter, 0);
+  ASSERT_GT(result.BoundaryCrossings, 0);
+  EXPECT_LE(result.FirstCrossing.cwiseAbs().maxCoeff(), 1.7);
+}
+
+} // namespace
