@@ -11,7 +11,7 @@ import shapetesting
 
 # Of these inputs, a filter uses the points alone, or leaves polygons as they are; or two must have the same cells.
 NOT_REPAIRED = {('ShapeSolidify', 'Input'), ('ShapeCageDeform', 'Cage'), ('ShapeCageDeform', 'MovedCage'),
-                ('ShapeFillHoles', 'Input'), ('ShapeApplyVolumeMap', 'Map'), ('ShapeCertificate', 'Map'), ('ShapeCutFeature', 'Loop'),
+                ('ShapeFillHoles', 'Input'), ('ShapeApplyVolumeMap', 'Map'), ('ShapeCertificate', 'Map'), ('ShapeMeshMotion', 'Boundary'), ('ShapeCutFeature', 'Loop'),
                 ('ShapeCutFeature', 'Input'), ('ShapeAtlas', 'Shapes'), ('ShapeCollection', 'Shapes'), ('ShapePasteFeature', 'Feature'), ('ShapePaintArray', 'Input')}
 
 

@@ -144,6 +144,20 @@ assert any('map array' in message for message in shapetesting.run(volume))
 volume.SetInputDataObject(0, domain)
 volume.SetInputDataObject(1, boundary)
 
+# A mesh in pieces is moved as one, on the first process.
+motion = shapemap.vtkShapeMeshMotion()
+motion.SetInputDataObject(0, domain)
+motion.SetInputDataObject(1, boundary)
+for method in range(2):
+    motion.SetMethod(method)
+    assert not shapetesting.run(motion)
+    output = motion.GetOutputDataObject(0)
+    assert output.GetNumberOfCells() == (solid.GetNumberOfCells() if rank == 0 else 0)
+    if rank == 0:
+        compare('Motion%d' % method, array(output, 'SourcePosition'), points(output))
+    for name in ('MovingPoints', 'InvertedAfter', 'MaximumNonOrthogonalityAfter'):
+        number('%s%d' % (name, method), fact(output, 'MeshMotion.' + name))
+
 # Finite elements: the first process makes them, and all have them.
 volume.SetMethod(3)
 volume.SetTetrahedra(5000)

@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Harmonic/HarmonicVolumeMap.h"
+#include "Harmonic/Private/ScaledBoundary.h"
 #include "Mesh/UsedPoints.h"
 #include "Search/ClosestPoint.h"
 
@@ -20,7 +21,8 @@ namespace
 
 using MethodType = MeshMotionOptions::MethodType;
 
-/// The boundary as a surface of its own.
+/// The boundary as a surface of its own, sorted by position: the result does not depend on the
+/// numbering, or on pieces.
 struct MeshBoundary
 {
   std::vector<int> Points; ///< for each of its points, the one of the mesh
@@ -29,11 +31,8 @@ struct MeshBoundary
 
 MeshBoundary TakeBoundary(const Eigen::MatrixXd& points, const Eigen::MatrixXi& triangles)
 {
-  MeshBoundary boundary;
-  boundary.Points = FindUsedPoints(triangles, points.rows());
-  boundary.Surface = Surface(
-    points(boundary.Points, Eigen::all), RenumberPoints(triangles, boundary.Points, points.rows()));
-  return boundary;
+  SortedSurface sorted = SortByPosition({ points, triangles });
+  return { std::move(sorted.Points), Surface(std::move(sorted.Surface)) };
 }
 
 /// A displacement that is known everywhere.
@@ -43,15 +42,18 @@ struct Field
   int Centres = 0;
 };
 
+RadialBasisOptions GetRadialOptions(const MeshMotionOptions& options)
+{
+  return { options.Kernel, options.SupportRadius, options.Tolerance, options.MaximumCentres };
+}
+
 Field FitField(const MeshBoundary& boundary, const Eigen::MatrixXd& displacements,
   const MeshMotionOptions& options, const Progress& progress)
 {
   if (options.Method == MethodType::RadialBasis)
   {
-    const RadialBasisOptions radial{ options.Kernel, options.SupportRadius, options.Tolerance,
-      options.MaximumCentres };
     RadialBasisField field =
-      FitRadialBasis(boundary.Surface.Points(), displacements, radial, progress);
+      FitRadialBasis(boundary.Surface.Points(), displacements, GetRadialOptions(options), progress);
     const auto centres = static_cast<int>(field.Centres.rows());
     return { [field = std::move(field)](const Eigen::MatrixXd& points, const Progress& part)
       { return Evaluate(field, points, part); },
@@ -96,8 +98,7 @@ MeshMotionResult MoveMesh(const Eigen::MatrixXd& points, const Eigen::MatrixXi& 
   // 1. The displacement is fitted at the boundary.
   // 2. It is evaluated at all points.
   // 3. The error of the fit at the boundary is carried to the points around it.
-  RequireOption(options.Tolerance >= 0.0 && std::isfinite(options.Tolerance), "Tolerance",
-    options.Tolerance, "at least 0 and finite");
+  RequireValid(GetRadialOptions(options));
   if (displacements.rows() != points.rows() || displacements.cols() != 3)
   {
     throw InvalidInput("the mesh has " + std::to_string(points.rows()) + " points and " +

@@ -146,6 +146,16 @@ Eigen::MatrixXd Evaluate(
   return values;
 }
 
+void RequireValid(const RadialBasisOptions& options)
+{
+  RequireOption(options.SupportRadius > 0.0 && std::isfinite(options.SupportRadius),
+    "SupportRadius", options.SupportRadius, "positive and finite");
+  RequireOption(options.Tolerance >= 0.0 && std::isfinite(options.Tolerance), "Tolerance",
+    options.Tolerance, "at least 0 and finite");
+  RequireOption(
+    options.MaximumCentres >= 1, "MaximumCentres", options.MaximumCentres, "at least 1");
+}
+
 RadialBasisField FitRadialBasis(const Eigen::MatrixXd& points, const Eigen::MatrixXd& values,
   const RadialBasisOptions& options, const Progress& progress)
 {
@@ -153,12 +163,7 @@ RadialBasisField FitRadialBasis(const Eigen::MatrixXd& points, const Eigen::Matr
   // 1. The affine part, by least squares. If it fits, there are no centres.
   // 2. Far points are the first centres.
   // 3. Each round interpolates at the centres, and adds half as many where the errors are largest.
-  RequireOption(options.SupportRadius > 0.0 && std::isfinite(options.SupportRadius),
-    "SupportRadius", options.SupportRadius, "positive and finite");
-  RequireOption(options.Tolerance >= 0.0 && std::isfinite(options.Tolerance), "Tolerance",
-    options.Tolerance, "at least 0 and finite");
-  RequireOption(
-    options.MaximumCentres >= 1, "MaximumCentres", options.MaximumCentres, "at least 1");
+  RequireValid(options);
   constexpr int first = 16;
   constexpr double rounding = 1e-12;
   // Relative to the box, so that the system has a good scale.

@@ -25,6 +25,9 @@ struct RadialBasisOptions
   int MaximumCentres = 1000; ///< >= 1
 };
 
+/// Throws InvalidInput if an option is out of range.
+void RequireValid(const RadialBasisOptions& options);
+
 /// A field of radial basis functions and an affine part, with three values.
 struct RadialBasisField
 {

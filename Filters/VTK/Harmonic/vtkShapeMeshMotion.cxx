@@ -32,7 +32,8 @@ vtkStandardNewMacro(vtkShapeMeshMotion);
 
 vtkShapeMeshMotion::vtkShapeMeshMotion()
 {
-  this->DeclareInput("Input", PortData::WholeGrid, PortUse::Required, { "vtkDataSet" });
+  this->DeclareInput("Input", PortData::WholeGrid, PortUse::Required,
+    { "vtkUnstructuredGrid", "vtkStructuredGrid", "vtkRectilinearGrid", "vtkImageData" });
   this->DeclareInput(
     "Boundary", PortData::Whole, PortUse::Required, { "vtkPolyData", "vtkUnstructuredGrid" });
   this->DeclareOutput("vtkUnstructuredGrid");
