@@ -124,7 +124,10 @@ if rank in workers:
     assert abs(points(back.GetOutputDataObject(0)) - points(domain)).max() < 1e-9
 
 # The processes share the work on a boundary of many points, and find the same map to the last bit.
-ball = vtkSphereSource(Radius=1.0, ThetaResolution=205, PhiResolution=102, OutputPointsPrecision=1)
+ball = vtkSphereSource()
+ball.SetRadius(1.0)
+ball.SetThetaResolution(205)
+ball.SetPhiResolution(102)
 ball.Update()
 large = shapetesting.copy(ball.GetOutput())
 large.GetPointData().Initialize()
