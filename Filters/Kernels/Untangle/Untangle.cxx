@@ -31,8 +31,8 @@ namespace
 constexpr int Rings[] = { 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 8, 8, 12, 12, 16, 16 };
 constexpr int FirstSplitting = 1, FirstCollar = 2;
 constexpr int Rounds = static_cast<int>(std::size(Rings));
-/// The end comes after this many rounds without a new minimum of inverted cells. If tetrahedra can
-/// be expanded, it comes sooner.
+/// The end comes after this many rounds without a new minimum of inverted cells. It comes sooner if
+/// tetrahedra can be expanded.
 constexpr int Patience = 6, PatienceBeforeExpansion = 1;
 /// A patch is given up after this many Newton steps without progress.
 constexpr int StepPatience = 20;

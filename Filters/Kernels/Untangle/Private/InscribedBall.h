@@ -28,9 +28,9 @@ struct InscribedBall
  * negative: then the greatest violation, -Radius, is as small as possible at the centre.
  *
  * The linear programme in centre and radius is solved by the incremental method of Seidel,
- * "Small-dimensional linear programming and convex hulls made easy" (1991), in an order that depends
- * only on the number of half-spaces. The expected time is linear in it. Results are subject to rounding,
- * so the caller checks them.
+ * "Small-dimensional linear programming and convex hulls made easy" (1991), in an order that
+ * depends only on the number of half-spaces. The expected time is linear in it. Results are subject
+ * to rounding, so the caller checks them.
  */
 InscribedBall FindInscribedBall(const std::vector<HalfSpace>& halfSpaces, double extent);
 
