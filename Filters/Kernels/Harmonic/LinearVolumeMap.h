@@ -57,7 +57,9 @@ struct LinearVolumeMapOptions
  * the boundary to the charges. This is the adjoint method (Giles and Pierce, "An introduction to
  * the adjoint approach to design", Flow, Turbulence and Combustion 65, 2000). In terms of the
  * continuum, the gradient sweeps the derivative at inner points to the boundary: for F = f(y) it is
- * the harmonic measure of y. It takes the time of one to two fits, for any number of images.
+ * the harmonic measure of y. One gradient is by all images together. With the default
+ * tolerances, it took 1.5 times the CPU time of a fit for bear_bis with 10096 points, and 2.1 times
+ * for bunny00 with 37706 points, because the transposed system needs more iterations.
  */
 class LinearVolumeMap
 {
