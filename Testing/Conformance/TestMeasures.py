@@ -15,12 +15,12 @@ import shapetesting
 POINT, CELL, FIELD = vtkDataObject.POINT, vtkDataObject.CELL, vtkDataObject.FIELD
 FALSE = 12345.0
 
-# What ShapeMap filters write that is no measure: maps, ids, labels, materials with the means of an image,
-# what a feature stood on, the frames of a handle, and what a user paints.
+# What ShapeMap filters write that is no measure: maps and their errors, ids, labels, materials with the means
+# of an image, what a feature stood on, the frames of a handle, and what a user paints.
 CONTRACT = {'TargetPosition', 'TargetCell', 'TargetBarycentric', 'SourcePosition', 'OriginalPointId',
             'OriginalCellId', 'OutsideDomain', 'RegionId', 'Regions', 'SurfacePointId', 'Patch', 'Interface', 'Label',
             'Filled', 'Part', 'ExponentialMap', 'LoopCoordinates', 'LoopNormal', 'LoopOrder', 'Charge', 'Name', 'Number',
-            'SourceNormal', 'TargetNormal', 'FrameRotation', 'FrameSet',
+            'SourceNormal', 'TargetNormal', 'FrameRotation', 'FrameSet', 'Error',
             'MapColors', 'FacePatch', 'Origin', 'Defect', 'Block', 'BlockIndex', 'BranchId', 'TargetBranchId', 'Degree',
             'SourceNormal', 'TargetNormal', 'FrameTurn', 'Painted', 'Grey', 'Coverage', 'Density', 'Modulus',
             'MaterialId', 'MaterialDensity', 'MaterialModulus', 'SampleWeight', 'ImageDistribution',

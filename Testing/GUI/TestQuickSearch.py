@@ -13,7 +13,7 @@ SOLID = ['Shape Apply Volume Map', 'Shape Boundary Distance', 'Shape Cage Deform
          'Shape Coupling', 'Shape Deform',
          'Shape Harmonic Volume Map', 'Shape Mesh Motion', 'Shape Solidify', 'Shape Transfer Fields', 'Shape Untangle']
 # What needs a solid, or a table, beside a surface.
-NOT_HERE = ['Shape Mesh Motion', 'Shape Untangle', 'Shape From Operators']
+NOT_HERE = ['Shape Untangle', 'Shape From Operators']
 # What needs an image or a charge set, and the active source that offers it.
 ACTIVE = {'Shape Label Surfaces': 'Wavelet1', 'Shape Image Values': 'BallSmall.vtu',
           'Shape Certificate': 'DentedSphereCharges.vtp'}
