@@ -1,12 +1,12 @@
 #include "Untangle/Untangle.h"
 
 #include "Base/Errors.h"
-#include "Geometry/Orientation.h"
 #include "Geometry/SelfIntersections.h"
 #include "Mesh/Extent.h"
 #include "Mesh/Topology.h"
 #include "Search/ClosestPoint.h"
 #include "Untangle/MinimizeEnergy.h"
+#include "Untangle/Private/CellPatches.h"
 #include "Untangle/Private/CellSplits.h"
 #include "Untangle/Private/ConeExpansion.h"
 #include "Untangle/Private/SlidingBoundary.h"
@@ -15,11 +15,13 @@
 #include "Untangle/Private/TutteEmbedding.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace shape
 {
@@ -99,153 +101,14 @@ Untangling BeginUntangling(
   return begun;
 }
 
-std::vector<int> FindInvertedCells(SolidCells& solid, const Progress& progress = {})
-{
-  std::vector<int> inverted;
-  for (int cell = 0; cell < solid.CellCount(); ++cell)
-  {
-    if (cell % 16384 == 0)
-    {
-      progress(static_cast<double>(cell) / solid.CellCount());
-    }
-    if (solid.Inverted(cell))
-    {
-      inverted.push_back(cell);
-    }
-  }
-  return inverted;
-}
-
-/// Marks the points of inverted cells and of the `rings` - 1 rings of cells around these.
-std::vector<char> MarkAroundInverted(SolidCells& solid, int rings)
-{
-  std::vector<char> marked(solid.PointCount(), 0);
-  const auto mark = [&](int cell, std::vector<int>& fresh)
-  {
-    for (const int point : solid.PointsOf(cell))
-    {
-      if (!marked[point])
-      {
-        marked[point] = 1;
-        fresh.push_back(point);
-      }
-    }
-  };
-  std::vector<int> front;
-  for (const int cell : FindInvertedCells(solid))
-  {
-    mark(cell, front);
-  }
-  for (int ring = 1; ring < rings; ++ring)
-  {
-    std::vector<int> next;
-    for (const int point : front)
-    {
-      for (const int cell : solid.CellsOf(point))
-      {
-        mark(cell, next);
-      }
-    }
-    front = std::move(next);
-  }
-  return marked;
-}
-
-/// Returns the movable points among the marked ones. Each set of them that cells connect is a
-/// separate patch (ascending).
-std::vector<std::vector<int>> FindPatches(
-  const Untangling& untangling, const std::vector<char>& marked)
-{
-  const SolidCells& solid = untangling.Solid;
-  std::vector<char> taken(solid.PointCount(), 0);
-  const auto take = [&](int point, std::vector<int>& patch)
-  {
-    if (marked[point] && untangling.IsMovable(point) && !taken[point])
-    {
-      taken[point] = 1;
-      patch.push_back(point);
-    }
-  };
-  std::vector<std::vector<int>> patches;
-  for (int first = 0; first < solid.PointCount(); ++first)
-  {
-    std::vector<int> patch;
-    take(first, patch);
-    for (std::size_t i = 0; i < patch.size(); ++i)
-    {
-      for (const int cell : solid.CellsOf(patch[i]))
-      {
-        for (const int point : solid.PointsOf(cell))
-        {
-          take(point, patch);
-        }
-      }
-    }
-    if (!patch.empty())
-    {
-      std::sort(patch.begin(), patch.end());
-      patches.push_back(std::move(patch));
-    }
-  }
-  return patches;
-}
-
-/// Returns the corner tetrahedra at `points` (ascending), which are free. sizes: the logarithm of
-/// the target size at each point (ComputeLogarithmicSizes).
-SimplexPatch BuildPatch(
-  SolidCells& solid, const std::vector<int>& points, const Eigen::VectorXd& sizes)
-{
-  SimplexPatch patch;
-  patch.FreePoints = points;
-  std::vector<int> cells;
-  for (const int point : points)
-  {
-    const std::vector<int>& around = solid.CellsOf(point);
-    cells.insert(cells.end(), around.begin(), around.end());
-  }
-  std::sort(cells.begin(), cells.end());
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-  for (const int cell : cells)
-  {
-    const auto simplices = solid.SimplicesOf(cell);
-    for (std::size_t k = 0; k < simplices.size(); ++k)
-    {
-      const std::array<int, 4>& corners = simplices[k];
-      if (std::none_of(corners.begin(), corners.end(),
-            [&](int point) { return std::binary_search(points.begin(), points.end(), point); }))
-      {
-        continue;
-      }
-      double size = 0.0;
-      for (const int point : corners)
-      {
-        size += 0.25 * sizes(point);
-      }
-      patch.Simplices.push_back({ corners,
-        ComputeHatGradients(solid.Reference(cell, static_cast<int>(k), std::exp(size))) });
-    }
-  }
-  return patch;
-}
-
-int CountNegative(const SimplexPatch& patch, const Eigen::MatrixXd& x)
-{
-  return static_cast<int>(std::count_if(patch.Simplices.begin(), patch.Simplices.end(),
-    [&](const ReferenceSimplex& simplex)
-    {
-      const std::array<int, 4>& c = simplex.Corners;
-      return EvaluateOrientation(x.row(c[0]), x.row(c[1]), x.row(c[2]), x.row(c[3])) <= 0;
-    }));
-}
-
 /// Minimises the energy of each patch of points around inverted cells. A patch that would have more
 /// negative tetrahedra than before is not moved.
 void MovePoints(Untangling& untangling, int rings, int maximumSteps, const Progress& progress)
 {
   SolidCells& solid = untangling.Solid;
   const Eigen::VectorXd sizes = ComputeLogarithmicSizes(solid);
-  const std::vector<std::vector<int>> patches =
-    FindPatches(untangling, MarkAroundInverted(solid, rings));
+  const std::vector<std::vector<int>> patches = FindMovablePatches(solid,
+    MarkAroundInverted(solid, rings), [&](int point) { return untangling.IsMovable(point); });
   PatchOptions options;
   options.MaximumSteps = maximumSteps;
   options.Patience = StepPatience;
@@ -276,7 +139,7 @@ int ReduceInverted(
   SolidCells& solid = untangling.Solid;
   progress(0.02);
   std::vector<int> bad =
-    FindInvertedCells(solid, progress.Part(0.02, 0.05, "looking for inverted cells"));
+    FindInverted(solid, progress.Part(0.02, 0.05, "looking for inverted cells"));
   CellSplits splits(solid, [&](int point) { return untangling.IsMovable(point); });
   std::size_t minimum = bad.size();
   auto best = bad.empty() ? nullptr : std::make_unique<SolidCells>(solid);
@@ -290,11 +153,11 @@ int ReduceInverted(
     }
     if (options.SplitCells && round >= FirstSplitting)
     {
-      splits.Stubborn(FindInvertedCells(solid),
-        round < FirstCollar ? 0 : 1 + (round - FirstCollar) / RoundsPerCollar);
+      splits.Stubborn(
+        FindInverted(solid), round < FirstCollar ? 0 : 1 + (round - FirstCollar) / RoundsPerCollar);
     }
     MovePoints(untangling, Rings[round], options.MaximumIterations, part);
-    bad = FindInvertedCells(solid, part.Part(0.99, 1.0));
+    bad = FindInverted(solid, part.Part(0.99, 1.0));
     if (bad.size() < minimum)
     {
       minimum = bad.size();
@@ -304,13 +167,13 @@ int ReduceInverted(
     else if (bad.size() > MaximumIncrease * minimum)
     {
       solid = *best;
-      bad = FindInvertedCells(solid);
+      bad = FindInverted(solid);
     }
   }
   if (bad.size() > minimum)
   {
     solid = *best;
-    bad = FindInvertedCells(solid);
+    bad = FindInverted(solid);
   }
   progress(1.0);
   return static_cast<int>(bad.size());
@@ -326,7 +189,8 @@ void ImproveMoved(Untangling& untangling, const Eigen::MatrixXd& before, const P
     marked[point] = point >= before.rows() || solid.Points.row(point) != before.row(point);
   }
   const Eigen::VectorXd sizes = ComputeLogarithmicSizes(solid);
-  const std::vector<std::vector<int>> patches = FindPatches(untangling, marked);
+  const std::vector<std::vector<int>> patches =
+    FindMovablePatches(solid, marked, [&](int point) { return untangling.IsMovable(point); });
   PatchOptions options;
   options.FurtherSteps = 20;
   for (std::size_t i = 0; i < patches.size(); ++i)
@@ -370,7 +234,7 @@ int ReduceAndExpand(
     const ConeExpansionResult expanded =
       ExpandInverted(solid, expansion, part.Part(0.4, 0.9, "placing points by exact tests"));
     untangling.Expansions += expanded.Expansions;
-    left = static_cast<int>(FindInvertedCells(solid).size());
+    left = static_cast<int>(FindInverted(solid).size());
     ImproveMoved(untangling, before, part.Part(0.9, 1.0, "improving the cells"));
     if (left == 0)
     {
@@ -423,7 +287,7 @@ UntangleResult BuildResult(Untangling& untangling)
   result.Provenance = provenance.Finish(
     Eigen::Map<const Eigen::VectorXi>(solid.OriginalCells.data(), solid.CellCount()));
   result.Inverted = Eigen::VectorXi::Zero(solid.CellCount());
-  for (const int cell : FindInvertedCells(solid))
+  for (const int cell : FindInverted(solid))
   {
     result.Inverted(cell) = 1;
   }
@@ -462,7 +326,7 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
     RequireExtent(rest, "the RestShape");
   }
   Untangling best = BeginUntangling(cells, rest, options);
-  const auto invertedBefore = static_cast<int>(FindInvertedCells(best.Solid).size());
+  const auto invertedBefore = static_cast<int>(FindInverted(best.Solid).size());
   const bool isRefined = options.Refine != RefineType::None;
   const Progress untangling = progress.Part(0.0, isRefined ? 0.6 : 1.0);
   int left = 0;
@@ -541,7 +405,7 @@ UntangleResult ComputeFoldFreeMap(const Cells& domain, const Eigen::MatrixXd& mo
   carried.Points = moved;
   // The user asks for the cells that the map inverts, not for those left by the exact boundary.
   solid.Points = moved;
-  const auto invertedBefore = static_cast<int>(FindInvertedCells(solid).size());
+  const auto invertedBefore = static_cast<int>(FindInverted(solid).size());
   const double farthest = OnSurface * ComputeLongestBoxEdge(boundary);
   for (std::size_t i = 0; i < outer.size(); ++i)
   {

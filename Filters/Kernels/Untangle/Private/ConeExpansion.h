@@ -1,30 +1,11 @@
 #pragma once
 
 #include "Base/Progress.h"
+#include "Untangle/Private/ConeExpansionOptions.h"
 #include "Untangle/Private/SolidCells.h"
-
-#include <vector>
 
 namespace shape
 {
-
-struct ConeExpansionOptions
-{
-  bool SplitCells = true; ///< if false, no point is inserted
-  /// Maximum number of inserted points, as a multiple of the number of points of the cluster
-  double MaximumSplits = 0.5;
-  /// Maximum number of faces in all linear programmes and tests of topology, which take most of the
-  /// time.
-  double MaximumWork = 6e6;
-  /// How often a cluster that does not expand is enlarged and expanded again.
-  int MaximumAttempts = 16;
-};
-
-struct ConeExpansionResult
-{
-  int Splits = 0;     ///< number of points that were inserted
-  int Expansions = 0; ///< number of points that were moved out of a cluster
-};
 
 /**
  * Makes inverted tetrahedra positive by exact tests, with inserted points where positions alone do

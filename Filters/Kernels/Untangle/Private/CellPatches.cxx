@@ -1,0 +1,147 @@
+#include "Untangle/Private/CellPatches.h"
+
+#include "Geometry/Orientation.h"
+#include "Untangle/EllipticEnergy.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace shape
+{
+
+std::vector<int> FindInverted(SolidCells& solid, const Progress& progress)
+{
+  std::vector<int> inverted;
+  for (int cell = 0; cell < solid.CellCount(); ++cell)
+  {
+    if (cell % 16384 == 0)
+    {
+      progress(static_cast<double>(cell) / solid.CellCount());
+    }
+    if (solid.Inverted(cell))
+    {
+      inverted.push_back(cell);
+    }
+  }
+  return inverted;
+}
+
+std::vector<char> MarkAroundInverted(SolidCells& solid, int rings)
+{
+  std::vector<char> marked(solid.PointCount(), 0);
+  const auto mark = [&](int cell, std::vector<int>& fresh)
+  {
+    for (const int point : solid.PointsOf(cell))
+    {
+      if (!marked[point])
+      {
+        marked[point] = 1;
+        fresh.push_back(point);
+      }
+    }
+  };
+  std::vector<int> front;
+  for (const int cell : FindInverted(solid))
+  {
+    mark(cell, front);
+  }
+  for (int ring = 1; ring < rings; ++ring)
+  {
+    std::vector<int> next;
+    for (const int point : front)
+    {
+      for (const int cell : solid.CellsOf(point))
+      {
+        mark(cell, next);
+      }
+    }
+    front = std::move(next);
+  }
+  return marked;
+}
+
+std::vector<std::vector<int>> FindMovablePatches(
+  const SolidCells& solid, const std::vector<char>& marked, const std::function<bool(int)>& movable)
+{
+  std::vector<char> taken(solid.PointCount(), 0);
+  const auto take = [&](int point, std::vector<int>& patch)
+  {
+    if (marked[point] && movable(point) && !taken[point])
+    {
+      taken[point] = 1;
+      patch.push_back(point);
+    }
+  };
+  std::vector<std::vector<int>> patches;
+  for (int first = 0; first < solid.PointCount(); ++first)
+  {
+    std::vector<int> patch;
+    take(first, patch);
+    for (std::size_t i = 0; i < patch.size(); ++i)
+    {
+      for (const int cell : solid.CellsOf(patch[i]))
+      {
+        for (const int point : solid.PointsOf(cell))
+        {
+          take(point, patch);
+        }
+      }
+    }
+    if (!patch.empty())
+    {
+      std::sort(patch.begin(), patch.end());
+      patches.push_back(std::move(patch));
+    }
+  }
+  return patches;
+}
+
+SimplexPatch BuildPatch(
+  SolidCells& solid, const std::vector<int>& points, const Eigen::VectorXd& sizes)
+{
+  SimplexPatch patch;
+  patch.FreePoints = points;
+  std::vector<int> cells;
+  for (const int point : points)
+  {
+    const std::vector<int>& around = solid.CellsOf(point);
+    cells.insert(cells.end(), around.begin(), around.end());
+  }
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  for (const int cell : cells)
+  {
+    const auto simplices = solid.SimplicesOf(cell);
+    for (std::size_t k = 0; k < simplices.size(); ++k)
+    {
+      const std::array<int, 4>& corners = simplices[k];
+      if (std::none_of(corners.begin(), corners.end(),
+            [&](int point) { return std::binary_search(points.begin(), points.end(), point); }))
+      {
+        continue;
+      }
+      double size = 0.0;
+      for (const int point : corners)
+      {
+        size += 0.25 * sizes(point);
+      }
+      patch.Simplices.push_back({ corners,
+        ComputeHatGradients(solid.Reference(cell, static_cast<int>(k), std::exp(size))) });
+    }
+  }
+  return patch;
+}
+
+int CountNegative(const SimplexPatch& patch, const Eigen::MatrixXd& x)
+{
+  return static_cast<int>(std::count_if(patch.Simplices.begin(), patch.Simplices.end(),
+    [&](const ReferenceSimplex& simplex)
+    {
+      const std::array<int, 4>& c = simplex.Corners;
+      return EvaluateOrientation(x.row(c[0]), x.row(c[1]), x.row(c[2]), x.row(c[3])) <= 0;
+    }));
+}
+
+} // namespace shape

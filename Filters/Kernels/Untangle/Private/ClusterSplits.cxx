@@ -1,0 +1,310 @@
+#include "Untangle/Private/ClusterSplits.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace shape
+{
+namespace
+{
+
+/// Faces around a position, as seen from there towards the centre of one of them, the seed.
+class FaceView
+{
+public:
+  FaceView(const Eigen::MatrixXd& points, const Eigen::RowVector3d& eye,
+    const std::vector<StarFace>& faces, std::size_t seed)
+    : Points(points)
+    , Eye(eye)
+    , Faces(faces)
+    , Seed(seed)
+  {
+    const Eigen::Vector3d a = this->FindDirection(faces[seed][0]),
+                          b = this->FindDirection(faces[seed][1]),
+                          c = this->FindDirection(faces[seed][2]);
+    this->View = a + b + c;
+    this->Sign = this->View.dot(a.cross(b)) > 0.0 ? 1.0 : -1.0;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        this->FaceAt[{ faces[i][k], faces[i][(k + 1) % 3] }] = i;
+      }
+    }
+  }
+
+  /// Returns the points of a star-shaped set of faces, which grows from the seed over common edges.
+  std::set<int> FindSeen() const
+  {
+    const StarFace& first = this->Faces[this->Seed];
+    std::set<int> seen(first.begin(), first.end());
+    std::vector<char> taken(this->Faces.size(), 0);
+    taken[this->Seed] = 1;
+    std::vector<std::size_t> front = { this->Seed };
+    while (!front.empty())
+    {
+      const StarFace& face = this->Faces[front.back()];
+      front.pop_back();
+      for (int k = 0; k < 3; ++k)
+      {
+        const std::pair<int, int> edge(face[(k + 1) % 3], face[k]);
+        const auto next = this->FaceAt.find(edge);
+        if (next == this->FaceAt.end() || taken[next->second] ||
+          !this->IsTurnedTo(next->second, edge))
+        {
+          continue;
+        }
+        taken[next->second] = 1;
+        seen.insert(this->Faces[next->second].begin(), this->Faces[next->second].end());
+        front.push_back(next->second);
+      }
+    }
+    return seen;
+  }
+
+private:
+  Eigen::Vector3d FindDirection(int point) const
+  {
+    return (this->Points.row(point) - this->Eye).normalized().transpose();
+  }
+
+  /// Whether the edges of a face, except the given one, run around the view like those of the seed.
+  bool IsTurnedTo(std::size_t index, const std::pair<int, int>& except) const
+  {
+    const StarFace& face = this->Faces[index];
+    for (int k = 0; k < 3; ++k)
+    {
+      const int a = face[k], b = face[(k + 1) % 3];
+      if (std::pair<int, int>(a, b) != except &&
+        !(this->Sign * this->View.dot(this->FindDirection(a).cross(this->FindDirection(b))) > 0.0))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  const Eigen::MatrixXd& Points;
+  Eigen::RowVector3d Eye;
+  const std::vector<StarFace>& Faces;
+  std::size_t Seed;
+  Eigen::Vector3d View;
+  double Sign = 1.0;
+  std::map<std::pair<int, int>, std::size_t> FaceAt; ///< by edges, in the order of a face
+};
+
+} // namespace
+
+bool ClusterSplits::Cut::operator<(const Cut& other) const
+{
+  // Given points first: if new points were split again and again, there would be no end.
+  return std::tie(this->Generation, this->Hidden, this->Point) <
+    std::tie(other.Generation, other.Hidden, other.Point);
+}
+
+std::optional<PointExit> ClusterSplits::FindExitByPulling(const Progress& progress)
+{
+  constexpr std::size_t maximumTrials = 8;
+  std::vector<Cut> cuts = this->FindCuts(true, progress);
+  cuts.resize(std::min(cuts.size(), maximumTrials));
+  for (const Cut& cut : cuts)
+  {
+    if (const std::optional<PointExit> exit = this->TryPulling(cut, progress))
+    {
+      return exit;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<PointExit> ClusterSplits::FindExitByParts(const Progress& progress)
+{
+  for (const Cut& cut : this->FindCuts(false, progress))
+  {
+    if (const std::optional<PointExit> exit = this->TryParts(cut))
+    {
+      return exit;
+    }
+  }
+  return std::nullopt;
+}
+
+ClusterSplits::Cut ClusterSplits::FindCut(int point) const
+{
+  const std::vector<StarFace> faces = this->Cluster.FindOuterFacesAround(point);
+  Cut best;
+  for (std::size_t seed = 0; seed < faces.size(); ++seed)
+  {
+    const std::size_t hidden = this->FindHidden(point, faces, seed, true).size();
+    if (best.Point < 0 || hidden < best.Hidden)
+    {
+      best = { this->GetGeneration(point), hidden, point, seed };
+    }
+  }
+  return best;
+}
+
+std::vector<ClusterSplits::Cut> ClusterSplits::FindCuts(
+  bool onlyPeelable, const Progress& progress) const
+{
+  std::vector<Cut> cuts;
+  for (const int point : this->Cluster.Points())
+  {
+    progress(0.0);
+    if (onlyPeelable && !this->Cluster.IsPeelable(point))
+    {
+      continue;
+    }
+    const Cut cut = this->FindCut(point);
+    if (cut.Point >= 0)
+    {
+      cuts.push_back(cut);
+    }
+  }
+  std::sort(cuts.begin(), cuts.end());
+  return cuts;
+}
+
+/// Returns the points around `point` outside the cluster that are not in the part of `faces` which
+/// is star-shaped as seen towards the centre of face `seed`; or in that face alone, unless isGrown.
+std::vector<int> ClusterSplits::FindHidden(
+  int point, const std::vector<StarFace>& faces, std::size_t seed, bool isGrown) const
+{
+  const std::set<int> seen = isGrown
+    ? FaceView(this->Cluster.Solid.Points, this->Cluster.GetPosition(), faces, seed).FindSeen()
+    : std::set<int>(faces[seed].begin(), faces[seed].end());
+  std::vector<int> hidden;
+  for (const int other : this->Cluster.FindNeighbours(point))
+  {
+    if (!this->Cluster.IsIn(other) && !seen.count(other))
+    {
+      hidden.push_back(other);
+    }
+  }
+  return hidden;
+}
+
+/// Inserts a point of the cluster into an edge from one of its points.
+int ClusterSplits::SplitSpoke(int point, int end)
+{
+  const int middle = this->Cluster.Solid.Split({ point, end });
+  this->Cluster.Add(middle);
+  this->Generations.resize(this->Cluster.Solid.PointCount(), 0);
+  this->Generations[middle] = this->Generations[point] + 1;
+  this->Cluster.Solid.Points.row(middle) = this->Cluster.GetPosition();
+  this->Cluster.ForgetMoves(middle);
+  return middle;
+}
+
+std::optional<PointExit> ClusterSplits::TryPulling(const Cut& cut, const Progress& progress)
+{
+  constexpr int rounds = 3;
+  const Eigen::MatrixXd& x = this->Cluster.Solid.Points;
+  const StarFace face = this->Cluster.FindOuterFacesAround(cut.Point)[cut.Seed];
+  const Eigen::RowVector3d to =
+    (x.row(face[0]) + x.row(face[1]) + x.row(face[2])) / 3.0 - this->Cluster.GetPosition();
+  std::vector<int> pulled;
+  for (int round = 0; round < rounds; ++round)
+  {
+    progress(0.0);
+    const Cut best = this->FindCut(cut.Point);
+    if (best.Point < 0)
+    {
+      break;
+    }
+    this->PullIntoSpokes(cut.Point, best.Seed, pulled);
+    this->PullAway(cut.Point, to, pulled);
+    const StarPlacement placement = this->Cluster.FindPlacement(cut.Point);
+    if (placement.IsValid)
+    {
+      return PointExit{ cut.Point, placement.Position };
+    }
+  }
+  return std::nullopt;
+}
+
+/// Splits the edges to the points that are hidden from face `seed`. New points that can leave the
+/// cluster do so, and are appended.
+void ClusterSplits::PullIntoSpokes(int point, std::size_t seed, std::vector<int>& pulled)
+{
+  const std::vector<StarFace> faces = this->Cluster.FindOuterFacesAround(point);
+  for (const int end : this->FindHidden(point, faces, seed, true))
+  {
+    if (!this->Cluster.CanSplit({ point, end }))
+    {
+      continue;
+    }
+    const int middle = this->SplitSpoke(point, end);
+    const StarPlacement placement = this->Cluster.FindPlacement(middle);
+    if (placement.IsValid)
+    {
+      this->Cluster.Release({ middle }, 0);
+      this->Cluster.Solid.Points.row(middle) = placement.Position;
+      pulled.push_back(middle);
+    }
+  }
+}
+
+/// Moves the pulled points to the centres of their kernels, as if the point had left in direction
+/// `to`.
+void ClusterSplits::PullAway(
+  int point, const Eigen::RowVector3d& to, const std::vector<int>& pulled)
+{
+  constexpr int sweeps = 5;
+  Eigen::MatrixXd& x = this->Cluster.Solid.Points;
+  this->Cluster.Pretend(point, false);
+  x.row(point) = this->Cluster.GetPosition() + 0.1 * to;
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+  {
+    for (const int middle : pulled)
+    {
+      const StarPlacement placement = this->Cluster.FindPlacement(middle);
+      if (placement.IsValid)
+      {
+        x.row(middle) = placement.Position;
+      }
+    }
+  }
+  this->Cluster.Pretend(point, true);
+  x.row(point) = this->Cluster.GetPosition();
+  this->Cluster.ForgetMoves(point);
+  for (const int middle : pulled)
+  {
+    this->Cluster.ForgetMoves(middle);
+  }
+}
+
+std::optional<PointExit> ClusterSplits::TryParts(const Cut& cut)
+{
+  const int point = cut.Point;
+  const std::vector<StarFace> faces = this->Cluster.FindOuterFacesAround(point);
+  for (const bool isGrown : { true, false })
+  {
+    const std::vector<int> hidden = this->FindHidden(point, faces, cut.Seed, isGrown);
+    const bool canSplit = std::all_of(hidden.begin(), hidden.end(),
+      [&](int end) {
+        return this->Cluster.CanSplit({ point, end });
+      });
+    if (!canSplit || !this->Cluster.FindPlacementIfJoined(point, hidden).IsValid)
+    {
+      continue;
+    }
+    for (const int end : hidden)
+    {
+      this->SplitSpoke(point, end);
+    }
+    const StarPlacement placement = this->Cluster.FindPlacement(point);
+    if (placement.IsValid)
+    {
+      return PointExit{ point, placement.Position };
+    }
+  }
+  return std::nullopt;
+}
+
+} // namespace shape

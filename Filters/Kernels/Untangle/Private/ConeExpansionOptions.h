@@ -1,0 +1,25 @@
+#pragma once
+
+namespace shape
+{
+
+/// Limits of ExpandInverted.
+struct ConeExpansionOptions
+{
+  bool SplitCells = true; ///< if false, no point is inserted
+  /// Maximum number of inserted points, as a multiple of the number of points of the cluster
+  double MaximumSplits = 0.5;
+  /// Maximum number of faces in all linear programmes and tests of topology, which take most of the
+  /// time.
+  double MaximumWork = 6e6;
+  /// How often a cluster that does not expand is enlarged and expanded again.
+  int MaximumAttempts = 16;
+};
+
+struct ConeExpansionResult
+{
+  int Splits = 0;     ///< number of points that were inserted
+  int Expansions = 0; ///< number of points that were moved out of a cluster
+};
+
+} // namespace shape
