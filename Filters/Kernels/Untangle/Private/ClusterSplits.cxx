@@ -257,8 +257,9 @@ void ClusterSplits::PullAway(
 {
   constexpr int sweeps = 5;
   Eigen::MatrixXd& x = this->Cluster.Solid.Points;
+  const Eigen::RowVector3d position = this->Cluster.GetPosition();
   this->Cluster.Pretend(point, false);
-  x.row(point) = this->Cluster.GetPosition() + 0.1 * to;
+  x.row(point) = position + 0.1 * to;
   for (int sweep = 0; sweep < sweeps; ++sweep)
   {
     for (const int middle : pulled)
@@ -271,7 +272,7 @@ void ClusterSplits::PullAway(
     }
   }
   this->Cluster.Pretend(point, true);
-  x.row(point) = this->Cluster.GetPosition();
+  x.row(point) = position;
   this->Cluster.ForgetMoves(point);
   for (const int middle : pulled)
   {
