@@ -7,7 +7,6 @@
 #include "Correspondence/Consistent/Private/PairCandidates.h"
 #include "Correspondence/Consistent/Private/ShapeGraph.h"
 #include "Correspondence/Correspondence.h"
-#include "Correspondence/Evaluate/InvertMap.h"
 #include "Correspondence/Landmarks/LandmarkCandidates.h"
 #include "Correspondence/Pair/CoarsePair.h"
 #include "Correspondence/Pair/MatchingInput.h"
@@ -123,13 +122,6 @@ SurfaceMaps IdentityMaps(const Surface& surface)
   return { same, same };
 }
 
-/// From the positions of the template's points on a shape.
-SurfaceMaps WithInverse(const Surface& shape, const Surface& base, SurfacePoints onShape)
-{
-  SurfacePoints inverse = InvertMap(base, onShape, shape);
-  return { std::move(inverse), std::move(onShape) };
-}
-
 EmbeddedSurface Embed(const Surface& surface, const Progress& progress)
 {
   return { surface,
@@ -160,43 +152,49 @@ SurfaceMaps Smooth(const EmbeddedSurface& a, const EmbeddedSurface& b, const Sur
     : maps;
 }
 
-/// The positions of the template's points on each shape, of which each process finds some. Those on
-/// the template itself are empty.
-std::vector<SurfacePoints> SharePositions(std::size_t shapes, std::size_t central,
-  Eigen::Index points, const PairSharing& sharing,
-  const std::function<SurfacePoints(std::size_t)>& map)
+/// Sums up positions that one process knows.
+void Share(const PairSharing& sharing, Eigen::Index count, SurfacePoints& positions)
 {
-  std::vector<SurfacePoints> positions(shapes);
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(count, 4);
+  if (positions.Triangles.size() > 0)
+  {
+    rows << positions.Triangles.cast<double>(), positions.Barycentrics;
+  }
+  sharing.Sum(rows.data(), static_cast<int>(rows.size()));
+  positions = { rows.col(0).cast<int>(), rows.rightCols(3) };
+}
+
+/// The maps of each shape and the template, of which each process finds some. That of the template
+/// itself is the identity.
+std::vector<SurfaceMaps> ShareMaps(const std::vector<Surface>& shapes, const Surface& base,
+  std::size_t central, const PairSharing& sharing,
+  const std::function<SurfaceMaps(std::size_t)>& map)
+{
+  std::vector<SurfaceMaps> maps(shapes.size());
   const auto mapAll = [&]
   {
-    for (std::size_t i = 0; i < shapes; ++i)
+    for (std::size_t i = 0; i < shapes.size(); ++i)
     {
       if (i != central && static_cast<int>(i) % sharing.Processes == sharing.Process)
       {
-        positions[i] = map(i);
+        maps[i] = map(i);
       }
     }
   };
-  if (sharing.Processes == 1)
+  sharing.Processes > 1 ? sharing.Run(mapAll) : mapAll();
+  for (std::size_t i = 0; i < shapes.size(); ++i)
   {
-    mapAll();
-    return positions;
-  }
-  sharing.Run(mapAll);
-  for (std::size_t i = 0; i < shapes; ++i)
-  {
-    if (i != central)
+    if (i == central)
     {
-      Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(points, 4);
-      if (positions[i].Triangles.size() > 0)
-      {
-        rows << positions[i].Triangles.cast<double>(), positions[i].Barycentrics;
-      }
-      sharing.Sum(rows.data(), static_cast<int>(rows.size()));
-      positions[i] = { rows.col(0).cast<int>(), rows.rightCols(3) };
+      maps[i] = IdentityMaps(base);
+    }
+    else if (sharing.Processes > 1)
+    {
+      Share(sharing, shapes[i].Points().rows(), maps[i].AToB);
+      Share(sharing, base.Points().rows(), maps[i].BToA);
     }
   }
-  return positions;
+  return maps;
 }
 
 /// Each shape is matched with the template alone. numbered: of each shape, and of a given template.
@@ -220,21 +218,14 @@ ConsistentMaps MatchWithTemplate(const std::vector<Surface>& shapes, const Surfa
   }
   const Surface& target = base ? *base : shapes[result.Template];
   const std::size_t central = base ? shapes.size() : result.Template;
-  const std::vector<SurfacePoints> positions =
-    SharePositions(shapes.size(), central, target.Points().rows(), sharing,
-      [&](std::size_t i)
-      {
-        return MapPair(shapes[i], target, FindCommonLandmarks(numbered[i], numbered[central]),
-          options,
-          progress.Part(0.1 + 0.9 * PartOf(i, shapes.size()),
-            0.1 + 0.9 * PartOf(i + 1, shapes.size()), "mapping the shapes"))
-          .BToA;
-      });
-  for (std::size_t i = 0; i < shapes.size(); ++i)
-  {
-    result.Maps.push_back(
-      i == central ? IdentityMaps(target) : WithInverse(shapes[i], target, positions[i]));
-  }
+  result.Maps = ShareMaps(shapes, target, central, sharing,
+    [&](std::size_t i)
+    {
+      return MapPair(shapes[i], target, FindCommonLandmarks(numbered[i], numbered[central]),
+        options,
+        progress.Part(0.1 + 0.9 * PartOf(i, shapes.size()),
+          0.1 + 0.9 * PartOf(i + 1, shapes.size()), "mapping the shapes"));
+    });
   result.Disagreements = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(shapes.size()));
   return result;
 }
@@ -342,28 +333,20 @@ ConsistentMaps ComputeConsistentMaps(const std::vector<Surface>& shapes, const S
   const EmbeddedSurface embedded = isSmoothed
     ? Embed(surfaces[central].Working(), progress.Part(0.75, 0.76, "mapping the shapes"))
     : EmbeddedSurface{};
-  const std::vector<SurfacePoints> positions =
-    SharePositions(shapes.size(), central, fine[central].Points().rows(), sharing,
-      [&](std::size_t i)
-      {
-        const Progress part = progress.Part(0.76 + 0.14 * PartOf(i, shapes.size()),
-          0.76 + 0.14 * PartOf(i + 1, shapes.size()), "mapping the shapes");
-        const Landmarks landmarks = FindCommonLandmarks(onWorking[i], onWorking[central]);
-        const SurfaceMaps maps =
-          RefineForPair(matched, samples, frames, i, central, landmarks, part.Part(0.0, 0.4));
-        const CoarsePair pair(surfaces[i], surfaces[central]);
-        return isSmoothed
-          ? pair
-              .OnFine(Smooth(Embed(surfaces[i].Working(), part.Part(0.4, 0.5)), embedded, maps,
-                landmarks, part.Part(0.5, 1.0)))
-              .BToA
-          : RefineReversibleHarmonicMap(pair, maps, landmarks, {}, part.Part(0.4, 1.0)).Maps.BToA;
-      });
-  for (std::size_t i = 0; i < shapes.size(); ++i)
-  {
-    result.Maps.push_back(
-      i == central ? IdentityMaps(fine[i]) : WithInverse(fine[i], fine[central], positions[i]));
-  }
+  result.Maps = ShareMaps(shapes, fine[central], central, sharing,
+    [&](std::size_t i)
+    {
+      const Progress part = progress.Part(0.76 + 0.14 * PartOf(i, shapes.size()),
+        0.76 + 0.14 * PartOf(i + 1, shapes.size()), "mapping the shapes");
+      const Landmarks landmarks = FindCommonLandmarks(onWorking[i], onWorking[central]);
+      const SurfaceMaps maps =
+        RefineForPair(matched, samples, frames, i, central, landmarks, part.Part(0.0, 0.4));
+      const CoarsePair pair(surfaces[i], surfaces[central]);
+      return isSmoothed
+        ? pair.OnFine(Smooth(Embed(surfaces[i].Working(), part.Part(0.4, 0.5)), embedded, maps,
+            landmarks, part.Part(0.5, 1.0)))
+        : RefineReversibleHarmonicMap(pair, maps, landmarks, {}, part.Part(0.4, 1.0)).Maps;
+    });
   const Progress measuring = progress.Part(0.9, 1.0, "measuring cycles");
   const std::vector<std::array<int, 3>> triples = FindTriples(pairs);
   result.Triples = static_cast<int>(triples.size());

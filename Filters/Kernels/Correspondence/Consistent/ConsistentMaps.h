@@ -29,8 +29,8 @@ struct ConsistentPair
 struct ConsistentMaps
 {
   int Template = -1; ///< number of the shape that is the template, -1 if it was given
-  /// For each shape: BToA are the positions of the template's points on the shape, AToB the images
-  /// of its points on the template (InvertMap of BToA).
+  /// For each shape: AToB are the images of its points on the template, BToA the positions of the
+  /// template's points on it. They are nearly inverse to each other.
   std::vector<SurfaceMaps> Maps;
   std::vector<ConsistentPair> Pairs; ///< with LimitShape
   /// For each shape, the mean Disagreement of its pairs that were kept; 0 with None.
