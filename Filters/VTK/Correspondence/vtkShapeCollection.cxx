@@ -406,7 +406,7 @@ void vtkShapeCollection::Execute(const shape::Progress& progress)
       surfaces, given ? &base : nullptr, this->MapOptions, sharing, progress.Part(0.05, 0.8));
     for (std::size_t i = 0; i < shapes.size(); ++i)
     {
-      shapes[i].Images = maps.Maps[i].AToB;
+      shapes[i].Images = maps.SmoothImages[i]; // operators need derivatives
     }
     nearest = maps.Template;
   }
@@ -434,6 +434,10 @@ void vtkShapeCollection::Execute(const shape::Progress& progress)
         : given            ? 0.05
                            : 0.5,
       1.0));
+  for (std::size_t i = 0; computed && i < shapes.size(); ++i)
+  {
+    shapes[i].Images = maps.Maps[i].AToB;
+  }
 
   if (this->GetController() && this->GetController()->GetLocalProcessId() != 0)
   {

@@ -7,6 +7,7 @@
 #include "Correspondence/Consistent/Private/PairCandidates.h"
 #include "Correspondence/Consistent/Private/ShapeGraph.h"
 #include "Correspondence/Correspondence.h"
+#include "Correspondence/Evaluate/InvertMap.h"
 #include "Correspondence/Landmarks/LandmarkCandidates.h"
 #include "Correspondence/Pair/CoarsePair.h"
 #include "Correspondence/Pair/MatchingInput.h"
@@ -122,6 +123,29 @@ SurfaceMaps IdentityMaps(const Surface& surface)
   return { same, same };
 }
 
+/// Returns the positions of the template's points on a shape, and their inverse. Where parts of the
+/// shape touch, the inverse may take a point to the wrong part, far from its image in the given
+/// map: that image is kept there.
+SurfaceMaps WithInverse(const Surface& shape, const Surface& base, SurfaceMaps maps)
+{
+  constexpr double far = 0.1; // of the root of the area
+  const double root = std::sqrt(ComputePointAreas(base).sum());
+  const SurfacePoints inverse = InvertMap(base, maps.BToA, shape);
+  const Eigen::VectorXd apart = (PullBack(inverse, base.Triangles(), base.Points()) -
+    PullBack(maps.AToB, base.Triangles(), base.Points()))
+                                  .rowwise()
+                                  .norm();
+  for (Eigen::Index point = 0; point < apart.size(); ++point)
+  {
+    if (apart(point) <= far * root)
+    {
+      maps.AToB.Triangles(point) = inverse.Triangles(point);
+      maps.AToB.Barycentrics.row(point) = inverse.Barycentrics.row(point);
+    }
+  }
+  return maps;
+}
+
 EmbeddedSurface Embed(const Surface& surface, const Progress& progress)
 {
   return { surface,
@@ -197,6 +221,16 @@ std::vector<SurfaceMaps> ShareMaps(const std::vector<Surface>& shapes, const Sur
   return maps;
 }
 
+void SetMaps(const std::vector<Surface>& shapes, const Surface& base, std::size_t central,
+  const std::vector<SurfaceMaps>& maps, ConsistentMaps& result)
+{
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+  {
+    result.SmoothImages.push_back(maps[i].AToB);
+    result.Maps.push_back(i == central ? maps[i] : WithInverse(shapes[i], base, maps[i]));
+  }
+}
+
 /// Each shape is matched with the template alone. numbered: of each shape, and of a given template.
 ConsistentMaps MatchWithTemplate(const std::vector<Surface>& shapes, const Surface* base,
   const std::vector<NumberedPoints>& numbered, const Options& options, const PairSharing& sharing,
@@ -218,7 +252,7 @@ ConsistentMaps MatchWithTemplate(const std::vector<Surface>& shapes, const Surfa
   }
   const Surface& target = base ? *base : shapes[result.Template];
   const std::size_t central = base ? shapes.size() : result.Template;
-  result.Maps = ShareMaps(shapes, target, central, sharing,
+  const std::vector<SurfaceMaps> maps = ShareMaps(shapes, target, central, sharing,
     [&](std::size_t i)
     {
       return MapPair(shapes[i], target, FindCommonLandmarks(numbered[i], numbered[central]),
@@ -226,6 +260,7 @@ ConsistentMaps MatchWithTemplate(const std::vector<Surface>& shapes, const Surfa
         progress.Part(0.1 + 0.9 * PartOf(i, shapes.size()),
           0.1 + 0.9 * PartOf(i + 1, shapes.size()), "mapping the shapes"));
     });
+  SetMaps(shapes, target, central, maps, result);
   result.Disagreements = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(shapes.size()));
   return result;
 }
@@ -333,7 +368,7 @@ ConsistentMaps ComputeConsistentMaps(const std::vector<Surface>& shapes, const S
   const EmbeddedSurface embedded = isSmoothed
     ? Embed(surfaces[central].Working(), progress.Part(0.75, 0.76, "mapping the shapes"))
     : EmbeddedSurface{};
-  result.Maps = ShareMaps(shapes, fine[central], central, sharing,
+  const std::vector<SurfaceMaps> onTemplate = ShareMaps(shapes, fine[central], central, sharing,
     [&](std::size_t i)
     {
       const Progress part = progress.Part(0.76 + 0.14 * PartOf(i, shapes.size()),
@@ -347,6 +382,7 @@ ConsistentMaps ComputeConsistentMaps(const std::vector<Surface>& shapes, const S
             landmarks, part.Part(0.5, 1.0)))
         : RefineReversibleHarmonicMap(pair, maps, landmarks, {}, part.Part(0.4, 1.0)).Maps;
     });
+  SetMaps(shapes, fine[central], central, onTemplate, result);
   const Progress measuring = progress.Part(0.9, 1.0, "measuring cycles");
   const std::vector<std::array<int, 3>> triples = FindTriples(pairs);
   result.Triples = static_cast<int>(triples.size());

@@ -29,9 +29,12 @@ struct ConsistentPair
 struct ConsistentMaps
 {
   int Template = -1; ///< number of the shape that is the template, -1 if it was given
-  /// For each shape: AToB are the images of its points on the template, BToA the positions of the
-  /// template's points on it. They are nearly inverse to each other.
+  /// For each shape: BToA are the positions of the template's points on the shape, AToB the images
+  /// of its points on the template, the inverse of BToA (InvertMap).
   std::vector<SurfaceMaps> Maps;
+  /// For each shape, the images of its points on the template by a map that is nearly the inverse
+  /// of BToA and smooth, also where parts of the shape touch. Derivatives need it.
+  std::vector<SurfacePoints> SmoothImages;
   std::vector<ConsistentPair> Pairs; ///< with LimitShape
   /// For each shape, the mean Disagreement of its pairs that were kept; 0 with None.
   Eigen::VectorXd Disagreements;
