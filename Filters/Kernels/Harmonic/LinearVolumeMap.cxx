@@ -32,9 +32,7 @@ void RequireRows(
 
 Eigen::MatrixXd WithOnes(const Eigen::MatrixXd& points)
 {
-  Eigen::MatrixXd rows(points.rows(), 4);
-  rows << points, Eigen::VectorXd::Ones(points.rows());
-  return rows;
+  return points.rowwise().homogeneous();
 }
 
 } // namespace

@@ -100,10 +100,9 @@ std::vector<int> FarApartLargest(
   return chosen;
 }
 
-/// Returns four points that span space, if any do, and more around the box.
+/// Returns up to `count` different points: the first one, and repeatedly the farthest from those.
 std::vector<int> FirstCentres(const Eigen::MatrixXd& points, int count)
 {
-  // Farthest points, from the first on.
   std::vector<int> chosen = { 0 };
   Eigen::VectorXd distances = (points.rowwise() - points.row(0)).rowwise().squaredNorm();
   while (static_cast<int>(chosen.size()) < count)

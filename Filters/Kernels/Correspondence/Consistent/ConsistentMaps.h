@@ -60,7 +60,7 @@ struct ConsistentMaps
  * the functional map of each shape onto the template, over the latent functions, is refined for
  * this pair alone (RefineByZoomOut). The map between two shapes is the way over the template: to
  * the image of a point, and to the position whose image is there (MapInverse). So maps around
- * cycles agree as far as each map is one to one.
+ * cycles agree where each map is one to one.
  *
  * shapes: surfaces that RequireConnected accepts. base: the template, or null: then it is the shape
  * whose products of latent functions (Y' Y and Y' L Y, with the eigenvalues L) differ least from

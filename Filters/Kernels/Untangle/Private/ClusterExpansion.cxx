@@ -52,7 +52,6 @@ bool ClusterExpansion::Expand(
     {
       if (!this->SelectNext())
       {
-        result.Splits += inserted;
         return true;
       }
       continue;

@@ -13,15 +13,6 @@ namespace shape
 namespace
 {
 
-/// Whether a point is not on the boundary and has only tetrahedra around it.
-bool CanJoin(const SolidCells& solid, int point)
-{
-  const std::vector<int>& around = solid.CellsOf(point);
-  return !solid.OnBoundary(point) &&
-    std::all_of(
-      around.begin(), around.end(), [&](int cell) { return solid.PointsOf(cell).size() == 4; });
-}
-
 /// Returns the inner points of an inverted tetrahedron and of those connected to it by such points.
 /// All these tetrahedra count as tried.
 std::vector<int> CollectCluster(SolidCells& solid, int first, std::vector<char>& tried)
@@ -35,7 +26,7 @@ std::vector<int> CollectCluster(SolidCells& solid, int first, std::vector<char>&
     cells.pop_back();
     for (const int point : solid.PointsOf(cell))
     {
-      if (taken[point] || !CanJoin(solid, point))
+      if (taken[point] || !PointCluster::IsMovable(solid, point))
       {
         continue;
       }

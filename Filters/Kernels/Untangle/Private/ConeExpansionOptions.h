@@ -18,7 +18,6 @@ struct ConeExpansionOptions
 
 struct ConeExpansionResult
 {
-  int Splits = 0;     ///< number of points that were inserted
   int Expansions = 0; ///< number of points that were moved out of a cluster
 };
 

@@ -1,9 +1,10 @@
 #include "Untangle/Private/PointCluster.h"
 
+#include "Base/DisjointSets.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
-#include <map>
 #include <utility>
 
 namespace shape
@@ -35,45 +36,6 @@ std::vector<std::vector<int>> FindSimplicesAmong(
   return simplices;
 }
 
-/// Disjoint sets of points, as a tree for each set.
-class PointSets
-{
-public:
-  void Add(int point) { this->Parents.emplace(point, point); }
-
-  void Join(int a, int b)
-  {
-    const int root = this->FindRoot(b);
-    this->Parents[this->FindRoot(a)] = root;
-  }
-
-  /// Returns one point of each set.
-  std::vector<int> FindRoots() const
-  {
-    std::vector<int> roots;
-    for (const auto& [point, parent] : this->Parents)
-    {
-      if (point == parent)
-      {
-        roots.push_back(point);
-      }
-    }
-    return roots;
-  }
-
-private:
-  int FindRoot(int point) const
-  {
-    while (this->Parents.at(point) != point)
-    {
-      point = this->Parents.at(point);
-    }
-    return point;
-  }
-
-  std::map<int, int> Parents;
-};
-
 } // namespace
 
 PointCluster::PointCluster(
@@ -88,12 +50,12 @@ PointCluster::PointCluster(
   }
 }
 
-bool PointCluster::IsMovable(int point) const
+bool PointCluster::IsMovable(const SolidCells& solid, int point)
 {
-  const std::vector<int>& cells = this->Solid.CellsOf(point);
-  return !this->Solid.OnBoundary(point) &&
+  const std::vector<int>& cells = solid.CellsOf(point);
+  return !solid.OnBoundary(point) &&
     std::all_of(
-      cells.begin(), cells.end(), [&](int cell) { return this->Solid.PointsOf(cell).size() == 4; });
+      cells.begin(), cells.end(), [&](int cell) { return solid.PointsOf(cell).size() == 4; });
 }
 
 bool PointCluster::CanSplit(const std::vector<int>& simplex) const
@@ -255,13 +217,17 @@ StarPlacement PointCluster::FindPlacement(int point) const
 
 StarPlacement PointCluster::FindPlacementIfJoined(int point, const std::vector<int>& joined)
 {
-  const std::vector<int> kept = this->Ids;
+  std::vector<int> kept;
   for (const int other : joined)
   {
+    kept.push_back(this->Ids[other]);
     this->Ids[other] = this->Id;
   }
   StarPlacement placement = this->FindPlacement(point);
-  this->Ids = kept;
+  for (std::size_t k = 0; k < joined.size(); ++k)
+  {
+    this->Ids[joined[k]] = kept[k];
+  }
   return placement;
 }
 
@@ -269,14 +235,19 @@ bool PointCluster::IsPeelable(int point) const
 {
   const std::vector<StarFace> faces = this->FindAllFacesAround(point);
   this->Work += static_cast<double>(faces.size());
-  PointSets sets;
+  std::vector<int> points;
   for (const StarFace& face : faces)
   {
-    for (const int corner : face)
-    {
-      sets.Add(corner);
-    }
+    points.insert(points.end(), face.begin(), face.end());
   }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  const auto indexOf = [&](int corner)
+  {
+    return static_cast<int>(
+      std::lower_bound(points.begin(), points.end(), corner) - points.begin());
+  };
+  DisjointSets sets(static_cast<int>(points.size()));
   for (const StarFace& face : faces)
   {
     for (int k = 0; k < 3; ++k)
@@ -284,19 +255,23 @@ bool PointCluster::IsPeelable(int point) const
       const int a = face[k], b = face[(k + 1) % 3];
       if (this->IsIn(a) == this->IsIn(b))
       {
-        sets.Join(a, b);
+        sets.Merge(indexOf(a), indexOf(b));
       }
     }
   }
-  const std::vector<int> roots = sets.FindRoots();
-  const auto inside =
-    std::count_if(roots.begin(), roots.end(), [&](int root) { return this->IsIn(root); });
-  return inside <= 1 && static_cast<std::ptrdiff_t>(roots.size()) - inside == 1;
+  int inside = 0, outside = 0;
+  for (int i = 0; i < static_cast<int>(points.size()); ++i)
+  {
+    if (sets.Find(i) == i)
+    {
+      ++(this->IsIn(points[i]) ? inside : outside);
+    }
+  }
+  return inside <= 1 && outside == 1;
 }
 
 bool PointCluster::IsCollapsible(const Progress& progress)
 {
-  const std::vector<int> kept = this->Ids;
   std::vector<int> left = this->Members;
   for (std::size_t before = left.size() + 1; left.size() < before && left.size() > 1;)
   {
@@ -311,7 +286,10 @@ bool PointCluster::IsCollapsible(const Progress& progress)
                  }),
       left.end());
   }
-  this->Ids = kept;
+  for (const int point : this->Members)
+  {
+    this->Pretend(point, true);
+  }
   return left.size() <= 1;
 }
 

@@ -40,7 +40,8 @@ public:
   bool IsIn(int point) const { return this->Ids[point] == this->Id; }
   bool IsAlone(int point) const { return this->Ids[point] == 0; }
   /// Whether a point is not on the boundary and has only tetrahedra around it.
-  bool IsMovable(int point) const;
+  static bool IsMovable(const SolidCells& solid, int point);
+  bool IsMovable(int point) const { return IsMovable(this->Solid, point); }
   /// Whether a simplex (two or three points) may be split (SolidCells::CanSplit).
   bool CanSplit(const std::vector<int>& simplex) const;
 

@@ -33,8 +33,8 @@ bool SeesFace(
 
 /**
  * Returns the Chebyshev centre of the kernel of a star: of the positions that see all its faces
- * (FindInscribedBall). It is looked for in a cube around `origin` that reaches as far as the
- * farthest corner of the faces.
+ * (FindInscribedBall). The search is limited to the cube around `origin` whose sides are at the
+ * distance of the farthest corner.
  *
  * points: n x 3. If the kernel is empty, the result is not valid, and its position violates the
  * planes of the faces as little as possible. If a face has no area, it is the origin.
