@@ -1,6 +1,7 @@
 #include "Harmonic/ApplyVolumeMap.h"
 
 #include "Base/Errors.h"
+#include "Mesh/Extent.h"
 
 namespace shape
 {
@@ -20,6 +21,18 @@ MovedPoints ApplyVolumeMap(
     throw SolveFailure("the map is not finite at a point inside its domain; move the charges away "
                        "with a larger OffsetDistance");
   }
+  return moved;
+}
+
+MovedPoints ApplyVolumeMap(
+  const FiniteElementMap& map, const Eigen::MatrixXd& points, const Progress& progress)
+{
+  constexpr double tolerance = 1e-6;
+  const FiniteElementMap::Values values = map.Evaluate(
+    points, progress, tolerance * ComputeLongestBoxEdge(map.Elements().Points));
+  MovedPoints moved;
+  moved.OutsideDomain = (values.Cells.array() < 0).cast<int>();
+  moved.Points = moved.OutsideDomain.replicate(1, 3).array().select(points, values.Images);
   return moved;
 }
 

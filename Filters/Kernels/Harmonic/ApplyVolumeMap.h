@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Harmonic/FiniteElementMap.h"
 #include "Harmonic/PiecewiseHarmonicMap.h"
 
 namespace shape
@@ -19,5 +20,10 @@ struct MovedPoints
  */
 MovedPoints ApplyVolumeMap(
   const PiecewiseHarmonicMap& map, const Eigen::MatrixXd& points, const Progress& progress = {});
+
+/// The same by a map of finite elements. A point is outside if it is farther from the solid than
+/// 1e-6 of its longest side. Throws Aborted.
+MovedPoints ApplyVolumeMap(
+  const FiniteElementMap& map, const Eigen::MatrixXd& points, const Progress& progress = {});
 
 } // namespace shape

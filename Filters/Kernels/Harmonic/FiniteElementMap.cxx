@@ -104,6 +104,16 @@ Eigen::MatrixXi FindBoundary(const FiniteElements& elements)
   return boundary;
 }
 
+/// Returns the points of the boundary, in ascending order.
+std::vector<int> FindFixedPoints(const FiniteElements& elements)
+{
+  std::vector<int> fixed(
+    elements.Boundary.data(), elements.Boundary.data() + elements.Boundary.size());
+  std::sort(fixed.begin(), fixed.end());
+  fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
+  return fixed;
+}
+
 FiniteElements RequireComplete(FiniteElements elements)
 {
   const Eigen::Index points = elements.Points.rows();
@@ -125,7 +135,7 @@ FiniteElements RequireComplete(FiniteElements elements)
 
 } // namespace
 
-FiniteElements ComputeFiniteElements(const Surface& given, const Eigen::MatrixXd& givenValues,
+FiniteElements FillWithElements(const Surface& given, const Eigen::MatrixXd& givenValues,
   int tetrahedra, const Progress& progress)
 {
   RequireOption(tetrahedra > 0, "Tetrahedra", tetrahedra, "positive");
@@ -136,7 +146,7 @@ FiniteElements ComputeFiniteElements(const Surface& given, const Eigen::MatrixXd
   }
   // TetGen's result depends on the numbering.
   SortedSurface sorted =
-    SortByPosition(OrientByNesting(given, "the boundary", progress.Part(0.0, 0.05)));
+    SortByPosition(OrientByNesting(given, "the boundary", progress.Part(0.0, 0.1)));
   const Surface boundary = std::move(sorted.Surface);
   const Eigen::MatrixXd values = givenValues(sorted.Points, Eigen::all);
   TetrahedralizeOptions options;
@@ -145,17 +155,14 @@ FiniteElements ComputeFiniteElements(const Surface& given, const Eigen::MatrixXd
   // Large triangles would have large tetrahedra if no points could be added on them.
   options.PreserveBoundary = false;
   TetrahedralizeResult solid = Tetrahedralize(
-    boundary, {}, options, progress.Part(0.05, 0.6, "filling the solid with tetrahedra"));
+    boundary, {}, options, progress.Part(0.1, 0.9, "filling the solid with tetrahedra"));
   FiniteElements elements{ std::move(solid.Points), std::move(solid.Tetrahedra), {}, {}, 0 };
   elements.Boundary = FindBoundary(elements);
 
   // The values at the boundary: given, or linear in its triangles.
-  std::vector<int> fixed(
-    elements.Boundary.data(), elements.Boundary.data() + elements.Boundary.size());
-  std::sort(fixed.begin(), fixed.end());
-  fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
+  const std::vector<int> fixed = FindFixedPoints(elements);
   const ClosestPoints closest =
-    SurfaceLocator(boundary).Find(elements.Points(fixed, Eigen::all), progress.Part(0.6, 0.65));
+    SurfaceLocator(boundary).Find(elements.Points(fixed, Eigen::all), progress.Part(0.9, 1.0));
   const Eigen::MatrixXd interpolated = PullBack(closest, boundary.Triangles(), values);
   elements.Images = Eigen::MatrixXd::Zero(elements.Points.rows(), values.cols());
   for (std::size_t i = 0; i < fixed.size(); ++i)
@@ -166,11 +173,19 @@ FiniteElements ComputeFiniteElements(const Surface& given, const Eigen::MatrixXd
   }
   elements.FreePoints =
     static_cast<int>(elements.Points.rows() - static_cast<Eigen::Index>(fixed.size()));
+  progress(1.0);
+  return elements;
+}
 
+FiniteElements ComputeFiniteElements(const Surface& boundary, const Eigen::MatrixXd& values,
+  int tetrahedra, const Progress& progress)
+{
+  FiniteElements elements =
+    FillWithElements(boundary, values, tetrahedra, progress.Part(0.0, 0.65));
   const Eigen::SparseMatrix<double> stiffness =
     BuildStiffness(elements.Points, elements.Tetrahedra);
   const DirichletProblem problem(
-    stiffness, fixed, progress.Part(0.65, 0.95, "solving Laplace's equation"));
+    stiffness, FindFixedPoints(elements), progress.Part(0.65, 0.95, "solving Laplace's equation"));
   problem.Solve(elements.Images, Eigen::MatrixXd::Zero(elements.Points.rows(), values.cols()),
     progress.Part(0.95, 1.0));
   progress(1.0);
@@ -184,9 +199,9 @@ FiniteElementMap::FiniteElementMap(FiniteElements elements, const Progress& prog
 }
 
 FiniteElementMap::Values FiniteElementMap::Evaluate(
-  const Eigen::MatrixXd& points, const Progress& progress) const
+  const Eigen::MatrixXd& points, const Progress& progress, double farthest) const
 {
-  CellPoints found = this->Locator.Find(points, progress);
+  CellPoints found = this->Locator.Find(points, progress, farthest);
   return { found.Weights * this->Data.Images, std::move(found.Ids), std::move(found.Distances) };
 }
 
@@ -223,41 +238,6 @@ FiniteElementMap FiniteElementMap::Inverse(const Progress& progress) const
   FiniteElements inverse = this->Data;
   inverse.Points.swap(inverse.Images);
   return FiniteElementMap(std::move(inverse), progress);
-}
-
-MovedPoints ApplyVolumeMap(
-  const FiniteElementMap& map, const Eigen::MatrixXd& points, const Progress& progress)
-{
-  // Points outside the box are outside the solid: the search for their closest tetrahedron, which
-  // takes longest, is saved.
-  constexpr double tolerance = 1e-6;
-  const Eigen::MatrixXd& nodes = map.Elements().Points;
-  Eigen::AlignedBox3d box(Eigen::Vector3d(nodes.colwise().minCoeff().transpose()),
-    Eigen::Vector3d(nodes.colwise().maxCoeff().transpose()));
-  const double farthest = tolerance * box.sizes().maxCoeff();
-  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(farthest);
-  box = { box.min() - margin, box.max() + margin };
-  MovedPoints moved{ points, Eigen::VectorXi::Ones(points.rows()) };
-  std::vector<int> candidates;
-  for (int i = 0; i < static_cast<int>(points.rows()); ++i)
-  {
-    if (box.contains(points.row(i).transpose()))
-    {
-      candidates.push_back(i);
-    }
-  }
-  const FiniteElementMap::Values values = map.Evaluate(points(candidates, Eigen::all), progress);
-  for (std::size_t c = 0; c < candidates.size(); ++c)
-  {
-    const auto row = static_cast<Eigen::Index>(c);
-    if (values.Distances(row) <= farthest)
-    {
-      moved.Points.row(candidates[c]) = values.Images.row(row);
-      moved.OutsideDomain(candidates[c]) = 0;
-    }
-  }
-  progress(1.0);
-  return moved;
 }
 
 } // namespace shape

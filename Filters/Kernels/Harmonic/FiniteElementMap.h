@@ -1,12 +1,12 @@
 #pragma once
 
-#include "Harmonic/ApplyVolumeMap.h"
+#include "Base/Progress.h"
 #include "Mesh/Surface.h"
 #include "Search/CellLocator.h"
 
 #include <Eigen/Core>
 
-#include <memory>
+#include <limits>
 
 namespace shape
 {
@@ -47,6 +47,11 @@ struct FiniteElements
 FiniteElements ComputeFiniteElements(const Surface& boundary, const Eigen::MatrixXd& values,
   int tetrahedra, const Progress& progress = {});
 
+/// Fills a solid with tetrahedra as ComputeFiniteElements does. Images has the values at the
+/// boundary, and 0 inside. Throws what ComputeFiniteElements throws.
+FiniteElements FillWithElements(const Surface& boundary, const Eigen::MatrixXd& values,
+  int tetrahedra, const Progress& progress = {});
+
 /// Evaluates a map of finite elements anywhere. Can be used from several threads.
 class FiniteElementMap
 {
@@ -60,12 +65,14 @@ public:
   struct Values
   {
     Eigen::MatrixXd Images;    ///< n x d: outside, of the closest point of the solid
-    Eigen::VectorXi Cells;     ///< n: the tetrahedron of each point
+    Eigen::VectorXi Cells;     ///< n: the tetrahedron of each point; -1 if it is too far
     Eigen::VectorXd Distances; ///< n: 0 inside, else the distance from the solid
   };
-  /// Interpolates linearly in the tetrahedron that contains each point (n x 3, finite). Throws
+  /// Interpolates linearly in the tetrahedron that contains each point (n x 3, finite). A point
+  /// farther from the solid than `farthest` has the image 0 and an infinite distance. Throws
   /// Aborted.
-  Values Evaluate(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
+  Values Evaluate(const Eigen::MatrixXd& points, const Progress& progress = {},
+    double farthest = std::numeric_limits<double>::infinity()) const;
 
   /// The derivative of the map in each of the given tetrahedra: n x 3 d, with the gradient of
   /// image coordinate r in columns 3 r to 3 r + 2.
@@ -79,10 +86,5 @@ private:
   FiniteElements Data;
   CellLocator Locator;
 };
-
-/// Moves points (n x 3, finite) by the map, as ApplyVolumeMap does by charges. A point is outside
-/// if it is farther from the solid than 1e-6 of its longest side. Throws Aborted.
-MovedPoints ApplyVolumeMap(
-  const FiniteElementMap& map, const Eigen::MatrixXd& points, const Progress& progress = {});
 
 } // namespace shape

@@ -66,6 +66,32 @@ void RequireValidCharges(const PiecewiseCharges& charges)
   }
 }
 
+/// Returns the map of h and phi of a patch; null if it has no tetrahedra.
+std::unique_ptr<const FiniteElementMap> JoinShares(const PiecewiseCharges& charges)
+{
+  const MapPatch& patch = charges.Patch;
+  if (patch.Elements.Tetrahedra.rows() == 0)
+  {
+    return nullptr;
+  }
+  if (charges.Maps.size() > 1)
+  {
+    throw InvalidInput("the map has " + std::to_string(charges.Maps.size()) +
+      " regions and a patch; only a map of one region can be repaired");
+  }
+  if (patch.Shares.size() != patch.Elements.Points.rows() || patch.Elements.Images.cols() != 3 ||
+    !(patch.Shares.minCoeff() >= 0.0 && patch.Shares.maxCoeff() <= 1.0))
+  {
+    throw InvalidInput("the patch of the map has " + std::to_string(patch.Elements.Points.rows()) +
+      " points and " + std::to_string(patch.Shares.size()) +
+      " shares; give each point an image of three coordinates and one share from 0 to 1");
+  }
+  FiniteElements joined = patch.Elements;
+  joined.Images.conservativeResize(Eigen::NoChange, 4);
+  joined.Images.col(3) = patch.Shares;
+  return std::make_unique<const FiniteElementMap>(std::move(joined));
+}
+
 } // namespace
 
 double ComputeFarthest(double offsetDistance, const Eigen::MatrixXd& points)
@@ -80,9 +106,15 @@ PiecewiseHarmonicMap::PiecewiseHarmonicMap(
   , FarthestOutside(charges.Farthest)
   , Borders(charges.Maps.size())
   , Parents(charges.Maps.size(), 0)
+  , Patch(JoinShares(charges))
   , Walls(charges.Maps.size(), Mesh{ Eigen::MatrixXd(0, 3), Eigen::MatrixXi(0, 3) })
 {
   RequireValidCharges(charges);
+  if (this->Patch)
+  {
+    constexpr double tolerance = 1e-6;
+    this->PatchTolerance = tolerance * ComputeLongestBoxEdge(this->Patch->Elements().Points);
+  }
   const std::string name = "the surface of the Map";
   // The surfaces are checked and oriented; then each region gets its border, its parent, and the
   // walls of its voids.
@@ -274,6 +306,10 @@ double ShareOf(const PiecewiseHarmonicMap::Positions& positions, int i, int regi
 Eigen::MatrixXd PiecewiseHarmonicMap::Evaluate(
   const Eigen::MatrixXd& points, const Progress& progress) const
 {
+  if (this->Patch)
+  {
+    return this->EvaluatePatched(points, progress);
+  }
   if (this->RegionCount() == 1)
   {
     return shape::Evaluate(this->Maps[0], points, progress);
@@ -298,6 +334,10 @@ Eigen::MatrixXd PiecewiseHarmonicMap::Evaluate(
 Eigen::MatrixXd PiecewiseHarmonicMap::Jacobians(
   const Eigen::MatrixXd& points, const Progress& progress) const
 {
+  if (this->Patch)
+  {
+    return this->PatchedJacobians(points, progress);
+  }
   if (this->RegionCount() == 1)
   {
     return shape::EvaluateJacobians(this->Maps[0], points, progress);
@@ -330,6 +370,92 @@ Eigen::MatrixXd PiecewiseHarmonicMap::Jacobians(
       {
         jacobians.block<1, 3>(i, 3 * row) += sign * values(k, row) * positions.Slopes.row(i);
       }
+    }
+  }
+  return jacobians;
+}
+
+PiecewiseHarmonicMap::PatchPositions PiecewiseHarmonicMap::LocateInPatch(
+  const Eigen::MatrixXd& points, const Progress& progress) const
+{
+  FiniteElementMap::Values values =
+    this->Patch->Evaluate(points, progress, this->PatchTolerance);
+  PatchPositions at{ std::move(values.Cells), std::move(values.Images),
+    Eigen::MatrixXd::Zero(points.rows(), 12) };
+  std::vector<int> inside;
+  for (int i = 0; i < at.Cells.size(); ++i)
+  {
+    if (at.Cells(i) >= 0)
+    {
+      inside.push_back(i);
+    }
+    else
+    {
+      at.Values(i, 3) = 1.0;
+    }
+  }
+  at.Gradients(inside, Eigen::all) = this->Patch->Jacobians(at.Cells(inside));
+  return at;
+}
+
+namespace
+{
+
+/// Returns the points outside the core of the patch, where f has a share.
+std::vector<int> OutsideCore(const PiecewiseHarmonicMap::PatchPositions& at)
+{
+  std::vector<int> rows;
+  for (int i = 0; i < at.Cells.size(); ++i)
+  {
+    if (at.Values(i, 3) > 0.0)
+    {
+      rows.push_back(i);
+    }
+  }
+  return rows;
+}
+
+} // namespace
+
+Eigen::MatrixXd PiecewiseHarmonicMap::EvaluatePatched(
+  const Eigen::MatrixXd& points, const Progress& progress) const
+{
+  const PatchPositions at = this->LocateInPatch(points, progress.Part(0.0, 0.3));
+  const std::vector<int> rows = OutsideCore(at);
+  const Eigen::MatrixXd charges =
+    shape::Evaluate(this->Maps[0], points(rows, Eigen::all), progress.Part(0.3, 1.0));
+  // g = h + phi (f - h), and f itself where phi is 1.
+  Eigen::MatrixXd values = at.Values.leftCols<3>();
+  for (std::size_t k = 0; k < rows.size(); ++k)
+  {
+    const double share = at.Values(rows[k], 3);
+    values.row(rows[k]) = share < 1.0
+      ? RowVector3d(values.row(rows[k]) + share * (charges.row(k) - values.row(rows[k])))
+      : RowVector3d(charges.row(k));
+  }
+  return values;
+}
+
+Eigen::MatrixXd PiecewiseHarmonicMap::PatchedJacobians(
+  const Eigen::MatrixXd& points, const Progress& progress) const
+{
+  const PatchPositions at = this->LocateInPatch(points, progress.Part(0.0, 0.3));
+  const std::vector<int> rows = OutsideCore(at);
+  const Eigen::MatrixXd charges =
+    shape::Evaluate(this->Maps[0], points(rows, Eigen::all), progress.Part(0.3, 0.6));
+  const Eigen::MatrixXd derivatives =
+    shape::EvaluateJacobians(this->Maps[0], points(rows, Eigen::all), progress.Part(0.6, 1.0));
+  // The derivative of g = h + phi (f - h).
+  Eigen::MatrixXd jacobians = at.Gradients.leftCols<9>();
+  for (std::size_t k = 0; k < rows.size(); ++k)
+  {
+    const int i = rows[k];
+    const double share = at.Values(i, 3);
+    jacobians.row(i) += share * (derivatives.row(k) - jacobians.row(i));
+    for (int row = 0; row < 3; ++row)
+    {
+      jacobians.block<1, 3>(i, 3 * row) +=
+        (charges(k, row) - at.Values(i, row)) * at.Gradients.block<1, 3>(i, 9);
     }
   }
   return jacobians;

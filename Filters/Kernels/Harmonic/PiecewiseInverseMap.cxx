@@ -23,6 +23,95 @@ PiecewiseInverseMap::PiecewiseInverseMap(std::shared_ptr<const PiecewiseHarmonic
   const Eigen::MatrixXd& points = this->Map->Domain().GetSurface().Points();
   this->Goal = options.Tolerance * ComputeLongestBoxEdge(this->Map->Evaluate(points));
   this->MaxStep = 0.25 * ComputeLongestBoxEdge(points);
+  if (this->Map->HasPatch())
+  {
+    this->PreparePatch();
+  }
+}
+
+void PiecewiseInverseMap::PreparePatch()
+{
+  const FiniteElements& patch = this->Map->PatchElements();
+  std::vector<int> core, ring;
+  for (int t = 0; t < patch.Tetrahedra.rows(); ++t)
+  {
+    const bool linear = (patch.Images(patch.Tetrahedra.row(t), 3).array() == 0.0).all();
+    (linear ? core : ring).push_back(t);
+  }
+  const auto invert = [&](const std::vector<int>& tetrahedra)
+  {
+    return tetrahedra.empty()
+      ? nullptr
+      : std::make_unique<const FiniteElementMap>(FiniteElements{ patch.Images.leftCols<3>(),
+          patch.Tetrahedra(tetrahedra, Eigen::all), patch.Points, {}, 0 });
+  };
+  this->Core = invert(core);
+  this->Ring = invert(ring);
+}
+
+InverseMap::Result PiecewiseInverseMap::FindWithPatch(
+  const Eigen::MatrixXd& points, const Progress& progress) const
+{
+  using State = InverseMap::State;
+  InverseMap::Result result{ points,
+    Eigen::VectorXi::Constant(points.rows(), static_cast<int>(State::Outside)) };
+  const auto accept = [&](int row, const auto& position)
+  {
+    result.Points.row(row) = position;
+    result.States(row) = static_cast<int>(State::Found);
+  };
+  std::vector<int> open(points.rows());
+  std::iota(open.begin(), open.end(), 0);
+  std::vector<int> left;
+  // In the core: the inverse of linear maps.
+  if (this->Core)
+  {
+    const FiniteElementMap::Values at =
+      this->Core->Evaluate(points, progress.Part(0.0, 0.1), this->Goal);
+    for (const int i : open)
+    {
+      at.Cells(i) >= 0 ? accept(i, at.Images.row(i)) : left.push_back(i);
+    }
+    open = std::exchange(left, {});
+  }
+  // Outside the patch: the charges.
+  const InverseMap::Result charges =
+    this->Inverses.front().Find(points(open, Eigen::all), progress.Part(0.1, 0.8));
+  const Eigen::VectorXi cells = this->Map->LocateInPatch(charges.Points).Cells;
+  for (std::size_t k = 0; k < open.size(); ++k)
+  {
+    if (charges.States(k) == static_cast<int>(State::Found) && cells(k) < 0)
+    {
+      accept(open[k], charges.Points.row(k));
+      continue;
+    }
+    left.push_back(open[k]);
+    if (charges.States(k) != static_cast<int>(State::Outside))
+    {
+      result.States(open[k]) = static_cast<int>(State::Missed);
+    }
+  }
+  open = std::exchange(left, {});
+  // In the ring: Newton's method.
+  if (this->Ring && !open.empty())
+  {
+    Steps steps(progress.Part(0.8, 1.0));
+    const FiniteElementMap::Values starts =
+      this->Ring->Evaluate(points(open, Eigen::all), steps.Next());
+    Search search =
+      StartSearch(*this->Map, starts.Images, points(open, Eigen::all), steps.Next());
+    IterateNewton(*this->Map, search, { this->Goal, this->MaxStep, this->Iterations }, steps);
+    const Eigen::VectorXi outside = FindPointsOutsideDomain(
+      this->Map->Domain(), search.Positions, this->Map->Farthest(), steps.Next());
+    for (std::size_t k = 0; k < open.size(); ++k)
+    {
+      if (search.Misses(k) <= this->Goal && !outside(k))
+      {
+        accept(open[k], search.Positions.row(k));
+      }
+    }
+  }
+  return result;
 }
 
 InverseMap::Result PiecewiseInverseMap::Find(
@@ -34,6 +123,10 @@ InverseMap::Result PiecewiseInverseMap::Find(
   //    the complete map differs.
   // 3. A solution counts if its image meets the goal and it lies in the domain. The others stay
   //    open for the next region.
+  if (this->Map->HasPatch())
+  {
+    return this->FindWithPatch(points, progress);
+  }
   if (this->Inverses.size() == 1)
   {
     return this->Inverses.front().Find(points, progress);

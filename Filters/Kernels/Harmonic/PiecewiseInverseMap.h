@@ -15,7 +15,13 @@ namespace shape
  * Each region is searched separately (InverseMap), the outermost first. The preimage found may lie
  * beyond a border or in the skin, where the complete map f differs from the region's map. Newton's
  * method therefore continues from there with f. The first position whose image is within the
- * tolerance of y is returned. Can be used from several threads.
+ * tolerance of y is returned.
+ *
+ * If the map has a patch, y is first searched in the images of the core's tetrahedra, where the
+ * inverse is linear. Otherwise the preimage by the charges counts if it is outside the patch. The
+ * rest is found by Newton's method with f, from the closest image of a tetrahedron of the ring.
+ *
+ * Can be used from several threads.
  */
 class PiecewiseInverseMap
 {
@@ -33,11 +39,16 @@ public:
   double GoalOfMisses() const { return this->Goal; } ///< maximum of |f(x) - y| at a preimage
 
 private:
+  void PreparePatch();
+  InverseMap::Result FindWithPatch(const Eigen::MatrixXd& points, const Progress& progress) const;
+
   std::shared_ptr<const PiecewiseHarmonicMap> Map;
   std::vector<InverseMap> Inverses; ///< one for each region
   double Goal = 0.0;                ///< maximum of |f(x) - y| at a preimage
   double MaxStep = 0.0;
   int Iterations = 0;
+  // The maps from the images to the tetrahedra of a patch; null where there are none.
+  std::unique_ptr<const FiniteElementMap> Core, Ring;
 };
 
 } // namespace shape

@@ -46,6 +46,10 @@ VolumeTransform::VolumeTransform(const PiecewiseCharges& charges, bool withInver
 Eigen::Vector3d VolumeTransform::Evaluate(
   const Eigen::Vector3d& position, Eigen::Matrix3d& jacobian) const
 {
+  if (this->Map->HasPatch())
+  {
+    return this->EvaluatePatched(position, jacobian);
+  }
   if (this->Charges.size() == 1)
   {
     return this->Charges.front().Evaluate(position, jacobian);
@@ -62,6 +66,29 @@ Eigen::Vector3d VolumeTransform::Evaluate(
       this->Charges[this->Map->Parent(region)].Evaluate(position, otherJacobian) - value;
     value += share * difference;
     jacobian += share * (otherJacobian - jacobian) + difference * at.Slopes.row(0);
+  }
+  return value;
+}
+
+Eigen::Vector3d VolumeTransform::EvaluatePatched(
+  const Eigen::Vector3d& position, Eigen::Matrix3d& jacobian) const
+{
+  const PiecewiseHarmonicMap::PatchPositions at = this->Map->LocateInPatch(position.transpose());
+  const double share = at.Values(0, 3);
+  if (at.Cells(0) < 0 || !(share < 1.0))
+  {
+    return this->Charges.front().Evaluate(position, jacobian);
+  }
+  // g = h + phi (f - h) and its derivative (MapPatch).
+  Eigen::Vector3d value = at.Values.leftCols<3>().transpose();
+  jacobian = at.Gradients.leftCols<9>().reshaped<Eigen::RowMajor>(3, 3);
+  if (share > 0.0)
+  {
+    Eigen::Matrix3d ofCharges;
+    const Eigen::Vector3d difference =
+      this->Charges.front().Evaluate(position, ofCharges) - value;
+    value += share * difference;
+    jacobian += share * (ofCharges - jacobian) + difference * at.Gradients.rightCols<3>();
   }
   return value;
 }
@@ -128,8 +155,8 @@ VolumeTransform::Result VolumeTransform::Backward(const Eigen::Vector3d& point) 
       return { position, State::Found, jacobian };
     }
   }
-  // The point is outside the image of every region.
-  if (!searched)
+  // The point is outside the image of every region. The image of a patch may reach farther.
+  if (!searched && !this->Map->HasPatch())
   {
     return result;
   }

@@ -46,6 +46,8 @@ public:
 
 private:
   Eigen::Vector3d Evaluate(const Eigen::Vector3d& position, Eigen::Matrix3d& jacobian) const;
+  Eigen::Vector3d EvaluatePatched(
+    const Eigen::Vector3d& position, Eigen::Matrix3d& jacobian) const;
   bool IsOutside(const Eigen::Vector3d& position) const;
 
   std::shared_ptr<const PiecewiseHarmonicMap> Map;

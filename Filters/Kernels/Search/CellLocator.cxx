@@ -157,7 +157,8 @@ using Triplets = std::vector<Eigen::Triplet<double>>;
 struct CellLocator::Search
 {
   virtual ~Search() = default;
-  virtual CellPoints Find(const Eigen::MatrixXd& positions, const Progress& progress) const = 0;
+  virtual CellPoints Find(
+    const Eigen::MatrixXd& positions, const Progress& progress, double farthest) const = 0;
 };
 
 struct CellLocator::SolidSearch : CellLocator::Search
@@ -177,7 +178,8 @@ struct CellLocator::SolidSearch : CellLocator::Search
     this->Tree.init(numbers.begin(), numbers.end(), boxes.begin(), boxes.end());
   }
 
-  CellPoints Find(const Eigen::MatrixXd& positions, const Progress& progress) const override
+  CellPoints Find(
+    const Eigen::MatrixXd& positions, const Progress& progress, double farthest) const override
   {
     const int n = static_cast<int>(positions.rows());
     CellPoints found{ Eigen::VectorXi(n), { n, this->Grid.Points.rows() }, Eigen::VectorXd(n) };
@@ -190,8 +192,8 @@ struct CellLocator::SolidSearch : CellLocator::Search
         vtkNew<vtkGenericCell> cell;
         for (int i = begin; i < end; ++i)
         {
-          found.Distances(i) =
-            this->FindOne(positions.row(i), cell, i, found.Ids(i), weights[begin / grain]);
+          found.Distances(i) = this->FindOne(
+            positions.row(i), farthest, cell, i, found.Ids(i), weights[begin / grain]);
         }
       },
       progress);
@@ -205,8 +207,8 @@ struct CellLocator::SolidSearch : CellLocator::Search
   }
 
   /// Finds the cell `id` of a position, appends its `row` of weights, returns its distance.
-  double FindOne(
-    const RowVector3d& position, vtkGenericCell* cell, int row, int& id, Triplets& weights) const
+  double FindOne(const RowVector3d& position, double farthest, vtkGenericCell* cell, int row,
+    int& id, Triplets& weights) const
   {
     // First the cells whose boxes contain the position. Only outside all cells does the slower
     // search for the nearest face follow.
@@ -223,10 +225,15 @@ struct CellLocator::SolidSearch : CellLocator::Search
       return 0.0;
     }
     NearestCell nearest{ this->Grid, this->Boxes, cell, position };
+    nearest.Closest.Distance2 = farthest * farthest;
     Eigen::BVMinimize(this->Tree, nearest);
     id = nearest.Number;
     if (id < 0)
     {
+      if (std::isfinite(farthest))
+      {
+        return std::numeric_limits<double>::infinity();
+      }
       throw InvalidInput("a position is so far from every cell that its distance overflows; scale "
                          "the shapes to a common size");
     }
@@ -279,7 +286,8 @@ struct CellLocator::SurfaceSearch : CellLocator::Search
     return mesh;
   }
 
-  CellPoints Find(const Eigen::MatrixXd& positions, const Progress& progress) const override
+  CellPoints Find(
+    const Eigen::MatrixXd& positions, const Progress& progress, double farthest) const override
   {
     const Mesh& mesh = this->Locator.GetSurface();
     const ClosestPoints closest = this->Locator.Find(positions, progress);
@@ -289,6 +297,12 @@ struct CellLocator::SurfaceSearch : CellLocator::Search
     weights.reserve(3 * positions.rows());
     for (int i = 0; i < positions.rows(); ++i)
     {
+      if (closest.Distances(i) > farthest)
+      {
+        found.Ids(i) = -1;
+        found.Distances(i) = std::numeric_limits<double>::infinity();
+        continue;
+      }
       found.Ids(i) = this->CellOfTriangle[closest.Triangles(i)];
       for (int k = 0; k < 3; ++k)
       {
@@ -325,9 +339,10 @@ CellLocator::~CellLocator() = default;
 CellLocator::CellLocator(CellLocator&&) noexcept = default;
 CellLocator& CellLocator::operator=(CellLocator&&) noexcept = default;
 
-CellPoints CellLocator::Find(const Eigen::MatrixXd& positions, const Progress& progress) const
+CellPoints CellLocator::Find(
+  const Eigen::MatrixXd& positions, const Progress& progress, double farthest) const
 {
-  return this->Impl->Find(positions, progress);
+  return this->Impl->Find(positions, progress, farthest);
 }
 
 } // namespace shape

@@ -5,6 +5,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <limits>
 #include <memory>
 
 namespace shape
@@ -13,12 +14,13 @@ namespace shape
 /// The location of n positions in cells.
 struct CellPoints
 {
-  Eigen::VectorXi Ids; ///< n: the cell of each position
+  Eigen::VectorXi Ids; ///< n: the cell of each position; -1 if all cells are too far
   /// n x number of points of the cells: each row has the weights that interpolate point values to
   /// one position. A row has entries at the corners of the cell, or of one of its triangles, and
-  /// sums to 1.
+  /// sums to 1. It is empty if all cells are too far.
   Eigen::SparseMatrix<double, Eigen::RowMajor> Weights;
-  /// n: 0 inside the cell, else the distance to the closest point of the cell
+  /// n: 0 inside the cell, else the distance to the closest point of the cell; infinite if all
+  /// cells are too far
   Eigen::VectorXd Distances;
 };
 
@@ -45,8 +47,11 @@ public:
   CellLocator(CellLocator&&) noexcept;
   CellLocator& operator=(CellLocator&&) noexcept;
 
-  /// positions: n x 3, finite. Throws InvalidInput if the square of a distance overflows; Aborted.
-  CellPoints Find(const Eigen::MatrixXd& positions, const Progress& progress = {}) const;
+  /// positions: n x 3, finite. Cells whose distance is larger than `farthest` are too far to be
+  /// found; a limit makes the search faster. Throws InvalidInput if the square of a distance
+  /// overflows; Aborted.
+  CellPoints Find(const Eigen::MatrixXd& positions, const Progress& progress = {},
+    double farthest = std::numeric_limits<double>::infinity()) const;
 
 private:
   struct Search;

@@ -1,0 +1,415 @@
+#include "Harmonic/RepairMap.h"
+
+#include "Base/Errors.h"
+#include "Base/Parallel.h"
+#include "Geometry/Orientation.h"
+#include "Harmonic/Private/RingCertificate.h"
+#include "Harmonic/Private/TetrahedronBox.h"
+#include "Mesh/Topology.h"
+#include "Search/TriangleBoxes.h"
+#include "Untangle/Untangle.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// Boxes are enlarged by this share of their edge, more than rounding.
+constexpr double BoxMargin = 1e-9;
+
+using Corners = Eigen::Matrix<double, 4, 3>;
+
+Corners GetTetrahedron(const Eigen::MatrixXd& points, const Eigen::RowVector4i& ids)
+{
+  return points(ids, Eigen::all);
+}
+
+bool IsPositive(const Eigen::MatrixXd& points, const Eigen::RowVector4i& ids)
+{
+  return EvaluateOrientation(
+           points.row(ids(0)), points.row(ids(1)), points.row(ids(2)), points.row(ids(3))) > 0;
+}
+
+/// The visitor with which Eigen's tree search finds whether a tetrahedron meets a box.
+struct MeetsABox
+{
+  const std::vector<Eigen::AlignedBox3d>& Boxes;
+  Corners Tetrahedron;
+  Eigen::AlignedBox3d Around = {};
+  bool Found = false;
+
+  // Eigen's search calls these two by their names. NOLINTBEGIN(readability-identifier-naming)
+  bool intersectVolume(const Eigen::AlignedBox3d& box) const
+  {
+    return this->Around.intersects(box);
+  }
+  bool intersectObject(int box)
+  {
+    this->Found = MayMeet(this->Tetrahedron, this->Boxes[box]);
+    return this->Found;
+  }
+  // NOLINTEND(readability-identifier-naming)
+};
+
+/// The tetrahedra of a solid, and which of them are the core.
+class CoreSearch
+{
+public:
+  CoreSearch(const ChargeSet& map, FiniteElements elements, const Progress& progress);
+
+  /// Adds the tetrahedra that meet a box that is not certified.
+  void AddFolds(const MapCertificate& certificate, const Progress& progress);
+  void Add(const std::vector<int>& tetrahedra);
+  /// Adds the tetrahedra that share a point with the core.
+  void Grow();
+  bool IsEmpty() const { return std::count(this->InCore.begin(), this->InCore.end(), 1) == 0; }
+
+  /// Returns the tetrahedra of the ring that are not certified.
+  std::vector<int> TestRing(const Progress& progress);
+  /// Untangles the core, and returns its tetrahedra that stay inverted.
+  std::vector<int> UntangleCore(const Progress& progress);
+
+  /// Sets the patch and the shares of the result. failed: the tetrahedra of the ring that are not
+  /// certified.
+  void Finish(const std::vector<int>& failed, RepairMapResult& result) const;
+
+private:
+  void Close();
+  MapPatch WholePatch() const;
+  double VolumeOf(const std::vector<int>& tetrahedra) const;
+
+  const ChargeSet& Map;
+  FiniteElements Elements;     ///< of the whole solid; Images: prescribed at its boundary
+  Eigen::MatrixXd Values;      ///< f at the points
+  std::vector<char> InCore;    ///< for each tetrahedron
+  std::vector<char> AtCore;    ///< for each point: whether it belongs to the core
+  std::vector<char> AtSurface; ///< for each point
+  std::vector<int> CoreTetrahedra, RingTetrahedra;
+  /// The core as Untangle made it.
+  FiniteElements Core;
+  std::vector<int> CorePoints; ///< of Elements; these are the first points of Core
+};
+
+CoreSearch::CoreSearch(const ChargeSet& map, FiniteElements elements, const Progress& progress)
+  : Map(map)
+  , Elements(std::move(elements))
+  , Values(Evaluate(map, this->Elements.Points, progress))
+  , InCore(this->Elements.Tetrahedra.rows(), 0)
+  , AtSurface(this->Elements.Points.rows(), 0)
+{
+  for (const int point : this->Elements.Boundary.reshaped())
+  {
+    this->AtSurface[point] = 1;
+  }
+}
+
+void CoreSearch::AddFolds(const MapCertificate& certificate, const Progress& progress)
+{
+  std::vector<Eigen::AlignedBox3d> boxes;
+  std::vector<int> ids;
+  for (Eigen::Index i = 0; i < certificate.States.size(); ++i)
+  {
+    if (certificate.States(i) != static_cast<int>(MapCertificate::BoxState::Certified))
+    {
+      const Eigen::Vector3d centre = certificate.Centres.row(i).transpose();
+      const Eigen::Vector3d half =
+        Eigen::Vector3d::Constant((0.5 + BoxMargin) * certificate.Edges(i));
+      ids.push_back(static_cast<int>(boxes.size()));
+      boxes.emplace_back(centre - half, centre + half);
+    }
+  }
+  BoxTree tree;
+  tree.init(ids.begin(), ids.end(), boxes.begin(), boxes.end());
+  ParallelFor(
+    static_cast<int>(this->InCore.size()), 1000,
+    [&](int begin, int end)
+    {
+      for (int t = begin; t < end; ++t)
+      {
+        MeetsABox meets{ boxes,
+          GetTetrahedron(this->Elements.Points, this->Elements.Tetrahedra.row(t)) };
+        for (int k = 0; k < 4; ++k)
+        {
+          meets.Around.extend(meets.Tetrahedron.row(k).transpose());
+        }
+        Eigen::BVIntersect(tree, meets);
+        this->InCore[t] = static_cast<char>(meets.Found);
+      }
+    },
+    progress);
+  this->Close();
+}
+
+void CoreSearch::Add(const std::vector<int>& tetrahedra)
+{
+  for (const int t : tetrahedra)
+  {
+    this->InCore[t] = 1;
+  }
+  this->Close();
+}
+
+void CoreSearch::Grow()
+{
+  for (std::size_t t = 0; t < this->InCore.size(); ++t)
+  {
+    for (const int point : this->Elements.Tetrahedra.row(static_cast<Eigen::Index>(t)))
+    {
+      this->InCore[t] |= this->AtCore[point];
+    }
+  }
+  this->Close();
+}
+
+/// Finds the points of the core, adds the tetrahedra that have no other points, and finds the ring.
+void CoreSearch::Close()
+{
+  this->AtCore.assign(this->Elements.Points.rows(), 0);
+  const auto count = static_cast<int>(this->InCore.size());
+  for (int t = 0; t < count; ++t)
+  {
+    for (int k = 0; k < 4 && this->InCore[t] != 0; ++k)
+    {
+      this->AtCore[this->Elements.Tetrahedra(t, k)] = 1;
+    }
+  }
+  this->CoreTetrahedra.clear();
+  this->RingTetrahedra.clear();
+  for (int t = 0; t < count; ++t)
+  {
+    int touching = 0;
+    for (const int point : this->Elements.Tetrahedra.row(t))
+    {
+      touching += this->AtCore[point];
+    }
+    this->InCore[t] = static_cast<char>(touching == 4);
+    if (touching > 0)
+    {
+      (touching == 4 ? this->CoreTetrahedra : this->RingTetrahedra).push_back(t);
+    }
+  }
+}
+
+/// Returns the patch before untangling, with the tetrahedra and points of the whole solid.
+MapPatch CoreSearch::WholePatch() const
+{
+  MapPatch patch{ this->Elements, Eigen::VectorXd::Ones(this->Elements.Points.rows()) };
+  for (Eigen::Index i = 0; i < patch.Shares.size(); ++i)
+  {
+    if (this->AtCore[i] != 0)
+    {
+      patch.Shares(i) = 0.0;
+    }
+    if (this->AtCore[i] == 0 || this->AtSurface[i] == 0)
+    {
+      patch.Elements.Images.row(i) = this->Values.row(i);
+    }
+  }
+  return patch;
+}
+
+std::vector<int> CoreSearch::TestRing(const Progress& progress)
+{
+  return FindUncertified(this->Map, this->WholePatch(), this->RingTetrahedra, progress);
+}
+
+std::vector<int> CoreSearch::UntangleCore(const Progress& progress)
+{
+  const MapPatch patch = this->WholePatch();
+  std::vector<int> positions(this->AtCore.size(), -1);
+  this->CorePoints.clear();
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    if (this->AtCore[i] != 0)
+    {
+      positions[i] = static_cast<int>(this->CorePoints.size());
+      this->CorePoints.push_back(static_cast<int>(i));
+    }
+  }
+  const auto count = static_cast<int>(this->CoreTetrahedra.size());
+  const Eigen::MatrixXi tetrahedra =
+    this->Elements.Tetrahedra(this->CoreTetrahedra, Eigen::all)
+      .unaryExpr([&](int point) { return positions[point]; });
+  this->Core = { this->Elements.Points(this->CorePoints, Eigen::all), tetrahedra,
+    patch.Elements.Images(this->CorePoints, Eigen::all), {}, 0 };
+  std::vector<int> inverted;
+  double volume = 0.0;
+  for (int t = 0; t < count; ++t)
+  {
+    const Corners image = GetTetrahedron(this->Core.Images, tetrahedra.row(t));
+    volume += (image.bottomRows<3>().rowwise() - image.row(0)).determinant();
+    if (!IsPositive(this->Core.Images, tetrahedra.row(t)))
+    {
+      inverted.push_back(this->CoreTetrahedra[t]);
+    }
+  }
+  // A core whose image has no positive volume cannot be untangled.
+  if (inverted.empty() || !(volume > 0.0))
+  {
+    return inverted;
+  }
+  const Eigen::MatrixXi byCell = tetrahedra.transpose();
+  UntangleResult result = Untangle({ this->Core.Images,
+                                     Eigen::VectorXi::Constant(count, cell_kind::Tetrahedron),
+                                     Eigen::VectorXi::LinSpaced(count + 1, 0, 4 * count),
+                                     byCell.reshaped() },
+    this->Core.Points, {}, progress);
+  // New points divide tetrahedra in the solid as in the image.
+  this->Core.Points = result.Provenance.Weights * this->Core.Points;
+  this->Core.Images = result.Solid.Points;
+  this->Core.Tetrahedra = result.Solid.Corners.reshaped(4, result.Inverted.size()).transpose();
+  inverted.clear();
+  for (Eigen::Index t = 0; t < result.Inverted.size(); ++t)
+  {
+    if (result.Inverted(t) != 0)
+    {
+      inverted.push_back(this->CoreTetrahedra[result.Provenance.Cells(t)]);
+    }
+  }
+  return inverted;
+}
+
+double CoreSearch::VolumeOf(const std::vector<int>& tetrahedra) const
+{
+  double volume = 0.0;
+  for (const int t : tetrahedra)
+  {
+    const Corners corners =
+      GetTetrahedron(this->Elements.Points, this->Elements.Tetrahedra.row(t));
+    volume += (corners.bottomRows<3>().rowwise() - corners.row(0)).determinant() / 6.0;
+  }
+  return volume;
+}
+
+void CoreSearch::Finish(const std::vector<int>& failed, RepairMapResult& result) const
+{
+  // The points of the core, then those of the ring alone.
+  MapPatch& patch = result.Patch;
+  patch = {};
+  std::vector<int> positions(this->AtCore.size(), -1), outer;
+  for (std::size_t i = 0; i < this->CorePoints.size(); ++i)
+  {
+    positions[this->CorePoints[i]] = static_cast<int>(i);
+  }
+  const Eigen::Index points = this->Core.Points.rows(), cells = this->Core.Tetrahedra.rows();
+  const auto ring = static_cast<Eigen::Index>(this->RingTetrahedra.size());
+  patch.Elements.Tetrahedra.resize(cells + ring, 4);
+  patch.Elements.Tetrahedra.topRows(cells) = this->Core.Tetrahedra;
+  for (Eigen::Index t = 0; t < ring; ++t)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      const int point = this->Elements.Tetrahedra(this->RingTetrahedra[t], k);
+      if (positions[point] < 0)
+      {
+        positions[point] = static_cast<int>(points) + static_cast<int>(outer.size());
+        outer.push_back(point);
+      }
+      patch.Elements.Tetrahedra(cells + t, k) = positions[point];
+    }
+  }
+  const auto added = static_cast<Eigen::Index>(outer.size());
+  patch.Elements.Points.resize(points + added, 3);
+  patch.Elements.Points << this->Core.Points, this->Elements.Points(outer, Eigen::all);
+  patch.Elements.Images.resize(points + added, 3);
+  patch.Elements.Images << this->Core.Images, this->Values(outer, Eigen::all);
+  patch.Shares = Eigen::VectorXd::Ones(points + added);
+  patch.Shares.head(points).setZero();
+
+  double inverted = 0.0, core = 0.0;
+  for (Eigen::Index t = 0; t < cells; ++t)
+  {
+    const Eigen::RowVector4i ids = this->Core.Tetrahedra.row(t);
+    const Corners corners = GetTetrahedron(this->Core.Points, ids);
+    const double volume =
+      std::abs((corners.bottomRows<3>().rowwise() - corners.row(0)).determinant()) / 6.0;
+    core += volume;
+    if (!IsPositive(this->Core.Points, ids) || !IsPositive(this->Core.Images, ids))
+    {
+      inverted += volume;
+    }
+  }
+  std::vector<int> all(this->InCore.size());
+  std::iota(all.begin(), all.end(), 0);
+  const double total = this->VolumeOf(all);
+  result.CoreShare = core / total;
+  result.RingShare = this->VolumeOf(this->RingTetrahedra) / total;
+  result.InvertedShare = inverted / total;
+  result.UndecidedShare = this->VolumeOf(failed) / total;
+  result.CertifiedShare = 1.0 - result.InvertedShare - result.UndecidedShare;
+}
+
+} // namespace
+
+RepairMapResult RepairMap(const ChargeSet& map, const Surface& domain,
+  const Eigen::MatrixXd& targets, const RepairMapOptions& options, const Progress& progress)
+{
+  RequireOption(options.MaximumRounds >= 1, "Maximum Rounds", options.MaximumRounds, "at least 1");
+  if (targets.size() != 0 &&
+    (targets.rows() != domain.Points().rows() || targets.cols() != 3))
+  {
+    throw InvalidInput("the boundary has " + std::to_string(domain.Points().rows()) +
+      " points and " + std::to_string(targets.rows()) +
+      " images; give each point one image of three coordinates");
+  }
+  RepairMapResult result;
+  const MapCertificate certificate =
+    CertifyMap(map, domain, options.Certificate, progress.Part(0.0, 0.25));
+  result.CertifiedBefore = result.CertifiedShare = certificate.CertifiedShare;
+  result.InvertedBefore = result.InvertedShare = certificate.InvertedShare;
+  result.UndecidedBefore = result.UndecidedShare = certificate.UndecidedShare;
+  if ((certificate.States.array() == static_cast<int>(MapCertificate::BoxState::Certified)).all())
+  {
+    progress(1.0);
+    return result;
+  }
+  CoreSearch search(map,
+    FillWithElements(domain, targets.size() == 0 ? Evaluate(map, domain.Points()) : targets,
+      options.Tetrahedra, progress.Part(0.25, 0.4)),
+    progress.Part(0.4, 0.42));
+  search.AddFolds(certificate, progress.Part(0.42, 0.45, "finding the folds"));
+  search.Grow();
+  // Rounding may leave out a box that the surface only touches.
+  if (search.IsEmpty())
+  {
+    progress(1.0);
+    return result;
+  }
+  std::vector<int> failed;
+  for (int round = 0; round < options.MaximumRounds; ++round)
+  {
+    const double step = 0.55 / options.MaximumRounds;
+    const Progress part = progress.Part(0.45 + step * round, 0.45 + step * (round + 1));
+    ++result.Rounds;
+    const bool last = round + 1 == options.MaximumRounds;
+    failed = search.TestRing(part.Part(0.0, 0.5, "bounding the determinant in the ring"));
+    if (!failed.empty() && !last)
+    {
+      search.Add(failed);
+      search.Grow();
+      continue;
+    }
+    const std::vector<int> inverted =
+      search.UntangleCore(part.Part(0.5, 1.0, "untangling the core"));
+    if (inverted.empty() || last)
+    {
+      break;
+    }
+    search.Grow();
+  }
+  search.Finish(failed, result);
+  progress(1.0);
+  return result;
+}
+
+} // namespace shape

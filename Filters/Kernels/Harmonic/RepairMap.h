@@ -1,0 +1,61 @@
+#pragma once
+
+#include "Base/Progress.h"
+#include "Harmonic/Certificate.h"
+#include "Harmonic/PiecewiseHarmonicMap.h"
+#include "Mesh/Surface.h"
+
+#include <Eigen/Core>
+
+namespace shape
+{
+
+struct RepairMapOptions
+{
+  /// Approximate number of tetrahedra that fill the solid; > 0. There are more if the boundary has
+  /// many triangles.
+  int Tetrahedra = 200000;
+  /// Maximum number of times that the core is untangled or the ring tested; >= 1. The core grows
+  /// each time, by what could not be proven and its neighbours.
+  int MaximumRounds = 8;
+  MapCertificateOptions Certificate; ///< of the map before the repair
+};
+
+struct RepairMapResult
+{
+  MapPatch Patch; ///< without tetrahedra if the map folds nowhere
+  // Shares of the solid's volume, which sum to 1, before and after the repair (MapCertificate).
+  double CertifiedBefore = 0.0, InvertedBefore = 0.0, UndecidedBefore = 0.0;
+  double CertifiedShare = 0.0, InvertedShare = 0.0, UndecidedShare = 0.0;
+  double CoreShare = 0.0; ///< share of the volume in which the map is replaced
+  double RingShare = 0.0; ///< share of the volume in which it is blended
+  int Rounds = 0;         ///< see MaximumRounds
+};
+
+/**
+ * Replaces a harmonic map f where it folds, and proves that the result does not fold.
+ *
+ * 1. CertifyMap covers the solid with boxes. The solid is filled with tetrahedra. Those that meet a
+ *    box that is not certified are the core, with all that share a point with them.
+ * 2. The ring are the other tetrahedra that share a point with the core. In the ring the result is
+ *    g = h + phi (f - h) (MapPatch): h is linear between the images of the corners, and phi is 0 at
+ *    the core and 1 elsewhere. det J_g > 0 is proven by bounds in cubes. Where this fails, the core
+ *    grows.
+ * 3. In the core g = h, and Untangle moves its inner points. Points between core and ring keep
+ *    their images by f; points on the boundary get the prescribed images. Around tetrahedra that
+ *    stay inverted the core grows, up to the whole solid.
+ *
+ * A tetrahedron of the core is certified if it and its image are positive by exact predicates.
+ * Outside core and ring, f is unchanged, and all boxes are certified. The images as given, with
+ * rounding, are those of the patch, so the proof is about the map that is stored. If everything is
+ * certified and the map is injective on the boundary, it is bijective (CertifyMap).
+ *
+ * domain: closed, not crossing itself, facing out of the solid. targets: n x 3, the images of its
+ * points, for the core; empty: the images by f. Throws InvalidInput if an option is out of range or
+ * the number of targets is wrong; the exceptions of CertifyMap, FillWithElements and Untangle.
+ */
+RepairMapResult RepairMap(const ChargeSet& map, const Surface& domain,
+  const Eigen::MatrixXd& targets = {}, const RepairMapOptions& options = {},
+  const Progress& progress = {});
+
+} // namespace shape
