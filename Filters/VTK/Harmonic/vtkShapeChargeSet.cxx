@@ -106,6 +106,62 @@ std::vector<int> ChargedRows(const Eigen::MatrixXd& charges)
   return rows;
 }
 
+/// The rows of a field data array, which must have this number of components.
+Eigen::MatrixXd ReadFieldRows(
+  vtkPolyData* data, const char* array, int components, const std::string& name)
+{
+  vtkDataArray* found = data->GetFieldData()->GetArray(array);
+  if (!found || found->GetNumberOfComponents() != components)
+  {
+    throw shape::InvalidInput(name + " is repaired, but has no field data array '" + array +
+      "' of " + std::to_string(components) +
+      " components; use the complete output Charges of Shape Harmonic Volume Map");
+  }
+  Eigen::MatrixXd rows(found->GetNumberOfTuples(), components);
+  for (Eigen::Index i = 0; i < rows.rows(); ++i)
+  {
+    for (int k = 0; k < components; ++k)
+    {
+      rows(i, k) = found->GetComponent(i, k);
+    }
+  }
+  shape::RequireFinite(rows, "the array '" + std::string(array) + "' of " + name);
+  return rows;
+}
+
+/// Returns the patch of a repaired map; without tetrahedra if the map is not repaired.
+shape::MapPatch ReadPatch(vtkPolyData* data, const std::string& name)
+{
+  shape::MapPatch patch;
+  if (vtkDataArray* corners = data->GetFieldData()->GetArray("PatchTetrahedra"))
+  {
+    if (corners->GetNumberOfComponents() != 4)
+    {
+      throw shape::InvalidInput(
+        name + " has an array 'PatchTetrahedra' without 4 components; compute the map again");
+    }
+    patch.Elements.Tetrahedra = vtkShapeFiniteElements::ReadCorners(corners);
+    patch.Elements.Points = ReadFieldRows(data, "PatchPoints", 3, name);
+    patch.Elements.Images = ReadFieldRows(data, "PatchTargetPosition", 3, name);
+    patch.Shares = ReadFieldRows(data, "PatchShare", 1, name);
+  }
+  return patch;
+}
+
+void WritePatch(const shape::MapPatch& patch, vtkPolyData* output)
+{
+  if (patch.Elements.Tetrahedra.rows() == 0)
+  {
+    return;
+  }
+  vtkFieldData* data = output->GetFieldData();
+  data->AddArray(vtkShapeConvert::ToArray(patch.Elements.Points, "PatchPoints"));
+  data->AddArray(vtkShapeConvert::ToArray(patch.Elements.Images, "PatchTargetPosition"));
+  data->AddArray(vtkShapeConvert::ToArray(patch.Shares, "PatchShare"));
+  data->AddArray(
+    vtkShapeFiniteElements::WriteCorners(patch.Elements.Tetrahedra, "PatchTetrahedra"));
+}
+
 } // namespace
 
 shape::PiecewiseCharges vtkShapeChargeSet::Read(vtkPolyData* data, const std::string& name)
@@ -190,6 +246,7 @@ shape::PiecewiseCharges vtkShapeChargeSet::Read(vtkPolyData* data, const std::st
   contents.Farthest = offset && offset->GetNumberOfTuples() > 0
     ? shape::ComputeFarthest(offset->GetComponent(0, 0), contents.Surface.Points())
     : MeasuredMaximum(vtkShapeConvert::Rows(all.Points, sources), contents.Surface);
+  contents.Patch = ReadPatch(data, name);
   return contents;
 }
 
@@ -224,6 +281,15 @@ void vtkShapeChargeSet::Share(
   charges.Surface = shape::Surface(std::move(points), triangles.cast<int>());
   charges.Regions = regions.cast<int>();
   charges.Skins = skins;
+  shape::MapPatch& patch = charges.Patch;
+  Eigen::MatrixXd tetrahedra = patch.Elements.Tetrahedra.cast<double>(), shares = patch.Shares;
+  for (Eigen::MatrixXd* matrix :
+    { &patch.Elements.Points, &patch.Elements.Images, &tetrahedra, &shares })
+  {
+    vtkShapeGather::Share(controller, *matrix);
+  }
+  patch.Elements.Tetrahedra = tetrahedra.cast<int>();
+  patch.Shares = shares;
 }
 
 void vtkShapeChargeSet::Write(const shape::PiecewiseCharges& set, vtkPolyData* output)
@@ -259,6 +325,7 @@ void vtkShapeChargeSet::Write(const shape::PiecewiseCharges& set, vtkPolyData* o
   if (regions == 1)
   {
     output->GetFieldData()->AddArray(vtkShapeConvert::ToArray(set.Maps[0].Affine, "Affine"));
+    WritePatch(set.Patch, output);
     return;
   }
   for (Eigen::Index t = 0; t < set.Regions.size(); ++t)

@@ -22,6 +22,9 @@ class vtkPolyData;
  * whose map the charge belongs. At the points and cells of a surface, it is the region that the
  * surface encloses (-1: a void). `Affine` then has one tuple of 12 components for each region: the
  * rows of its A and b. The field data `Skin` have one number for each region (PiecewiseCharges).
+ *
+ * If the map is repaired, the field data have its patch (MapPatch): `PatchPoints` and
+ * `PatchTargetPosition` (double, 3), `PatchShare` (double), and `PatchTetrahedra` (int, 4).
  */
 namespace vtkShapeChargeSet
 {

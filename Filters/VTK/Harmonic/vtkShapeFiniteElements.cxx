@@ -29,6 +29,36 @@ bool vtkShapeFiniteElements::Has(vtkPolyData* data)
   return data->GetFieldData()->HasArray(TetrahedraArray) != 0;
 }
 
+Eigen::MatrixXi vtkShapeFiniteElements::ReadCorners(vtkDataArray* array)
+{
+  Eigen::MatrixXi tetrahedra(array->GetNumberOfTuples(), 4);
+  for (Eigen::Index t = 0; t < tetrahedra.rows(); ++t)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      tetrahedra(t, k) = static_cast<int>(array->GetComponent(t, k));
+    }
+  }
+  return tetrahedra;
+}
+
+vtkSmartPointer<vtkIntArray> vtkShapeFiniteElements::WriteCorners(
+  const Eigen::MatrixXi& tetrahedra, const std::string& name)
+{
+  auto corners = vtkSmartPointer<vtkIntArray>::New();
+  corners->SetName(name.c_str());
+  corners->SetNumberOfComponents(4);
+  corners->SetNumberOfTuples(tetrahedra.rows());
+  for (Eigen::Index t = 0; t < tetrahedra.rows(); ++t)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      corners->SetTypedComponent(t, k, tetrahedra(t, k));
+    }
+  }
+  return corners;
+}
+
 shape::FiniteElements vtkShapeFiniteElements::Read(vtkPolyData* data, const std::string& name)
 {
   vtkDataArray* corners = data->GetFieldData()->GetArray(TetrahedraArray);
@@ -43,14 +73,7 @@ shape::FiniteElements vtkShapeFiniteElements::Read(vtkPolyData* data, const std:
   elements.Images = vtkShapeConvert::ToPointArray(data, "TargetPosition", 3, name);
   shape::RequireFinite(elements.Points, name);
   shape::RequireFinite(elements.Images, "the images of " + name);
-  elements.Tetrahedra.resize(corners->GetNumberOfTuples(), 4);
-  for (Eigen::Index t = 0; t < elements.Tetrahedra.rows(); ++t)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      elements.Tetrahedra(t, k) = static_cast<int>(corners->GetComponent(t, k));
-    }
-  }
+  elements.Tetrahedra = ReadCorners(corners);
   elements.Boundary = vtkShapeConvert::ToMesh(data, name).Triangles;
   return elements;
 }
@@ -79,16 +102,5 @@ void vtkShapeFiniteElements::Write(const shape::FiniteElements& elements, vtkPol
   output->GetPointData()->AddArray(vtkShapeConvert::ToArray(elements.Images, "TargetPosition"));
   output->GetPointData()->AddArray(
     vtkShapeConvert::ToArray(Eigen::MatrixXd::Zero(elements.Points.rows(), 3), "Charge"));
-  vtkNew<vtkIntArray> corners;
-  corners->SetName(TetrahedraArray);
-  corners->SetNumberOfComponents(4);
-  corners->SetNumberOfTuples(elements.Tetrahedra.rows());
-  for (Eigen::Index t = 0; t < elements.Tetrahedra.rows(); ++t)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      corners->SetTypedComponent(t, k, elements.Tetrahedra(t, k));
-    }
-  }
-  output->GetFieldData()->AddArray(corners);
+  output->GetFieldData()->AddArray(WriteCorners(elements.Tetrahedra, TetrahedraArray));
 }

@@ -2,8 +2,12 @@
 
 #include "Harmonic/FiniteElementMap.h"
 
+#include "vtkSmartPointer.h"
+
 #include <string>
 
+class vtkDataArray;
+class vtkIntArray;
 class vtkMultiProcessController;
 class vtkPolyData;
 
@@ -25,6 +29,13 @@ shape::FiniteElements Read(vtkPolyData* data, const std::string& name);
 
 /// Copies the map of the first process to every process.
 void Share(vtkMultiProcessController* controller, shape::FiniteElements& elements);
+
+///@{
+/// The corners of tetrahedra as an array of 4 components, and back.
+vtkSmartPointer<vtkIntArray> WriteCorners(
+  const Eigen::MatrixXi& tetrahedra, const std::string& name);
+Eigen::MatrixXi ReadCorners(vtkDataArray* array);
+///@}
 
 /// Writes a map to `output`.
 void Write(const shape::FiniteElements& elements, vtkPolyData* output);

@@ -24,8 +24,10 @@
 #include "Harmonic/FiniteElementMap.h"
 #include "Harmonic/NearSurfaceCharges.h"
 #include "Harmonic/PiecewiseHarmonicMap.h"
+#include "Harmonic/RepairMap.h"
 #include "Mesh/Extent.h"
 #include "Mesh/Topology.h"
+#include "Solids/Nesting.h"
 
 #include <functional>
 #include <memory>
@@ -85,17 +87,27 @@ constexpr double LongestStep = 0.01;
 /// The prefix of the names of the facts.
 const std::string Facts = vtkShapeVolumeMapFacts::Prefix;
 
+/// Adds what is proven about the map, by CertifyMap or RepairMap.
+template <typename Certificate>
+void AddShares(const Certificate& certificate, vtkPolyData* facts)
+{
+  vtkShapeConvert::AddFact(facts, Facts + "CertifiedShare", certificate.CertifiedShare);
+  vtkShapeConvert::AddFact(facts, Facts + "UndecidedShare", certificate.UndecidedShare);
+  vtkShapeConvert::AddFact(facts, Facts + "InvertedShare", certificate.InvertedShare);
+}
+
 } // namespace
 
 shape::VolumeMapResult vtkShapeHarmonicVolumeMap::Solve(
   vtkPolyData* facts, shape::AcceleratedSetup& setup, const shape::Progress& progress)
 {
-  if (this->Certify &&
+  if ((this->Certify || this->Repair) &&
     (this->Exact ||
       this->Options.Method == shape::HarmonicVolumeMapOptions::MethodType::FiniteElements))
   {
-    throw shape::InvalidInput("Certify needs one harmonic map of the whole solid; turn Exact off, "
-                              "and choose another Method than FiniteElements");
+    throw shape::InvalidInput(std::string(this->Repair ? "Repair" : "Certify") +
+      " needs one harmonic map of the whole solid; turn Exact off, and choose another Method than "
+      "FiniteElements");
   }
   vtkPolyData* boundary = this->GetGatheredInput(1).Data;
   vtkShapeRegions::RequireNoneTouch(boundary, "the Boundary");
@@ -132,15 +144,26 @@ shape::VolumeMapResult vtkShapeHarmonicVolumeMap::Solve(
 
   const shape::VolumeMapOptions options{ this->Options, this->Exact, this->FreeBoundary };
   shape::VolumeMapResult result = shape::ComputeVolumeMap(
-    conditions, options, progress.Part(0.0, this->Certify ? 0.3 : 1.0), &setup);
-  if (this->Certify)
+    conditions, options, progress.Part(0.0, this->Certify || this->Repair ? 0.3 : 1.0), &setup);
+  if (this->Repair)
+  {
+    shape::RepairMapOptions repair;
+    repair.Tetrahedra = this->Options.Tetrahedra;
+    shape::RepairMapResult repaired = shape::RepairMap(result.Map.Charges.Maps.front(),
+      shape::OrientByNesting(conditions.Boundary, "the Boundary"), result.Targets, repair,
+      progress.Part(0.3, 1.0));
+    result.Map.Charges.Patch = std::move(repaired.Patch);
+    AddShares(repaired, facts);
+    vtkShapeConvert::AddFact(facts, Facts + "CertifiedBefore", repaired.CertifiedBefore);
+    vtkShapeConvert::AddFact(facts, Facts + "CoreShare", repaired.CoreShare);
+    vtkShapeConvert::AddFact(facts, Facts + "RingShare", repaired.RingShare);
+  }
+  else if (this->Certify)
   {
     const shape::PiecewiseHarmonicMap map(result.Map.Charges);
     const shape::MapCertificate certificate =
       shape::CertifyMap(map.Map(0), map.Domain().GetSurface(), {}, progress.Part(0.3, 1.0));
-    vtkShapeConvert::AddFact(facts, Facts + "CertifiedShare", certificate.CertifiedShare);
-    vtkShapeConvert::AddFact(facts, Facts + "UndecidedShare", certificate.UndecidedShare);
-    vtkShapeConvert::AddFact(facts, Facts + "InvertedShare", certificate.InvertedShare);
+    AddShares(certificate, facts);
   }
   vtkShapeVolumeMapFacts::AddFacts(result.Map, this->Options.Method, this->Exact, facts);
   vtkShapeConvert::AddFact(

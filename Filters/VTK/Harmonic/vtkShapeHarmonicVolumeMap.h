@@ -95,6 +95,12 @@
  * With Certify, the facts also have .CertifiedShare, .UndecidedShare and .InvertedShare, shares of
  * the volume: what vtkShapeCertificate proves about the charge set with its default properties.
  *
+ * With Repair, the map is replaced where it folds (shape::RepairMap), and the charge set has the
+ * patch as field data `PatchPoints` and `PatchTargetPosition` (double, 3), `PatchShare` (double)
+ * and `PatchTetrahedra` (int, 4). The moved domain and all readers of the charge set use it. The
+ * facts have the three shares of Certify after the repair, and .CertifiedBefore, .CoreShare (share
+ * of the volume in which the map is replaced) and .RingShare (in which it is blended).
+ *
  * FiniteElements takes no Features, and neither Exact nor FreeBoundary. Its table has one level
  * with the number of unknowns as Sources and Collocations.
  *
@@ -158,6 +164,8 @@ public:
   vtkGetMacro(FoldFree, bool);
   vtkSetMacro(Certify, bool);
   vtkGetMacro(Certify, bool);
+  vtkSetMacro(Repair, bool);
+  vtkGetMacro(Repair, bool);
   vtkShapeOption(MaximumMemory, double);
   vtkShapeOption(Tetrahedra, int);
   ///@}
@@ -181,6 +189,7 @@ private:
   bool FreeBoundary = false;
   bool FoldFree = false;
   bool Certify = false;
+  bool Repair = false;
   shape::HarmonicVolumeMapOptions Options;
   std::shared_ptr<shape::AcceleratedSetup> Setup; ///< reused if the boundary does not change
 };

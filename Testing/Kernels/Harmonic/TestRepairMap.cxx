@@ -1,0 +1,334 @@
+#include "Harmonic/RepairMap.h"
+
+#include "Base/Errors.h"
+#include "Geometry/Sampling.h"
+#include "Harmonic/ApplyVolumeMap.h"
+#include "Harmonic/PiecewiseInverseMap.h"
+#include "Harmonic/Private/RingCertificate.h"
+#include "Harmonic/Private/TetrahedronBox.h"
+#include "Harmonic/VolumeTransform.h"
+#include "Support/TestShapes.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <random>
+
+namespace
+{
+
+using shape::ChargeSet;
+using shape::MapPatch;
+using shape::RepairMap;
+using shape::RepairMapResult;
+
+/// The identity plus the field of a charge whose direction is `up`:
+/// det J = 1 + strength up . (x - y) / (4 pi r^3), so the map folds below the charge, up to the
+/// distance `radius`.
+ChargeSet OneFold(const Eigen::RowVector3d& position, const Eigen::RowVector3d& up, double radius)
+{
+  ChargeSet map;
+  map.Points = position;
+  map.Charges = -4.0 * M_PI * radius * radius * up.normalized();
+  return map;
+}
+
+/// A ball whose triangles are about as large as the tetrahedra.
+shape::Surface Ball()
+{
+  return shape::Surface(shapetest::Icosphere(4));
+}
+
+shape::PiecewiseCharges AsPiecewise(
+  const ChargeSet& map, const shape::Surface& domain, const MapPatch& patch)
+{
+  shape::PiecewiseCharges charges{ { map }, domain, {}, 0.0, {}, patch };
+  return charges;
+}
+
+double Determinant(const Eigen::MatrixXd& jacobians, Eigen::Index row)
+{
+  return jacobians.row(row).reshaped<Eigen::RowMajor>(3, 3).determinant();
+}
+
+/// Random weights of a tetrahedron's corners.
+Eigen::RowVector4d RandomWeights(std::mt19937& random)
+{
+  std::exponential_distribution<double> exponential;
+  const Eigen::RowVector4d weights =
+    Eigen::RowVector4d::NullaryExpr([&] { return exponential(random); });
+  return weights / weights.sum();
+}
+
+/// Random positions in the tetrahedra of a patch, `each` in every one.
+Eigen::MatrixXd PositionsIn(const MapPatch& patch, int each, std::mt19937& random)
+{
+  const Eigen::Index count = patch.Elements.Tetrahedra.rows();
+  Eigen::MatrixXd positions(each * count, 3);
+  for (Eigen::Index i = 0; i < positions.rows(); ++i)
+  {
+    const Eigen::RowVector4i corners = patch.Elements.Tetrahedra.row(i % count);
+    positions.row(i) = RandomWeights(random) * patch.Elements.Points(corners, Eigen::all);
+  }
+  return positions;
+}
+
+Eigen::MatrixXd RandomPoints(int count, std::mt19937& random)
+{
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  return Eigen::MatrixXd::NullaryExpr(count, 3, [&] { return uniform(random); });
+}
+
+/// Expects what holds for every repaired map of the ball.
+void ExpectRepaired(const ChargeSet& map, const RepairMapResult& result)
+{
+  EXPECT_GE(result.CertifiedShare, 0.999);
+  EXPECT_NEAR(result.CertifiedShare + result.InvertedShare + result.UndecidedShare, 1.0, 1e-12);
+  const auto repaired = std::make_shared<const shape::PiecewiseHarmonicMap>(
+    AsPiecewise(map, Ball(), result.Patch));
+  std::mt19937 random(5);
+
+  // Away from the patch, f is unchanged.
+  Eigen::MatrixXd away = 0.95 * RandomPoints(2000, random).rowwise().normalized();
+  away.array().colwise() *= RandomPoints(2000, random).col(0).array();
+  const shape::PiecewiseHarmonicMap::PatchPositions at = repaired->LocateInPatch(away);
+  std::vector<int> outside;
+  for (int i = 0; i < at.Cells.size(); ++i)
+  {
+    if (at.Cells(i) < 0)
+    {
+      outside.push_back(i);
+    }
+  }
+  ASSERT_GT(outside.size(), 500u);
+  const Eigen::MatrixXd unchanged = away(outside, Eigen::all);
+  EXPECT_EQ(repaired->Evaluate(unchanged), shape::Evaluate(map, unchanged));
+
+  // Where it is certified, the determinant is positive, in the patch, too.
+  const Eigen::MatrixXd inside = PositionsIn(result.Patch, 4, random);
+  const Eigen::MatrixXd jacobians = repaired->Jacobians(inside);
+  int inverted = 0;
+  for (Eigen::Index i = 0; i < inside.rows(); ++i)
+  {
+    inverted += !(Determinant(jacobians, i) > 0.0);
+  }
+  EXPECT_EQ(inverted, 0);
+
+  // The map is continuous: across any short segment it changes by no more than its derivative
+  // allows, also at the faces of core and ring.
+  constexpr double step = 1e-8;
+  const Eigen::MatrixXd faces = [&]
+  {
+    Eigen::MatrixXd positions(4 * result.Patch.Elements.Tetrahedra.rows(), 3);
+    for (Eigen::Index i = 0; i < positions.rows(); ++i)
+    {
+      Eigen::RowVector4d weights = RandomWeights(random);
+      weights(i % 4) = 0.0;
+      positions.row(i) = weights / weights.sum() *
+        result.Patch.Elements.Points(result.Patch.Elements.Tetrahedra.row(i / 4), Eigen::all);
+    }
+    return positions;
+  }();
+  const Eigen::MatrixXd steps = step * RandomPoints(static_cast<int>(faces.rows()), random);
+  const Eigen::VectorXd jumps =
+    (repaired->Evaluate(faces + steps) - repaired->Evaluate(faces - steps)).rowwise().norm();
+  const double steepest = jacobians.rowwise().norm().maxCoeff();
+  EXPECT_LT(jumps.maxCoeff(), 4.0 * step * (steepest + 1.0));
+
+  // The inverse finds each position again.
+  Eigen::MatrixXd all(inside.rows() / 4 + unchanged.rows(), 3);
+  all << inside.topRows(inside.rows() / 4), unchanged;
+  const shape::PiecewiseInverseMap inverse(repaired);
+  const shape::InverseMap::Result found = inverse.Find(repaired->Evaluate(all));
+  EXPECT_EQ(found.States.maxCoeff(), 0);
+  EXPECT_LT((found.Points - all).rowwise().norm().maxCoeff(), 1e-7);
+}
+
+} // namespace
+
+// A fold inside the ball is repaired, and the rest of the map stays.
+TEST(RepairMap, RepairsAFoldInside)
+{
+  for (const double radius : { 1e-2, 1e-3 })
+  {
+    const ChargeSet map = OneFold({ 0.21, -0.13, 0.34 }, { 0.3, -0.5, 0.8 }, radius);
+    shape::RepairMapOptions options;
+    options.Tetrahedra = 20000;
+    const RepairMapResult result = RepairMap(map, Ball(), {}, options);
+    EXPECT_LT(result.CertifiedBefore, 1.0);
+    EXPECT_GT(result.CoreShare, 0.0);
+    EXPECT_LT(result.CoreShare + result.RingShare, 0.05);
+    EXPECT_EQ(result.CertifiedShare, 1.0);
+    ExpectRepaired(map, result);
+  }
+}
+
+// A fold at the surface is repaired, and the boundary of the core gets the images that are given.
+TEST(RepairMap, RepairsAFoldAtTheSurface)
+{
+  const shape::Surface ball = Ball();
+  const Eigen::RowVector3d pole = ball.Points().row(77);
+  const ChargeSet map = OneFold(1.005 * pole, pole, 1e-2);
+  shape::RepairMapOptions options;
+  options.Tetrahedra = 20000;
+  const RepairMapResult result = RepairMap(map, ball, ball.Points(), options);
+  EXPECT_GT(result.InvertedBefore, 0.0);
+  ExpectRepaired(map, result);
+  const shape::PiecewiseHarmonicMap repaired(AsPiecewise(map, ball, result.Patch));
+  EXPECT_LT((repaired.Evaluate(pole) - pole).norm(), 1e-12);
+}
+
+// A map without folds gets no patch.
+TEST(RepairMap, LeavesAMapWithoutFolds)
+{
+  const ChargeSet map = OneFold({ 0.0, 0.0, 1.5 }, { 0.0, 0.0, 1.0 }, 0.2);
+  const RepairMapResult result = RepairMap(map, Ball());
+  EXPECT_EQ(result.Patch.Elements.Tetrahedra.rows(), 0);
+  EXPECT_EQ(result.CertifiedShare, 1.0);
+}
+
+// The result does not depend on the rigid motion and the scale of the solid, up to the mesh.
+TEST(RepairMap, FarFromTheOrigin)
+{
+  const Eigen::RowVector3d shift(2000.0, -300.0, 40.0);
+  shape::Mesh mesh = shapetest::Icosphere(4);
+  mesh.Points *= 10.0;
+  mesh.Points.rowwise() += shift;
+  const ChargeSet map =
+    OneFold(shift + Eigen::RowVector3d(2.1, -1.3, 3.4), { 0.3, -0.5, 0.8 }, 0.1);
+  shape::RepairMapOptions options;
+  options.Tetrahedra = 20000;
+  EXPECT_EQ(RepairMap(map, shape::Surface(mesh), {}, options).CertifiedShare, 1.0);
+}
+
+// The transform evaluates the same map and its derivative, which finite differences confirm.
+TEST(RepairMap, TransformsAgree)
+{
+  const ChargeSet map = OneFold({ 0.21, -0.13, 0.34 }, { 0.3, -0.5, 0.8 }, 1e-2);
+  shape::RepairMapOptions options;
+  options.Tetrahedra = 20000;
+  const RepairMapResult result = RepairMap(map, Ball(), {}, options);
+  const shape::PiecewiseCharges charges = AsPiecewise(map, Ball(), result.Patch);
+  const shape::PiecewiseHarmonicMap repaired(charges);
+  const shape::VolumeTransform transform(charges, true);
+  std::mt19937 random(9);
+  const Eigen::MatrixXd positions = PositionsIn(result.Patch, 1, random);
+  const Eigen::MatrixXd values = repaired.Evaluate(positions);
+  const Eigen::MatrixXd jacobians = repaired.Jacobians(positions);
+  constexpr double step = 1e-7;
+  for (Eigen::Index i = 0; i < positions.rows(); i += 7)
+  {
+    const auto forward = transform.Forward(Eigen::Vector3d(positions.row(i).transpose()));
+    EXPECT_LT((forward.Position - values.row(i).transpose()).norm(), 1e-12);
+    const Eigen::Matrix3d jacobian = jacobians.row(i).reshaped<Eigen::RowMajor>(3, 3);
+    EXPECT_LT((forward.Jacobian - jacobian).norm(), 1e-9 * (1.0 + jacobian.norm()));
+    const auto backward = transform.Backward(forward.Position);
+    EXPECT_EQ(backward.State, shape::InverseMap::State::Found);
+    EXPECT_LT((backward.Position - positions.row(i).transpose()).norm(), 1e-7);
+    // Both ends of the difference must be in the same tetrahedron.
+    Eigen::MatrixXd ends(2, 3);
+    ends << positions.row(i), positions.row(i);
+    ends(0, 0) += step;
+    ends(1, 0) -= step;
+    const Eigen::VectorXi cells = repaired.LocateInPatch(ends).Cells;
+    if (cells(0) == cells(1))
+    {
+      const Eigen::MatrixXd moved = repaired.Evaluate(ends);
+      EXPECT_LT(((moved.row(0) - moved.row(1)).transpose() / (2.0 * step) - jacobian.col(0)).norm(),
+        1e-4 * (1.0 + jacobian.norm()));
+    }
+  }
+}
+
+// Random maps, images and shares: no sample contradicts a certified tetrahedron.
+TEST(RingCertificate, IsNeverWrong)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  int certified = 0, undecided = 0, wrong = 0;
+  for (int trial = 0; trial < 500; ++trial)
+  {
+    ChargeSet map;
+    map.Points = RandomPoints(40, random).rowwise().normalized();
+    map.Points.array().colwise() *=
+      1.02 + Eigen::ArrayXd::NullaryExpr(40, [&] { return uniform(random); });
+    map.Charges = 0.5 * RandomPoints(40, random);
+    map.Affine.leftCols<3>() += 0.2 * RandomPoints(3, random);
+    MapPatch patch;
+    patch.Elements.Points = 0.3 * RandomPoints(4, random);
+    patch.Elements.Points.rowwise() += 0.6 * RandomPoints(1, random).row(0);
+    patch.Elements.Tetrahedra = Eigen::RowVector4i(0, 1, 2, 3);
+    const Eigen::Matrix3d edges =
+      patch.Elements.Points.bottomRows<3>().rowwise() - patch.Elements.Points.row(0);
+    if (edges.determinant() < 0.0)
+    {
+      std::swap(patch.Elements.Tetrahedra(2), patch.Elements.Tetrahedra(3));
+    }
+    patch.Elements.Images = shape::Evaluate(map, patch.Elements.Points) +
+      0.1 * uniform(random) * RandomPoints(4, random);
+    patch.Shares = Eigen::Vector4d(0.0, 0.0, 1.0, 1.0);
+    patch.Shares(1) = trial % 2;
+    if (!shape::FindUncertified(map, patch, { 0 }).empty())
+    {
+      ++undecided;
+      continue;
+    }
+    ++certified;
+    const shape::PiecewiseHarmonicMap repaired(AsPiecewise(map, Ball(), patch));
+    const Eigen::MatrixXd jacobians = repaired.Jacobians(PositionsIn(patch, 300, random));
+    for (Eigen::Index i = 0; i < jacobians.rows(); ++i)
+    {
+      wrong += !(Determinant(jacobians, i) > 0.0);
+    }
+  }
+  EXPECT_EQ(wrong, 0);
+  // Both kinds occur.
+  EXPECT_GT(certified, 50);
+  EXPECT_GT(undecided, 50);
+}
+
+// A tetrahedron that has a point in a box is never left out, and most others are.
+TEST(TetrahedronBox, FindsWhatMeets)
+{
+  std::mt19937 random(4);
+  int met = 0, missed = 0, apart = 0;
+  for (int trial = 0; trial < 3000; ++trial)
+  {
+    const Eigen::Matrix<double, 4, 3> corners = RandomPoints(4, random);
+    const Eigen::Vector3d centre = RandomPoints(1, random).transpose();
+    const Eigen::Vector3d half = 0.2 * RandomPoints(1, random).cwiseAbs().transpose();
+    const Eigen::AlignedBox3d box(centre - half, centre + half);
+    bool meets = false;
+    for (int sample = 0; sample < 200 && !meets; ++sample)
+    {
+      meets = box.contains((RandomWeights(random) * corners).transpose());
+    }
+    const bool found = shape::MayMeet(corners, box);
+    met += meets;
+    missed += meets && !found;
+    apart += !found;
+  }
+  EXPECT_EQ(missed, 0);
+  EXPECT_GT(met, 100);
+  EXPECT_GT(apart, 1000);
+}
+
+TEST(RepairMap, RejectsWhatItCannotUse)
+{
+  const ChargeSet map = OneFold({ 0.2, 0.1, 0.3 }, { 0.0, 0.0, 1.0 }, 1e-2);
+  EXPECT_THROW(RepairMap(map, Ball(), Eigen::MatrixXd::Zero(3, 3)), shape::InvalidInput);
+  shape::RepairMapOptions options;
+  options.MaximumRounds = 0;
+  EXPECT_THROW(RepairMap(map, Ball(), {}, options), shape::InvalidInput);
+  // A patch of the wrong shape, or of a map of several regions.
+  MapPatch patch;
+  patch.Elements.Points = RandomPoints(4, *std::make_unique<std::mt19937>(1));
+  patch.Elements.Images = patch.Elements.Points;
+  patch.Elements.Tetrahedra = Eigen::RowVector4i(0, 1, 2, 3);
+  EXPECT_THROW(
+    shape::PiecewiseHarmonicMap(AsPiecewise(map, Ball(), patch)), shape::InvalidInput);
+}
