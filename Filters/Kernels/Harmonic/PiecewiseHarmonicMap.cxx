@@ -66,29 +66,29 @@ void RequireValidCharges(const PiecewiseCharges& charges)
   }
 }
 
-/// Returns the map of h and phi of a patch; null if it has no tetrahedra.
+/// Returns the map of h and phi of a repair; null if it has no tetrahedra.
 std::unique_ptr<const FiniteElementMap> JoinShares(const PiecewiseCharges& charges)
 {
-  const MapPatch& patch = charges.Patch;
-  if (patch.Elements.Tetrahedra.rows() == 0)
+  const MapRepair& repair = charges.Repair;
+  if (repair.Elements.Tetrahedra.rows() == 0)
   {
     return nullptr;
   }
   if (charges.Maps.size() > 1)
   {
     throw InvalidInput("the map has " + std::to_string(charges.Maps.size()) +
-      " regions and a patch; only a map of one region can be repaired");
+      " regions and a repair; only a map of one region can be repaired");
   }
-  if (patch.Shares.size() != patch.Elements.Points.rows() || patch.Elements.Images.cols() != 3 ||
-    !(patch.Shares.minCoeff() >= 0.0 && patch.Shares.maxCoeff() <= 1.0))
+  if (repair.Shares.size() != repair.Elements.Points.rows() || repair.Elements.Images.cols() != 3 ||
+    !(repair.Shares.minCoeff() >= 0.0 && repair.Shares.maxCoeff() <= 1.0))
   {
-    throw InvalidInput("the patch of the map has " + std::to_string(patch.Elements.Points.rows()) +
-      " points and " + std::to_string(patch.Shares.size()) +
+    throw InvalidInput("the repair of the map has " + std::to_string(repair.Elements.Points.rows()) +
+      " points and " + std::to_string(repair.Shares.size()) +
       " shares; give each point an image of three coordinates and one share from 0 to 1");
   }
-  FiniteElements joined = patch.Elements;
+  FiniteElements joined = repair.Elements;
   joined.Images.conservativeResize(Eigen::NoChange, 4);
-  joined.Images.col(3) = patch.Shares;
+  joined.Images.col(3) = repair.Shares;
   return std::make_unique<const FiniteElementMap>(std::move(joined));
 }
 
@@ -106,14 +106,14 @@ PiecewiseHarmonicMap::PiecewiseHarmonicMap(
   , FarthestOutside(charges.Farthest)
   , Borders(charges.Maps.size())
   , Parents(charges.Maps.size(), 0)
-  , Patch(JoinShares(charges))
+  , Repair(JoinShares(charges))
   , Walls(charges.Maps.size(), Mesh{ Eigen::MatrixXd(0, 3), Eigen::MatrixXi(0, 3) })
 {
   RequireValidCharges(charges);
-  if (this->Patch)
+  if (this->Repair)
   {
     constexpr double tolerance = 1e-6;
-    this->PatchTolerance = tolerance * ComputeLongestBoxEdge(this->Patch->Elements().Points);
+    this->RepairTolerance = tolerance * ComputeLongestBoxEdge(this->Repair->Elements().Points);
   }
   const std::string name = "the surface of the Map";
   // The surfaces are checked and oriented; then each region gets its border, its parent, and the
@@ -306,9 +306,9 @@ double ShareOf(const PiecewiseHarmonicMap::Positions& positions, int i, int regi
 Eigen::MatrixXd PiecewiseHarmonicMap::Evaluate(
   const Eigen::MatrixXd& points, const Progress& progress) const
 {
-  if (this->Patch)
+  if (this->Repair)
   {
-    return this->EvaluatePatched(points, progress);
+    return this->EvaluateRepaired(points, progress);
   }
   if (this->RegionCount() == 1)
   {
@@ -334,9 +334,9 @@ Eigen::MatrixXd PiecewiseHarmonicMap::Evaluate(
 Eigen::MatrixXd PiecewiseHarmonicMap::Jacobians(
   const Eigen::MatrixXd& points, const Progress& progress) const
 {
-  if (this->Patch)
+  if (this->Repair)
   {
-    return this->PatchedJacobians(points, progress);
+    return this->RepairedJacobians(points, progress);
   }
   if (this->RegionCount() == 1)
   {
@@ -375,12 +375,12 @@ Eigen::MatrixXd PiecewiseHarmonicMap::Jacobians(
   return jacobians;
 }
 
-PiecewiseHarmonicMap::PatchPositions PiecewiseHarmonicMap::LocateInPatch(
+PiecewiseHarmonicMap::RepairPositions PiecewiseHarmonicMap::LocateInRepair(
   const Eigen::MatrixXd& points, const Progress& progress) const
 {
   FiniteElementMap::Values values =
-    this->Patch->Evaluate(points, progress, this->PatchTolerance);
-  PatchPositions at{ std::move(values.Cells), std::move(values.Images),
+    this->Repair->Evaluate(points, progress, this->RepairTolerance);
+  RepairPositions at{ std::move(values.Cells), std::move(values.Images),
     Eigen::MatrixXd::Zero(points.rows(), 12) };
   std::vector<int> inside;
   for (int i = 0; i < at.Cells.size(); ++i)
@@ -394,15 +394,15 @@ PiecewiseHarmonicMap::PatchPositions PiecewiseHarmonicMap::LocateInPatch(
       at.Values(i, 3) = 1.0;
     }
   }
-  at.Gradients(inside, Eigen::all) = this->Patch->Jacobians(at.Cells(inside));
+  at.Gradients(inside, Eigen::all) = this->Repair->Jacobians(at.Cells(inside));
   return at;
 }
 
 namespace
 {
 
-/// Returns the points outside the core of the patch, where f has a share.
-std::vector<int> OutsideCore(const PiecewiseHarmonicMap::PatchPositions& at)
+/// Returns the points outside the core of the repair, where f has a share.
+std::vector<int> OutsideCore(const PiecewiseHarmonicMap::RepairPositions& at)
 {
   std::vector<int> rows;
   for (int i = 0; i < at.Cells.size(); ++i)
@@ -417,10 +417,10 @@ std::vector<int> OutsideCore(const PiecewiseHarmonicMap::PatchPositions& at)
 
 } // namespace
 
-Eigen::MatrixXd PiecewiseHarmonicMap::EvaluatePatched(
+Eigen::MatrixXd PiecewiseHarmonicMap::EvaluateRepaired(
   const Eigen::MatrixXd& points, const Progress& progress) const
 {
-  const PatchPositions at = this->LocateInPatch(points, progress.Part(0.0, 0.3));
+  const RepairPositions at = this->LocateInRepair(points, progress.Part(0.0, 0.3));
   const std::vector<int> rows = OutsideCore(at);
   const Eigen::MatrixXd charges =
     shape::Evaluate(this->Maps[0], points(rows, Eigen::all), progress.Part(0.3, 1.0));
@@ -436,10 +436,10 @@ Eigen::MatrixXd PiecewiseHarmonicMap::EvaluatePatched(
   return values;
 }
 
-Eigen::MatrixXd PiecewiseHarmonicMap::PatchedJacobians(
+Eigen::MatrixXd PiecewiseHarmonicMap::RepairedJacobians(
   const Eigen::MatrixXd& points, const Progress& progress) const
 {
-  const PatchPositions at = this->LocateInPatch(points, progress.Part(0.0, 0.3));
+  const RepairPositions at = this->LocateInRepair(points, progress.Part(0.0, 0.3));
   const std::vector<int> rows = OutsideCore(at);
   const Eigen::MatrixXd charges =
     shape::Evaluate(this->Maps[0], points(rows, Eigen::all), progress.Part(0.3, 0.6));

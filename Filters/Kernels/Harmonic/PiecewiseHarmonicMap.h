@@ -16,9 +16,9 @@ namespace shape
  *   g = h + phi (f - h)
  *
  * with h and phi linear. phi is 0 in the core, where g is linear, and rises to 1 in a ring around
- * it. It is 1 at the faces where the patch borders on the rest of the solid, so g is continuous.
+ * it. It is 1 at the faces where the repair borders on the rest of the solid, so g is continuous.
  */
-struct MapPatch
+struct MapRepair
 {
   FiniteElements Elements; ///< the tetrahedra, and h as Images; none: f is replaced nowhere
   Eigen::VectorXd Shares;  ///< one for each point of Elements: phi, the share of f, 0 to 1
@@ -40,7 +40,7 @@ struct PiecewiseCharges
   /// For each region, the thickness (>= 0) of the skin inside its border. In the skin the map of
   /// the surrounding region blends into the region's map. Empty: all are 0.
   Eigen::VectorXd Skins;
-  MapPatch Patch; ///< may have tetrahedra if there is one region
+  MapRepair Repair; ///< may have tetrahedra if there is one region
 };
 
 /// Returns the maximum distance outside its domain at which a map is valid
@@ -59,7 +59,7 @@ double ComputeFarthest(double offsetDistance, const Eigen::MatrixXd& points);
  * therefore equals f_r. f and its first derivative are continuous across borders, even if the two
  * fitted maps differ there.
  *
- * With a patch, the map is that of MapPatch in the tetrahedra and within 1e-6 of their longest side
+ * With a repair, the map is that of MapRepair in the tetrahedra and within 1e-6 of their longest side
  * around them. There, a point outside the solid takes h and phi from the closest position.
  *
  * Region r > 0 is the space inside the components with number r, except the regions inside it. A
@@ -69,7 +69,7 @@ class PiecewiseHarmonicMap
 {
 public:
   /// Throws InvalidInput if a surface is not closed, components touch or cross, array sizes do not
-  /// agree, or there are several regions and a patch; Aborted.
+  /// agree, or there are several regions and a repair; Aborted.
   explicit PiecewiseHarmonicMap(const PiecewiseCharges& charges, const Progress& progress = {});
 
   int RegionCount() const { return static_cast<int>(this->Maps.size()); }
@@ -100,28 +100,28 @@ public:
   };
   Positions Locate(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
 
-  bool HasPatch() const { return this->Patch != nullptr; }
+  bool HasRepair() const { return this->Repair != nullptr; }
 
-  /// The patch at n points.
-  struct PatchPositions
+  /// The repair at n points.
+  struct RepairPositions
   {
-    Eigen::VectorXi Cells;     ///< n: the tetrahedron of each point; -1 outside the patch
-    Eigen::MatrixXd Values;    ///< n x 4: h and phi; outside the patch 0 and 1
+    Eigen::VectorXi Cells;     ///< n: the tetrahedron of each point; -1 outside the repair
+    Eigen::MatrixXd Values;    ///< n x 4: h and phi; outside the repair 0 and 1
     Eigen::MatrixXd Gradients; ///< n x 12: of these, in the order of EvaluateJacobians
   };
-  /// Needs a patch. Throws Aborted.
-  PatchPositions LocateInPatch(
+  /// Needs a repair. Throws Aborted.
+  RepairPositions LocateInRepair(
     const Eigen::MatrixXd& points, const Progress& progress = {}) const;
-  /// The patch, with the shares as fourth coordinate of the images. Needs a patch.
-  const FiniteElements& PatchElements() const { return this->Patch->Elements(); }
+  /// The repair, with the shares as fourth coordinate of the images. Needs a repair.
+  const FiniteElements& RepairElements() const { return this->Repair->Elements(); }
 
   /// Returns the region that surrounds `region`, which must be > 0.
   int Parent(int region) const { return this->Parents[region]; }
 
 private:
   void FindParents();
-  Eigen::MatrixXd EvaluatePatched(const Eigen::MatrixXd& points, const Progress& progress) const;
-  Eigen::MatrixXd PatchedJacobians(const Eigen::MatrixXd& points, const Progress& progress) const;
+  Eigen::MatrixXd EvaluateRepaired(const Eigen::MatrixXd& points, const Progress& progress) const;
+  Eigen::MatrixXd RepairedJacobians(const Eigen::MatrixXd& points, const Progress& progress) const;
 
   std::vector<ChargeSet> Maps;
   Eigen::VectorXd Skins;
@@ -130,8 +130,8 @@ private:
   std::vector<std::unique_ptr<SignedDistance>> Borders; ///< one for each region; null for region 0
   std::vector<int> Parents;                             ///< one for each region
   std::vector<int> Order;  ///< regions > 0, outer ones before inner ones
-  std::unique_ptr<const FiniteElementMap> Patch; ///< of h and phi; null without a patch
-  double PatchTolerance = 0.0;
+  std::unique_ptr<const FiniteElementMap> Repair; ///< of h and phi; null without a repair
+  double RepairTolerance = 0.0;
   std::vector<Mesh> Walls; ///< one for each region: the walls of the voids in it
 };
 

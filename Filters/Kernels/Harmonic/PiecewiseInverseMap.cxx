@@ -23,33 +23,33 @@ PiecewiseInverseMap::PiecewiseInverseMap(std::shared_ptr<const PiecewiseHarmonic
   const Eigen::MatrixXd& points = this->Map->Domain().GetSurface().Points();
   this->Goal = options.Tolerance * ComputeLongestBoxEdge(this->Map->Evaluate(points));
   this->MaxStep = 0.25 * ComputeLongestBoxEdge(points);
-  if (this->Map->HasPatch())
+  if (this->Map->HasRepair())
   {
-    this->PreparePatch();
+    this->PrepareRepair();
   }
 }
 
-void PiecewiseInverseMap::PreparePatch()
+void PiecewiseInverseMap::PrepareRepair()
 {
-  const FiniteElements& patch = this->Map->PatchElements();
+  const FiniteElements& repair = this->Map->RepairElements();
   std::vector<int> core, ring;
-  for (int t = 0; t < patch.Tetrahedra.rows(); ++t)
+  for (int t = 0; t < repair.Tetrahedra.rows(); ++t)
   {
-    const bool linear = (patch.Images(patch.Tetrahedra.row(t), 3).array() == 0.0).all();
+    const bool linear = (repair.Images(repair.Tetrahedra.row(t), 3).array() == 0.0).all();
     (linear ? core : ring).push_back(t);
   }
   const auto invert = [&](const std::vector<int>& tetrahedra)
   {
     return tetrahedra.empty()
       ? nullptr
-      : std::make_unique<const FiniteElementMap>(FiniteElements{ patch.Images.leftCols<3>(),
-          patch.Tetrahedra(tetrahedra, Eigen::all), patch.Points, {}, 0 });
+      : std::make_unique<const FiniteElementMap>(FiniteElements{ repair.Images.leftCols<3>(),
+          repair.Tetrahedra(tetrahedra, Eigen::all), repair.Points, {}, 0 });
   };
   this->Core = invert(core);
   this->Ring = invert(ring);
 }
 
-InverseMap::Result PiecewiseInverseMap::FindWithPatch(
+InverseMap::Result PiecewiseInverseMap::FindInRepaired(
   const Eigen::MatrixXd& points, const Progress& progress) const
 {
   using State = InverseMap::State;
@@ -74,10 +74,10 @@ InverseMap::Result PiecewiseInverseMap::FindWithPatch(
     }
     open = std::exchange(left, {});
   }
-  // Outside the patch: the charges.
+  // Outside the repair: the charges.
   const InverseMap::Result charges =
     this->Inverses.front().Find(points(open, Eigen::all), progress.Part(0.1, 0.8));
-  const Eigen::VectorXi cells = this->Map->LocateInPatch(charges.Points).Cells;
+  const Eigen::VectorXi cells = this->Map->LocateInRepair(charges.Points).Cells;
   for (std::size_t k = 0; k < open.size(); ++k)
   {
     if (charges.States(k) == static_cast<int>(State::Found) && cells(k) < 0)
@@ -123,9 +123,9 @@ InverseMap::Result PiecewiseInverseMap::Find(
   //    the complete map differs.
   // 3. A solution counts if its image meets the goal and it lies in the domain. The others stay
   //    open for the next region.
-  if (this->Map->HasPatch())
+  if (this->Map->HasRepair())
   {
-    return this->FindWithPatch(points, progress);
+    return this->FindInRepaired(points, progress);
   }
   if (this->Inverses.size() == 1)
   {

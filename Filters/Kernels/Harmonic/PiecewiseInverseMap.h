@@ -17,8 +17,8 @@ namespace shape
  * method therefore continues from there with f. The first position whose image is within the
  * tolerance of y is returned.
  *
- * If the map has a patch, y is first searched in the images of the core's tetrahedra, where the
- * inverse is linear. Otherwise the preimage by the charges counts if it is outside the patch. The
+ * If the map has a repair, y is first searched in the images of the core's tetrahedra, where the
+ * inverse is linear. Otherwise the preimage by the charges counts if it is outside the repair. The
  * rest is found by Newton's method with f, from the closest image of a tetrahedron of the ring.
  *
  * Can be used from several threads.
@@ -39,15 +39,15 @@ public:
   double GoalOfMisses() const { return this->Goal; } ///< maximum of |f(x) - y| at a preimage
 
 private:
-  void PreparePatch();
-  InverseMap::Result FindWithPatch(const Eigen::MatrixXd& points, const Progress& progress) const;
+  void PrepareRepair();
+  InverseMap::Result FindInRepaired(const Eigen::MatrixXd& points, const Progress& progress) const;
 
   std::shared_ptr<const PiecewiseHarmonicMap> Map;
   std::vector<InverseMap> Inverses; ///< one for each region
   double Goal = 0.0;                ///< maximum of |f(x) - y| at a preimage
   double MaxStep = 0.0;
   int Iterations = 0;
-  // The maps from the images to the tetrahedra of a patch; null where there are none.
+  // The maps from the images to the tetrahedra of a repair; null where there are none.
   std::unique_ptr<const FiniteElementMap> Core, Ring;
 };
 

@@ -79,13 +79,13 @@ public:
   /// Untangles the core, and returns its tetrahedra that stay inverted.
   std::vector<int> UntangleCore(const Progress& progress);
 
-  /// Sets the patch and the shares of the result. failed: the tetrahedra of the ring that are not
+  /// Sets the repair and the shares of the result. failed: the tetrahedra of the ring that are not
   /// certified.
   void Finish(const std::vector<int>& failed, RepairMapResult& result) const;
 
 private:
   void Close();
-  MapPatch WholePatch() const;
+  MapRepair WholeRepair() const;
   double VolumeOf(const std::vector<int>& tetrahedra) const;
 
   const ChargeSet& Map;
@@ -200,32 +200,32 @@ void CoreSearch::Close()
   }
 }
 
-/// Returns the patch before untangling, with the tetrahedra and points of the whole solid.
-MapPatch CoreSearch::WholePatch() const
+/// Returns the repair before untangling, with the tetrahedra and points of the whole solid.
+MapRepair CoreSearch::WholeRepair() const
 {
-  MapPatch patch{ this->Elements, Eigen::VectorXd::Ones(this->Elements.Points.rows()) };
-  for (Eigen::Index i = 0; i < patch.Shares.size(); ++i)
+  MapRepair repair{ this->Elements, Eigen::VectorXd::Ones(this->Elements.Points.rows()) };
+  for (Eigen::Index i = 0; i < repair.Shares.size(); ++i)
   {
     if (this->AtCore[i] != 0)
     {
-      patch.Shares(i) = 0.0;
+      repair.Shares(i) = 0.0;
     }
     if (this->AtCore[i] == 0 || this->AtSurface[i] == 0)
     {
-      patch.Elements.Images.row(i) = this->Values.row(i);
+      repair.Elements.Images.row(i) = this->Values.row(i);
     }
   }
-  return patch;
+  return repair;
 }
 
 std::vector<int> CoreSearch::TestRing(const Progress& progress)
 {
-  return FindUncertified(this->Map, this->WholePatch(), this->RingTetrahedra, progress);
+  return FindUncertified(this->Map, this->WholeRepair(), this->RingTetrahedra, progress);
 }
 
 std::vector<int> CoreSearch::UntangleCore(const Progress& progress)
 {
-  const MapPatch patch = this->WholePatch();
+  const MapRepair repair = this->WholeRepair();
   std::vector<int> positions(this->AtCore.size(), -1);
   this->CorePoints.clear();
   for (std::size_t i = 0; i < positions.size(); ++i)
@@ -241,7 +241,7 @@ std::vector<int> CoreSearch::UntangleCore(const Progress& progress)
     this->Elements.Tetrahedra(this->CoreTetrahedra, Eigen::all)
       .unaryExpr([&](int point) { return positions[point]; });
   this->Core = { this->Elements.Points(this->CorePoints, Eigen::all), tetrahedra,
-    patch.Elements.Images(this->CorePoints, Eigen::all), {}, 0 };
+    repair.Elements.Images(this->CorePoints, Eigen::all), {}, 0 };
   std::vector<int> inverted;
   double volume = 0.0;
   for (int t = 0; t < count; ++t)
@@ -294,8 +294,8 @@ double CoreSearch::VolumeOf(const std::vector<int>& tetrahedra) const
 void CoreSearch::Finish(const std::vector<int>& failed, RepairMapResult& result) const
 {
   // The points of the core, then those of the ring alone.
-  MapPatch& patch = result.Patch;
-  patch = {};
+  MapRepair& repair = result.Repair;
+  repair = {};
   std::vector<int> positions(this->AtCore.size(), -1), outer;
   for (std::size_t i = 0; i < this->CorePoints.size(); ++i)
   {
@@ -303,8 +303,8 @@ void CoreSearch::Finish(const std::vector<int>& failed, RepairMapResult& result)
   }
   const Eigen::Index points = this->Core.Points.rows(), cells = this->Core.Tetrahedra.rows();
   const auto ring = static_cast<Eigen::Index>(this->RingTetrahedra.size());
-  patch.Elements.Tetrahedra.resize(cells + ring, 4);
-  patch.Elements.Tetrahedra.topRows(cells) = this->Core.Tetrahedra;
+  repair.Elements.Tetrahedra.resize(cells + ring, 4);
+  repair.Elements.Tetrahedra.topRows(cells) = this->Core.Tetrahedra;
   for (Eigen::Index t = 0; t < ring; ++t)
   {
     for (int k = 0; k < 4; ++k)
@@ -315,16 +315,16 @@ void CoreSearch::Finish(const std::vector<int>& failed, RepairMapResult& result)
         positions[point] = static_cast<int>(points) + static_cast<int>(outer.size());
         outer.push_back(point);
       }
-      patch.Elements.Tetrahedra(cells + t, k) = positions[point];
+      repair.Elements.Tetrahedra(cells + t, k) = positions[point];
     }
   }
   const auto added = static_cast<Eigen::Index>(outer.size());
-  patch.Elements.Points.resize(points + added, 3);
-  patch.Elements.Points << this->Core.Points, this->Elements.Points(outer, Eigen::all);
-  patch.Elements.Images.resize(points + added, 3);
-  patch.Elements.Images << this->Core.Images, this->Values(outer, Eigen::all);
-  patch.Shares = Eigen::VectorXd::Ones(points + added);
-  patch.Shares.head(points).setZero();
+  repair.Elements.Points.resize(points + added, 3);
+  repair.Elements.Points << this->Core.Points, this->Elements.Points(outer, Eigen::all);
+  repair.Elements.Images.resize(points + added, 3);
+  repair.Elements.Images << this->Core.Images, this->Values(outer, Eigen::all);
+  repair.Shares = Eigen::VectorXd::Ones(points + added);
+  repair.Shares.head(points).setZero();
 
   double inverted = 0.0, core = 0.0;
   for (Eigen::Index t = 0; t < cells; ++t)

@@ -23,7 +23,7 @@ struct RepairMapOptions
 
 struct RepairMapResult
 {
-  MapPatch Patch; ///< without tetrahedra if the map folds nowhere
+  MapRepair Repair; ///< without tetrahedra if the map folds nowhere
   // Shares of the solid's volume, which sum to 1, before and after the repair (MapCertificate).
   double CertifiedBefore = 0.0, InvertedBefore = 0.0, UndecidedBefore = 0.0;
   double CertifiedShare = 0.0, InvertedShare = 0.0, UndecidedShare = 0.0;
@@ -38,7 +38,7 @@ struct RepairMapResult
  * 1. CertifyMap covers the solid with boxes. The solid is filled with tetrahedra. Those that meet a
  *    box that is not certified are the core, with all that share a point with them.
  * 2. The ring are the other tetrahedra that share a point with the core. In the ring the result is
- *    g = h + phi (f - h) (MapPatch): h is linear between the images of the corners, and phi is 0 at
+ *    g = h + phi (f - h) (MapRepair): h is linear between the images of the corners, and phi is 0 at
  *    the core and 1 elsewhere. det J_g > 0 is proven by bounds in cubes. Where this fails, the core
  *    grows.
  * 3. In the core g = h, and Untangle moves its inner points. Points between core and ring keep
@@ -47,7 +47,7 @@ struct RepairMapResult
  *
  * A tetrahedron of the core is certified if it and its image are positive by exact predicates.
  * Outside core and ring, f is unchanged, and all boxes are certified. The images as given, with
- * rounding, are those of the patch, so the proof is about the map that is stored. If everything is
+ * rounding, are those of the repair, so the proof is about the map that is stored. If everything is
  * certified and the map is injective on the boundary, it is bijective (CertifyMap).
  *
  * domain: closed, not crossing itself, facing out of the solid. targets: n x 3, the images of its

@@ -46,9 +46,9 @@ VolumeTransform::VolumeTransform(const PiecewiseCharges& charges, bool withInver
 Eigen::Vector3d VolumeTransform::Evaluate(
   const Eigen::Vector3d& position, Eigen::Matrix3d& jacobian) const
 {
-  if (this->Map->HasPatch())
+  if (this->Map->HasRepair())
   {
-    return this->EvaluatePatched(position, jacobian);
+    return this->EvaluateRepaired(position, jacobian);
   }
   if (this->Charges.size() == 1)
   {
@@ -70,16 +70,16 @@ Eigen::Vector3d VolumeTransform::Evaluate(
   return value;
 }
 
-Eigen::Vector3d VolumeTransform::EvaluatePatched(
+Eigen::Vector3d VolumeTransform::EvaluateRepaired(
   const Eigen::Vector3d& position, Eigen::Matrix3d& jacobian) const
 {
-  const PiecewiseHarmonicMap::PatchPositions at = this->Map->LocateInPatch(position.transpose());
+  const PiecewiseHarmonicMap::RepairPositions at = this->Map->LocateInRepair(position.transpose());
   const double share = at.Values(0, 3);
   if (at.Cells(0) < 0 || !(share < 1.0))
   {
     return this->Charges.front().Evaluate(position, jacobian);
   }
-  // g = h + phi (f - h) and its derivative (MapPatch).
+  // g = h + phi (f - h) and its derivative (MapRepair).
   Eigen::Vector3d value = at.Values.leftCols<3>().transpose();
   jacobian = at.Gradients.leftCols<9>().reshaped<Eigen::RowMajor>(3, 3);
   if (share > 0.0)
@@ -155,8 +155,8 @@ VolumeTransform::Result VolumeTransform::Backward(const Eigen::Vector3d& point) 
       return { position, State::Found, jacobian };
     }
   }
-  // The point is outside the image of every region. The image of a patch may reach farther.
-  if (!searched && !this->Map->HasPatch())
+  // The point is outside the image of every region. The image of a repair may reach farther.
+  if (!searched && !this->Map->HasRepair())
   {
     return result;
   }

@@ -46,7 +46,7 @@ public:
 
 private:
   Eigen::Vector3d Evaluate(const Eigen::Vector3d& position, Eigen::Matrix3d& jacobian) const;
-  Eigen::Vector3d EvaluatePatched(
+  Eigen::Vector3d EvaluateRepaired(
     const Eigen::Vector3d& position, Eigen::Matrix3d& jacobian) const;
   bool IsOutside(const Eigen::Vector3d& position) const;
 

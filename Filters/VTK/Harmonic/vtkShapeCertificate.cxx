@@ -126,7 +126,7 @@ void vtkShapeCertificate::Execute(const shape::Progress& progress)
     throw shape::InvalidInput("the Map has " + std::to_string(map.RegionCount()) +
       " regions, between which it is not harmonic; compute the map without Exact");
   }
-  if (map.HasPatch())
+  if (map.HasRepair())
   {
     throw shape::InvalidInput("the Map is repaired, and was certified by its repair: see its facts "
                               "CertifiedShare and InvertedShare; or compute it without Repair");

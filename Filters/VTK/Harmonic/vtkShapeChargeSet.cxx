@@ -129,37 +129,37 @@ Eigen::MatrixXd ReadFieldRows(
   return rows;
 }
 
-/// Returns the patch of a repaired map; without tetrahedra if the map is not repaired.
-shape::MapPatch ReadPatch(vtkPolyData* data, const std::string& name)
+/// Returns the repair of a repaired map; without tetrahedra if the map is not repaired.
+shape::MapRepair ReadRepair(vtkPolyData* data, const std::string& name)
 {
-  shape::MapPatch patch;
-  if (vtkDataArray* corners = data->GetFieldData()->GetArray("PatchTetrahedra"))
+  shape::MapRepair repair;
+  if (vtkDataArray* corners = data->GetFieldData()->GetArray("RepairTetrahedra"))
   {
     if (corners->GetNumberOfComponents() != 4)
     {
       throw shape::InvalidInput(
-        name + " has an array 'PatchTetrahedra' without 4 components; compute the map again");
+        name + " has an array 'RepairTetrahedra' without 4 components; compute the map again");
     }
-    patch.Elements.Tetrahedra = vtkShapeFiniteElements::ReadCorners(corners);
-    patch.Elements.Points = ReadFieldRows(data, "PatchPoints", 3, name);
-    patch.Elements.Images = ReadFieldRows(data, "PatchTargetPosition", 3, name);
-    patch.Shares = ReadFieldRows(data, "PatchShare", 1, name);
+    repair.Elements.Tetrahedra = vtkShapeFiniteElements::ReadCorners(corners);
+    repair.Elements.Points = ReadFieldRows(data, "RepairPoints", 3, name);
+    repair.Elements.Images = ReadFieldRows(data, "RepairTargetPosition", 3, name);
+    repair.Shares = ReadFieldRows(data, "RepairShare", 1, name);
   }
-  return patch;
+  return repair;
 }
 
-void WritePatch(const shape::MapPatch& patch, vtkPolyData* output)
+void WriteRepair(const shape::MapRepair& repair, vtkPolyData* output)
 {
-  if (patch.Elements.Tetrahedra.rows() == 0)
+  if (repair.Elements.Tetrahedra.rows() == 0)
   {
     return;
   }
   vtkFieldData* data = output->GetFieldData();
-  data->AddArray(vtkShapeConvert::ToArray(patch.Elements.Points, "PatchPoints"));
-  data->AddArray(vtkShapeConvert::ToArray(patch.Elements.Images, "PatchTargetPosition"));
-  data->AddArray(vtkShapeConvert::ToArray(patch.Shares, "PatchShare"));
+  data->AddArray(vtkShapeConvert::ToArray(repair.Elements.Points, "RepairPoints"));
+  data->AddArray(vtkShapeConvert::ToArray(repair.Elements.Images, "RepairTargetPosition"));
+  data->AddArray(vtkShapeConvert::ToArray(repair.Shares, "RepairShare"));
   data->AddArray(
-    vtkShapeFiniteElements::WriteCorners(patch.Elements.Tetrahedra, "PatchTetrahedra"));
+    vtkShapeFiniteElements::WriteCorners(repair.Elements.Tetrahedra, "RepairTetrahedra"));
 }
 
 } // namespace
@@ -246,7 +246,7 @@ shape::PiecewiseCharges vtkShapeChargeSet::Read(vtkPolyData* data, const std::st
   contents.Farthest = offset && offset->GetNumberOfTuples() > 0
     ? shape::ComputeFarthest(offset->GetComponent(0, 0), contents.Surface.Points())
     : MeasuredMaximum(vtkShapeConvert::Rows(all.Points, sources), contents.Surface);
-  contents.Patch = ReadPatch(data, name);
+  contents.Repair = ReadRepair(data, name);
   return contents;
 }
 
@@ -281,15 +281,15 @@ void vtkShapeChargeSet::Share(
   charges.Surface = shape::Surface(std::move(points), triangles.cast<int>());
   charges.Regions = regions.cast<int>();
   charges.Skins = skins;
-  shape::MapPatch& patch = charges.Patch;
-  Eigen::MatrixXd tetrahedra = patch.Elements.Tetrahedra.cast<double>(), shares = patch.Shares;
+  shape::MapRepair& repair = charges.Repair;
+  Eigen::MatrixXd tetrahedra = repair.Elements.Tetrahedra.cast<double>(), shares = repair.Shares;
   for (Eigen::MatrixXd* matrix :
-    { &patch.Elements.Points, &patch.Elements.Images, &tetrahedra, &shares })
+    { &repair.Elements.Points, &repair.Elements.Images, &tetrahedra, &shares })
   {
     vtkShapeGather::Share(controller, *matrix);
   }
-  patch.Elements.Tetrahedra = tetrahedra.cast<int>();
-  patch.Shares = shares;
+  repair.Elements.Tetrahedra = tetrahedra.cast<int>();
+  repair.Shares = shares;
 }
 
 void vtkShapeChargeSet::Write(const shape::PiecewiseCharges& set, vtkPolyData* output)
@@ -325,7 +325,7 @@ void vtkShapeChargeSet::Write(const shape::PiecewiseCharges& set, vtkPolyData* o
   if (regions == 1)
   {
     output->GetFieldData()->AddArray(vtkShapeConvert::ToArray(set.Maps[0].Affine, "Affine"));
-    WritePatch(set.Patch, output);
+    WriteRepair(set.Repair, output);
     return;
   }
   for (Eigen::Index t = 0; t < set.Regions.size(); ++t)

@@ -23,8 +23,8 @@ class vtkPolyData;
  * surface encloses (-1: a void). `Affine` then has one tuple of 12 components for each region: the
  * rows of its A and b. The field data `Skin` have one number for each region (PiecewiseCharges).
  *
- * If the map is repaired, the field data have its patch (MapPatch): `PatchPoints` and
- * `PatchTargetPosition` (double, 3), `PatchShare` (double), and `PatchTetrahedra` (int, 4).
+ * If the map is repaired, the field data have its repair (MapRepair): `RepairPoints` and
+ * `RepairTargetPosition` (double, 3), `RepairShare` (double), and `RepairTetrahedra` (int, 4).
  */
 namespace vtkShapeChargeSet
 {

@@ -147,12 +147,12 @@ shape::VolumeMapResult vtkShapeHarmonicVolumeMap::Solve(
     conditions, options, progress.Part(0.0, this->Certify || this->Repair ? 0.3 : 1.0), &setup);
   if (this->Repair)
   {
-    shape::RepairMapOptions repair;
-    repair.Tetrahedra = this->Options.Tetrahedra;
+    shape::RepairMapOptions repairing;
+    repairing.Tetrahedra = this->Options.Tetrahedra;
     shape::RepairMapResult repaired = shape::RepairMap(result.Map.Charges.Maps.front(),
-      shape::OrientByNesting(conditions.Boundary, "the Boundary"), result.Targets, repair,
+      shape::OrientByNesting(conditions.Boundary, "the Boundary"), result.Targets, repairing,
       progress.Part(0.3, 1.0));
-    result.Map.Charges.Patch = std::move(repaired.Patch);
+    result.Map.Charges.Repair = std::move(repaired.Repair);
     AddShares(repaired, facts);
     vtkShapeConvert::AddFact(facts, Facts + "CertifiedBefore", repaired.CertifiedBefore);
     vtkShapeConvert::AddFact(facts, Facts + "CoreShare", repaired.CoreShare);

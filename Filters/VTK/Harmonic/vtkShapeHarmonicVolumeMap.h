@@ -96,8 +96,8 @@
  * the volume: what vtkShapeCertificate proves about the charge set with its default properties.
  *
  * With Repair, the map is replaced where it folds (shape::RepairMap), and the charge set has the
- * patch as field data `PatchPoints` and `PatchTargetPosition` (double, 3), `PatchShare` (double)
- * and `PatchTetrahedra` (int, 4). The moved domain and all readers of the charge set use it. The
+ * repair as field data `RepairPoints` and `RepairTargetPosition` (double, 3), `RepairShare` (double)
+ * and `RepairTetrahedra` (int, 4). The moved domain and all readers of the charge set use it. The
  * facts have the three shares of Certify after the repair, and .CertifiedBefore, .CoreShare (share
  * of the volume in which the map is replaced) and .RingShare (in which it is blended).
  *

@@ -22,7 +22,7 @@ namespace
 {
 
 using shape::ChargeSet;
-using shape::MapPatch;
+using shape::MapRepair;
 using shape::RepairMap;
 using shape::RepairMapResult;
 
@@ -44,9 +44,9 @@ shape::Surface Ball()
 }
 
 shape::PiecewiseCharges AsPiecewise(
-  const ChargeSet& map, const shape::Surface& domain, const MapPatch& patch)
+  const ChargeSet& map, const shape::Surface& domain, const MapRepair& repair)
 {
-  shape::PiecewiseCharges charges{ { map }, domain, {}, 0.0, {}, patch };
+  shape::PiecewiseCharges charges{ { map }, domain, {}, 0.0, {}, repair };
   return charges;
 }
 
@@ -64,15 +64,15 @@ Eigen::RowVector4d RandomWeights(std::mt19937& random)
   return weights / weights.sum();
 }
 
-/// Random positions in the tetrahedra of a patch, `each` in every one.
-Eigen::MatrixXd PositionsIn(const MapPatch& patch, int each, std::mt19937& random)
+/// Random positions in the tetrahedra of a repair, `each` in every one.
+Eigen::MatrixXd PositionsIn(const MapRepair& repair, int each, std::mt19937& random)
 {
-  const Eigen::Index count = patch.Elements.Tetrahedra.rows();
+  const Eigen::Index count = repair.Elements.Tetrahedra.rows();
   Eigen::MatrixXd positions(each * count, 3);
   for (Eigen::Index i = 0; i < positions.rows(); ++i)
   {
-    const Eigen::RowVector4i corners = patch.Elements.Tetrahedra.row(i % count);
-    positions.row(i) = RandomWeights(random) * patch.Elements.Points(corners, Eigen::all);
+    const Eigen::RowVector4i corners = repair.Elements.Tetrahedra.row(i % count);
+    positions.row(i) = RandomWeights(random) * repair.Elements.Points(corners, Eigen::all);
   }
   return positions;
 }
@@ -89,13 +89,13 @@ void ExpectRepaired(const ChargeSet& map, const RepairMapResult& result)
   EXPECT_GE(result.CertifiedShare, 0.999);
   EXPECT_NEAR(result.CertifiedShare + result.InvertedShare + result.UndecidedShare, 1.0, 1e-12);
   const auto repaired = std::make_shared<const shape::PiecewiseHarmonicMap>(
-    AsPiecewise(map, Ball(), result.Patch));
+    AsPiecewise(map, Ball(), result.Repair));
   std::mt19937 random(5);
 
-  // Away from the patch, f is unchanged.
+  // Away from the repair, f is unchanged.
   Eigen::MatrixXd away = 0.95 * RandomPoints(2000, random).rowwise().normalized();
   away.array().colwise() *= RandomPoints(2000, random).col(0).array();
-  const shape::PiecewiseHarmonicMap::PatchPositions at = repaired->LocateInPatch(away);
+  const shape::PiecewiseHarmonicMap::RepairPositions at = repaired->LocateInRepair(away);
   std::vector<int> outside;
   for (int i = 0; i < at.Cells.size(); ++i)
   {
@@ -108,8 +108,8 @@ void ExpectRepaired(const ChargeSet& map, const RepairMapResult& result)
   const Eigen::MatrixXd unchanged = away(outside, Eigen::all);
   EXPECT_EQ(repaired->Evaluate(unchanged), shape::Evaluate(map, unchanged));
 
-  // Where it is certified, the determinant is positive, in the patch, too.
-  const Eigen::MatrixXd inside = PositionsIn(result.Patch, 4, random);
+  // Where it is certified, the determinant is positive, in the repair, too.
+  const Eigen::MatrixXd inside = PositionsIn(result.Repair, 4, random);
   const Eigen::MatrixXd jacobians = repaired->Jacobians(inside);
   int inverted = 0;
   for (Eigen::Index i = 0; i < inside.rows(); ++i)
@@ -123,13 +123,13 @@ void ExpectRepaired(const ChargeSet& map, const RepairMapResult& result)
   constexpr double step = 1e-8;
   const Eigen::MatrixXd faces = [&]
   {
-    Eigen::MatrixXd positions(4 * result.Patch.Elements.Tetrahedra.rows(), 3);
+    Eigen::MatrixXd positions(4 * result.Repair.Elements.Tetrahedra.rows(), 3);
     for (Eigen::Index i = 0; i < positions.rows(); ++i)
     {
       Eigen::RowVector4d weights = RandomWeights(random);
       weights(i % 4) = 0.0;
       positions.row(i) = weights / weights.sum() *
-        result.Patch.Elements.Points(result.Patch.Elements.Tetrahedra.row(i / 4), Eigen::all);
+        result.Repair.Elements.Points(result.Repair.Elements.Tetrahedra.row(i / 4), Eigen::all);
     }
     return positions;
   }();
@@ -178,16 +178,16 @@ TEST(RepairMap, RepairsAFoldAtTheSurface)
   const RepairMapResult result = RepairMap(map, ball, ball.Points(), options);
   EXPECT_GT(result.InvertedBefore, 0.0);
   ExpectRepaired(map, result);
-  const shape::PiecewiseHarmonicMap repaired(AsPiecewise(map, ball, result.Patch));
+  const shape::PiecewiseHarmonicMap repaired(AsPiecewise(map, ball, result.Repair));
   EXPECT_LT((repaired.Evaluate(pole) - pole).norm(), 1e-12);
 }
 
-// A map without folds gets no patch.
+// A map without folds gets no repair.
 TEST(RepairMap, LeavesAMapWithoutFolds)
 {
   const ChargeSet map = OneFold({ 0.0, 0.0, 1.5 }, { 0.0, 0.0, 1.0 }, 0.2);
   const RepairMapResult result = RepairMap(map, Ball());
-  EXPECT_EQ(result.Patch.Elements.Tetrahedra.rows(), 0);
+  EXPECT_EQ(result.Repair.Elements.Tetrahedra.rows(), 0);
   EXPECT_EQ(result.CertifiedShare, 1.0);
 }
 
@@ -212,11 +212,11 @@ TEST(RepairMap, TransformsAgree)
   shape::RepairMapOptions options;
   options.Tetrahedra = 20000;
   const RepairMapResult result = RepairMap(map, Ball(), {}, options);
-  const shape::PiecewiseCharges charges = AsPiecewise(map, Ball(), result.Patch);
+  const shape::PiecewiseCharges charges = AsPiecewise(map, Ball(), result.Repair);
   const shape::PiecewiseHarmonicMap repaired(charges);
   const shape::VolumeTransform transform(charges, true);
   std::mt19937 random(9);
-  const Eigen::MatrixXd positions = PositionsIn(result.Patch, 1, random);
+  const Eigen::MatrixXd positions = PositionsIn(result.Repair, 1, random);
   const Eigen::MatrixXd values = repaired.Evaluate(positions);
   const Eigen::MatrixXd jacobians = repaired.Jacobians(positions);
   constexpr double step = 1e-7;
@@ -234,7 +234,7 @@ TEST(RepairMap, TransformsAgree)
     ends << positions.row(i), positions.row(i);
     ends(0, 0) += step;
     ends(1, 0) -= step;
-    const Eigen::VectorXi cells = repaired.LocateInPatch(ends).Cells;
+    const Eigen::VectorXi cells = repaired.LocateInRepair(ends).Cells;
     if (cells(0) == cells(1))
     {
       const Eigen::MatrixXd moved = repaired.Evaluate(ends);
@@ -258,28 +258,28 @@ TEST(RingCertificate, IsNeverWrong)
       1.02 + Eigen::ArrayXd::NullaryExpr(40, [&] { return uniform(random); });
     map.Charges = 0.5 * RandomPoints(40, random);
     map.Affine.leftCols<3>() += 0.2 * RandomPoints(3, random);
-    MapPatch patch;
-    patch.Elements.Points = 0.3 * RandomPoints(4, random);
-    patch.Elements.Points.rowwise() += 0.6 * RandomPoints(1, random).row(0);
-    patch.Elements.Tetrahedra = Eigen::RowVector4i(0, 1, 2, 3);
+    MapRepair repair;
+    repair.Elements.Points = 0.3 * RandomPoints(4, random);
+    repair.Elements.Points.rowwise() += 0.6 * RandomPoints(1, random).row(0);
+    repair.Elements.Tetrahedra = Eigen::RowVector4i(0, 1, 2, 3);
     const Eigen::Matrix3d edges =
-      patch.Elements.Points.bottomRows<3>().rowwise() - patch.Elements.Points.row(0);
+      repair.Elements.Points.bottomRows<3>().rowwise() - repair.Elements.Points.row(0);
     if (edges.determinant() < 0.0)
     {
-      std::swap(patch.Elements.Tetrahedra(2), patch.Elements.Tetrahedra(3));
+      std::swap(repair.Elements.Tetrahedra(2), repair.Elements.Tetrahedra(3));
     }
-    patch.Elements.Images = shape::Evaluate(map, patch.Elements.Points) +
+    repair.Elements.Images = shape::Evaluate(map, repair.Elements.Points) +
       0.1 * uniform(random) * RandomPoints(4, random);
-    patch.Shares = Eigen::Vector4d(0.0, 0.0, 1.0, 1.0);
-    patch.Shares(1) = trial % 2;
-    if (!shape::FindUncertified(map, patch, { 0 }).empty())
+    repair.Shares = Eigen::Vector4d(0.0, 0.0, 1.0, 1.0);
+    repair.Shares(1) = trial % 2;
+    if (!shape::FindUncertified(map, repair, { 0 }).empty())
     {
       ++undecided;
       continue;
     }
     ++certified;
-    const shape::PiecewiseHarmonicMap repaired(AsPiecewise(map, Ball(), patch));
-    const Eigen::MatrixXd jacobians = repaired.Jacobians(PositionsIn(patch, 300, random));
+    const shape::PiecewiseHarmonicMap repaired(AsPiecewise(map, Ball(), repair));
+    const Eigen::MatrixXd jacobians = repaired.Jacobians(PositionsIn(repair, 300, random));
     for (Eigen::Index i = 0; i < jacobians.rows(); ++i)
     {
       wrong += !(Determinant(jacobians, i) > 0.0);
@@ -324,11 +324,11 @@ TEST(RepairMap, RejectsWhatItCannotUse)
   shape::RepairMapOptions options;
   options.MaximumRounds = 0;
   EXPECT_THROW(RepairMap(map, Ball(), {}, options), shape::InvalidInput);
-  // A patch of the wrong shape, or of a map of several regions.
-  MapPatch patch;
-  patch.Elements.Points = RandomPoints(4, *std::make_unique<std::mt19937>(1));
-  patch.Elements.Images = patch.Elements.Points;
-  patch.Elements.Tetrahedra = Eigen::RowVector4i(0, 1, 2, 3);
+  // A repair of the wrong shape, or of a map of several regions.
+  MapRepair repair;
+  repair.Elements.Points = RandomPoints(4, *std::make_unique<std::mt19937>(1));
+  repair.Elements.Images = repair.Elements.Points;
+  repair.Elements.Tetrahedra = Eigen::RowVector4i(0, 1, 2, 3);
   EXPECT_THROW(
-    shape::PiecewiseHarmonicMap(AsPiecewise(map, Ball(), patch)), shape::InvalidInput);
+    shape::PiecewiseHarmonicMap(AsPiecewise(map, Ball(), repair)), shape::InvalidInput);
 }

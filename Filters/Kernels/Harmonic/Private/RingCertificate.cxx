@@ -72,7 +72,7 @@ int IndexOf(int x, int y, int z)
 class RingCover
 {
 public:
-  RingCover(const ChargeSet& map, const MapPatch& patch, const std::vector<int>& tetrahedra);
+  RingCover(const ChargeSet& map, const MapRepair& repair, const std::vector<int>& tetrahedra);
   std::vector<char> FindUndecided(const Progress& progress);
 
 private:
@@ -88,15 +88,15 @@ private:
 };
 
 RingCover::RingCover(
-  const ChargeSet& map, const MapPatch& patch, const std::vector<int>& tetrahedra)
+  const ChargeSet& map, const MapRepair& repair, const std::vector<int>& tetrahedra)
 {
   // Lengths are multiplied by a power of two, after the origin is moved to the middle. Images are
   // scaled in the same way, so derivatives stay.
-  const Eigen::MatrixXd& points = patch.Elements.Points;
+  const Eigen::MatrixXd& points = repair.Elements.Points;
   const Eigen::RowVector3d low = points.colwise().minCoeff(), high = points.colwise().maxCoeff();
   const Eigen::RowVector3d origin = 0.5 * (low + high);
   const double scale = std::exp2(-std::ceil(std::log2(0.5 * (high - low).maxCoeff())));
-  const Eigen::RowVector3d imageOrigin = patch.Elements.Images.colwise().mean();
+  const Eigen::RowVector3d imageOrigin = repair.Elements.Images.colwise().mean();
   this->Charges.resize(6, map.Points.rows());
   this->Charges.topRows<3>() = scale * (map.Points.rowwise() - origin).transpose();
   this->Charges.bottomRows<3>() = scale * scale * 0.25 * M_1_PI * map.Charges.transpose();
@@ -120,10 +120,10 @@ RingCover::RingCover(
     Eigen::Vector4d shares;
     for (int k = 0; k < 4; ++k)
     {
-      const int point = patch.Elements.Tetrahedra(t, k);
+      const int point = repair.Elements.Tetrahedra(t, k);
       element.Corners.row(k) = scale * (points.row(point) - origin);
-      images.row(k) = scale * (patch.Elements.Images.row(point) - imageOrigin);
-      shares(k) = patch.Shares(point);
+      images.row(k) = scale * (repair.Elements.Images.row(point) - imageOrigin);
+      shares(k) = repair.Shares(point);
       element.Box.extend(element.Corners.row(k).transpose());
     }
     element.Size = element.Box.sizes().maxCoeff();
@@ -318,7 +318,7 @@ std::vector<char> RingCover::FindUndecided(const Progress& progress)
 
 } // namespace
 
-std::vector<int> FindUncertified(const ChargeSet& map, const MapPatch& patch,
+std::vector<int> FindUncertified(const ChargeSet& map, const MapRepair& repair,
   const std::vector<int>& tetrahedra, const Progress& progress)
 {
   std::vector<int> found;
@@ -326,7 +326,7 @@ std::vector<int> FindUncertified(const ChargeSet& map, const MapPatch& patch,
   {
     return found;
   }
-  RingCover cover(map, patch, tetrahedra);
+  RingCover cover(map, repair, tetrahedra);
   const std::vector<char> undecided = cover.FindUndecided(progress);
   for (std::size_t i = 0; i < tetrahedra.size(); ++i)
   {

@@ -10,7 +10,7 @@ namespace shape
 {
 
 /**
- * Returns those of the given tetrahedra of a patch in which it is not proven that the repaired map
+ * Returns those of the given tetrahedra of a repair in which it is not proven that the repaired map
  * g = h + phi (f - h) has a positive Jacobian determinant, in ascending order.
  *
  * The method is that of CertifyMap. The tetrahedra are covered by cubes, and in each cube f is a
@@ -26,7 +26,7 @@ namespace shape
  * tetrahedra: indices, ascending. The images and shares of their points must be set. Throws
  * Aborted.
  */
-std::vector<int> FindUncertified(const ChargeSet& map, const MapPatch& patch,
+std::vector<int> FindUncertified(const ChargeSet& map, const MapRepair& repair,
   const std::vector<int>& tetrahedra, const Progress& progress = {});
 
 } // namespace shape
