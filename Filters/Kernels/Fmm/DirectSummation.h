@@ -2,6 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Fmm/InverseDistance.h"
+#include "Fmm/SumDevice.h"
 
 #include <Eigen/Core>
 
@@ -14,18 +15,22 @@ namespace shape
  *
  * sources: m x 3, the x_j. charges: m x k; each column gives one potential. points: n x 3, the y_i.
  * Returns n x k potentials. On any processor, the relative error of each term is about 1e-15
- * (rounding), unless `error` allows more. The cost is O(m n). The values at a point have the same
- * bits for any number of threads and for any set of other points. They are not finite if the
- * distance of the point from a source is less than 1e-18 times the sources' largest coordinate.
- * Throws InvalidInput if the numbers of rows or columns do not match, and Aborted.
+ * (rounding), unless `error` allows more; an OpenCL device allows none. The cost is O(m n). The
+ * values at a point have the same bits for any number of threads and, on the same device, for any
+ * set of other points. They are not finite if the distance of the point from a source is less than
+ * 1e-18 times the sources' largest coordinate. If the device fails, the processor computes the sum,
+ * and `progress` warns. Throws InvalidInput if the numbers of rows or columns do not match or there
+ * is no such device (ChooseSumDevice), and Aborted.
  */
 Eigen::MatrixXd SumPotentialsDirectly(const Eigen::MatrixXd& sources,
   const Eigen::MatrixXd& charges, const Eigen::MatrixXd& points,
-  RootError error = RootError::Rounding, const Progress& progress = {});
+  RootError error = RootError::Rounding, const Progress& progress = {},
+  SumDevice device = SumDevice::Processor);
 
 /// Computes the gradients of the same potentials. Returns n x 3k: column 3 r + c is
 /// d phi_r / d y_c.
 Eigen::MatrixXd SumGradientsDirectly(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
-  const Eigen::MatrixXd& points, const Progress& progress = {});
+  const Eigen::MatrixXd& points, const Progress& progress = {},
+  SumDevice device = SumDevice::Processor);
 
 } // namespace shape

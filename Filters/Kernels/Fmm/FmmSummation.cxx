@@ -75,6 +75,7 @@ struct FmmSummation::Parts
   };
   std::variant<Positions, FmmEvaluation<float>, FmmEvaluation<double>> Method;
   Eigen::Index Sources = 0, Points = 0;
+  SumDevice Device = SumDevice::Processor;
 
   Eigen::MatrixXd Sum(
     const Eigen::MatrixXd& charges, bool gradients, const Progress& progress) const;
@@ -89,6 +90,7 @@ FmmSummation::FmmSummation(const Eigen::MatrixXd& sources, const Eigen::MatrixXd
   Check(points, "points");
   this->Self->Sources = sources.rows();
   this->Self->Points = points.rows();
+  this->Self->Device = options.Device;
   if (!(options.Tolerance >= FmmSummationOptions::MinimumTolerance && options.Tolerance <= 0.1))
   {
     std::ostringstream number;
@@ -134,9 +136,9 @@ Eigen::MatrixXd FmmSummation::Parts::Sum(
   if (const auto* positions = std::get_if<Positions>(&this->Method))
   {
     return gradients
-      ? SumGradientsDirectly(positions->Sources, charges, positions->Points, progress)
-      : SumPotentialsDirectly(
-          positions->Sources, charges, positions->Points, RootError::Rounding, progress);
+      ? SumGradientsDirectly(positions->Sources, charges, positions->Points, progress, this->Device)
+      : SumPotentialsDirectly(positions->Sources, charges, positions->Points, RootError::Rounding,
+          progress, this->Device);
   }
   const Eigen::Index values = gradients ? 3 : 1;
   Eigen::MatrixXd sums(this->Points, values * charges.cols());
@@ -150,11 +152,11 @@ Eigen::MatrixXd FmmSummation::Parts::Sum(
     auto to = sums.middleCols(values * first, values * count);
     if (const auto* single = std::get_if<FmmEvaluation<float>>(&this->Method))
     {
-      to = single->Sum(group, gradients, part);
+      to = single->Sum(group, gradients, this->Device, part);
     }
     else
     {
-      to = std::get<FmmEvaluation<double>>(this->Method).Sum(group, gradients, part);
+      to = std::get<FmmEvaluation<double>>(this->Method).Sum(group, gradients, this->Device, part);
     }
   }
   return sums;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
+#include "Fmm/SumDevice.h"
 
 #include <Eigen/Core>
 #include <memory>
@@ -28,6 +29,9 @@ struct FmmSummationOptions
   /// If the points are distributed over processes, the number of all of them; Automatic then
   /// chooses the same method on every process. 0: the points given are all.
   Eigen::Index AllPoints = 0;
+  /// Where the sums of the direct method, and those of the multipole method over near sources, are
+  /// computed. The choice of the method does not depend on it.
+  SumDevice Device = SumDevice::Processor;
 };
 
 /**
@@ -44,8 +48,9 @@ struct FmmSummationOptions
  *
  * For tolerances of 1e-6 or more, the constructor takes about a third of the time of a sum. For
  * smaller tolerances, it takes at least as long as a sum. With the methods Direct and Multipole,
- * the values at a point have the same bits for any number of threads and for any set of other
- * points. The points may therefore be distributed over processes. The values at a point that
+ * the values at a point have the same bits for any number of threads and, on the same device, for
+ * any set of other points. The points may therefore be distributed over processes. If an OpenCL
+ * device fails, the processor computes the sums, and the Progress warns. The values at a point that
  * coincides with a source are not finite. Points and sources may lie anywhere.
  */
 class FmmSummation
@@ -60,7 +65,8 @@ public:
   FmmSummation& operator=(FmmSummation&&) noexcept;
 
   /// Computes the potentials of charges (m x k; each column gives one potential). Returns n x k
-  /// potentials. Throws InvalidInput if the number of rows is not m; Aborted.
+  /// potentials. Throws InvalidInput if the number of rows is not m or there is no such device
+  /// (ChooseSumDevice); Aborted.
   Eigen::MatrixXd Potentials(const Eigen::MatrixXd& charges, const Progress& progress = {}) const;
 
   /// Computes the gradients of the same potentials. Returns n x 3k: column 3 r + c is

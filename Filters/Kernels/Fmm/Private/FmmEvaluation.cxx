@@ -1,9 +1,13 @@
 #include "Fmm/Private/FmmEvaluation.h"
 
 #include "Base/Parallel.h"
+#include "Fmm/Private/OpenCLSum.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
 
 namespace shape
 {
@@ -65,11 +69,21 @@ FmmEvaluation<Real>::FmmEvaluation(const Eigen::MatrixXd& sources, const Eigen::
       this->SourceLeaves.push_back(static_cast<int>(box));
     }
   }
+  for (std::size_t leaf = 0; leaf < this->Tree.PointLeaves.size(); ++leaf)
+  {
+    const FmmTree::Box& box = this->Tree.PointBoxes[this->Tree.PointLeaves[leaf]];
+    double near = 0.0;
+    for (int span = this->Tree.NearStart[leaf]; span < this->Tree.NearStart[leaf + 1]; ++span)
+    {
+      near += this->Tree.Near[span].End - this->Tree.Near[span].Begin;
+    }
+    this->NearPairs += near * (box.End - box.Begin);
+  }
 }
 
 template <typename Real>
 Eigen::MatrixXd FmmEvaluation<Real>::Sum(
-  const Eigen::MatrixXd& charges, bool gradients, const Progress& progress) const
+  const Eigen::MatrixXd& charges, bool gradients, SumDevice device, const Progress& progress) const
 {
   // Outline (the passes of Ying, Biros and Zorin 2004):
   // 1. Charges are sorted as the tree's sources and scaled by 1 / (4 pi).
@@ -77,7 +91,8 @@ Eigen::MatrixXd FmmEvaluation<Real>::Sum(
   //    children to parents.
   // 3. Downward pass (Translate): from the outgoing coefficients of the V list to incoming
   //    coefficients, and from parents to children.
-  // 4. Evaluation: incoming coefficients at the points of each leaf, and near sources directly.
+  // 4. Evaluation: incoming coefficients at the points of each leaf, and near sources directly. An
+  //    OpenCL device sums the near sources first.
   // 5. The values are sorted as the given points.
   Workspace work;
   work.Columns = static_cast<int>(charges.cols());
@@ -97,9 +112,12 @@ Eigen::MatrixXd FmmEvaluation<Real>::Sum(
   const std::size_t perBox = static_cast<std::size_t>(work.Columns) * this->Operators.Stride;
   work.Outgoing.assign(this->Tree.SourceBoxes.size() * perBox, Real(0));
   work.Incoming.assign(this->Tree.PointBoxes.size() * perBox, Real(0));
-  this->Collect(work, progress.Part(0.0, 0.15));
-  this->Translate(work, progress.Part(0.15, 0.35));
-  this->Evaluate(work, progress.Part(0.35, 1.0));
+  const bool nearIsSet = ChooseSumDevice(device, this->NearPairs) == SumDevice::OpenCL &&
+    this->SetNearOnDevice(work, progress.Part(0.0, 0.3));
+  const Progress left = nearIsSet ? progress.Part(0.3, 1.0) : progress;
+  this->Collect(work, left.Part(0.0, 0.15));
+  this->Translate(work, left.Part(0.15, 0.35));
+  this->Evaluate(work, nearIsSet, left.Part(0.35, 1.0));
 
   // Step 5: back to the given order.
   Eigen::MatrixXd result(this->Points.rows(), values);
@@ -279,7 +297,44 @@ void FmmEvaluation<Real>::EvaluateCharges(Workspace& work, const Eigen::MatrixXd
 }
 
 template <typename Real>
-void FmmEvaluation<Real>::Evaluate(Workspace& work, const Progress& progress) const
+bool FmmEvaluation<Real>::SetNearOnDevice(Workspace& work, const Progress& progress) const
+{
+  OpenCLSum sum{ work.Packed, this->Points, work.Gradients };
+  sum.Spans.assign(this->Tree.Near.begin(), this->Tree.Near.end());
+  for (std::size_t leaf = 0; leaf < this->Tree.PointLeaves.size(); ++leaf)
+  {
+    const FmmTree::Box& box = this->Tree.PointBoxes[this->Tree.PointLeaves[leaf]];
+    sum.AddBlocks(box.Begin, box.End, this->Tree.NearStart[leaf], this->Tree.NearStart[leaf + 1]);
+  }
+  // A point has few near sources: one pass.
+  sum.Pass = std::numeric_limits<int>::max();
+  std::optional<Eigen::MatrixXd> sums = SumByOpenCL(sum, progress);
+  if (sums)
+  {
+    work.Values = std::move(*sums);
+  }
+  return sums.has_value();
+}
+
+template <typename Real>
+void FmmEvaluation<Real>::AddNear(Workspace& work, int leaf) const
+{
+  const FmmTree::Box& box = this->Tree.PointBoxes[this->Tree.PointLeaves[leaf]];
+  InverseDistanceSum sum;
+  sum.Sources = work.Packed.data();
+  sum.Columns = work.Columns;
+  sum.Spans = this->Tree.Near.data() + this->Tree.NearStart[leaf];
+  sum.SpanCount = this->Tree.NearStart[leaf + 1] - this->Tree.NearStart[leaf];
+  sum.Points = this->Points.data() + box.Begin;
+  sum.PointStride = sum.ValueStride = this->Points.rows();
+  sum.PointCount = box.End - box.Begin;
+  sum.Values = work.Values.data() + box.Begin;
+  sum.Error = this->Effort.NearError;
+  work.Gradients ? AddGradients(sum) : AddPotentials(sum);
+}
+
+template <typename Real>
+void FmmEvaluation<Real>::Evaluate(Workspace& work, bool nearIsSet, const Progress& progress) const
 {
   // The lattice's cubes fill the root's outer cube. Points beyond them receive the field of the
   // equivalent charges on the root's inner cube.
@@ -344,18 +399,10 @@ void FmmEvaluation<Real>::Evaluate(Workspace& work, const Progress& progress) co
             charges.data() + (leaf - begin) * columns * pointStride, pointStride, box.Begin,
             box.End);
         }
-        // The near sources are summed directly.
-        InverseDistanceSum sum;
-        sum.Sources = work.Packed.data();
-        sum.Columns = columns;
-        sum.Spans = this->Tree.Near.data() + this->Tree.NearStart[leaf];
-        sum.SpanCount = this->Tree.NearStart[leaf + 1] - this->Tree.NearStart[leaf];
-        sum.Points = this->Points.data() + box.Begin;
-        sum.PointStride = sum.ValueStride = this->Points.rows();
-        sum.PointCount = box.End - box.Begin;
-        sum.Values = work.Values.data() + box.Begin;
-        sum.Error = this->Effort.NearError;
-        work.Gradients ? AddGradients(sum) : AddPotentials(sum);
+        if (!nearIsSet)
+        {
+          this->AddNear(work, leaf);
+        }
       }
     },
     progress.Part(this->Tree.FarPoints > 0 ? 0.1 : 0.0, 1.0));

@@ -2,6 +2,7 @@
 
 #include "Fmm/Private/FmmOperators.h"
 #include "Fmm/Private/FmmTree.h"
+#include "Fmm/SumDevice.h"
 
 namespace shape
 {
@@ -17,7 +18,8 @@ struct FmmEffort
 
 /**
  * The passes of the multipole method: from charges to boxes, up to parents, across to the boxes of
- * the V list, down to children, and to the points. The sources of near boxes are summed directly.
+ * the V list, down to children, and to the points. The sources of near boxes are summed directly,
+ * on an OpenCL device if it is worth it.
  *
  * Real: number type of the box expansions. Sums over charges and sums at points are in double.
  */
@@ -29,16 +31,18 @@ public:
   FmmEvaluation(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& points,
     const FmmEffort& effort, const Progress& progress);
 
-  /// charges: m x k, with k <= 3. Returns the potentials (n x k) or the gradients (n x 3k). Throws
-  /// Aborted.
-  Eigen::MatrixXd Sum(
-    const Eigen::MatrixXd& charges, bool gradients, const Progress& progress) const;
+  /// charges: m x k, with k <= 3. Returns the potentials (n x k) or the gradients (n x 3k). device:
+  /// where near sources are summed. Throws InvalidInput if there is no such device, and Aborted.
+  Eigen::MatrixXd Sum(const Eigen::MatrixXd& charges, bool gradients, SumDevice device,
+    const Progress& progress) const;
 
 private:
   struct Workspace;
   void Collect(Workspace& work, const Progress& progress) const;
   void Translate(Workspace& work, const Progress& progress) const;
-  void Evaluate(Workspace& work, const Progress& progress) const;
+  bool SetNearOnDevice(Workspace& work, const Progress& progress) const;
+  void AddNear(Workspace& work, int leaf) const;
+  void Evaluate(Workspace& work, bool nearIsSet, const Progress& progress) const;
   Eigen::MatrixXd Around(const FmmTree::Box& box, const Eigen::MatrixXd& cube) const;
   void EvaluateCharges(Workspace& work, const Eigen::MatrixXd& positions, const double* charges,
     int stride, int begin, int end) const;
@@ -49,6 +53,7 @@ private:
   Eigen::MatrixXd Sources; ///< 3 x m, scaled, in the order of the tree
   Eigen::MatrixXd Points;  ///< n x 3, scaled, in the order of the tree
   std::vector<int> SourceLeaves;
+  double NearPairs = 0.0; ///< number of pairs of points and near sources
 };
 
 extern template class FmmEvaluation<float>;

@@ -1,0 +1,250 @@
+// The OpenCL device of these tests is pocl's processor.
+#include "Base/Errors.h"
+#include "Fmm/DirectSummation.h"
+#include "Fmm/FmmSummation.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using shape::SumDevice;
+constexpr SumDevice OpenCL = SumDevice::OpenCL, Processor = SumDevice::Processor;
+constexpr shape::RootError Rounding = shape::RootError::Rounding;
+
+Eigen::MatrixXd Random(int rows, int columns, unsigned seed)
+{
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  return Eigen::MatrixXd::NullaryExpr(
+    rows, columns, [&](Eigen::Index, Eigen::Index) { return uniform(generator); });
+}
+
+#ifdef SHAPEMAP_OPENCL
+
+/// The sums at each point over the absolute values of the terms, of potentials or of gradients.
+Eigen::ArrayXXd Sizes(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
+  const Eigen::MatrixXd& points, bool gradients)
+{
+  Eigen::MatrixXd sizes(points.rows(), charges.cols());
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+  {
+    const Eigen::ArrayXd squared = (sources.rowwise() - points.row(i)).rowwise().squaredNorm();
+    const Eigen::RowVectorXd inverse = gradients ? squared.inverse() : squared.rsqrt();
+    sizes.row(i) = 0.25 / M_PI * inverse * charges.cwiseAbs();
+  }
+  return gradients ? sizes(Eigen::all,
+                       Eigen::VectorXi::NullaryExpr(
+                         3 * sizes.cols(), [](Eigen::Index c) { return static_cast<int>(c / 3); }))
+                   : sizes;
+}
+
+shape::FmmSummationOptions Multipole(double tolerance, SumDevice device)
+{
+  shape::FmmSummationOptions options;
+  options.Method = shape::FmmSummationOptions::MethodType::Multipole;
+  options.Tolerance = tolerance;
+  options.Device = device;
+  return options;
+}
+
+#endif
+
+} // namespace
+
+#ifdef SHAPEMAP_OPENCL
+
+TEST(SumDevice, DirectSumsAgreeWithTheProcessorForEveryNumberOfColumns)
+{
+  // Several passes of sources, and a last block that is not full.
+  const Eigen::MatrixXd sources = Random(40000, 3, 1), points = 1.1 * Random(333, 3, 2);
+  for (int columns = 1; columns <= 5; ++columns)
+  {
+    const Eigen::MatrixXd charges = Random(40000, columns, 3);
+    const Eigen::MatrixXd potentials =
+      shape::SumPotentialsDirectly(sources, charges, points, Rounding, {}, OpenCL);
+    const Eigen::MatrixXd gradients =
+      shape::SumGradientsDirectly(sources, charges, points, {}, OpenCL);
+    const Eigen::MatrixXd error =
+      potentials - shape::SumPotentialsDirectly(sources, charges, points);
+    const Eigen::MatrixXd gradientError =
+      gradients - shape::SumGradientsDirectly(sources, charges, points);
+    EXPECT_LT((error.array() / Sizes(sources, charges, points, false)).abs().maxCoeff(), 1e-12);
+    EXPECT_LT(
+      (gradientError.array() / Sizes(sources, charges, points, true)).abs().maxCoeff(), 1e-12);
+  }
+}
+
+TEST(SumDevice, SumsAgreeWhateverTheUnitOfLength)
+{
+  const Eigen::MatrixXd sources = Random(300, 3, 4), charges = Random(300, 3, 5).cwiseAbs();
+  const Eigen::MatrixXd points = Random(70, 3, 6);
+  for (const double unit : { 1e-30, 1e-3, 3e40 })
+  {
+    const Eigen::MatrixXd device =
+      shape::SumPotentialsDirectly(unit * sources, charges, unit * points, Rounding, {}, OpenCL);
+    const Eigen::MatrixXd processor =
+      shape::SumPotentialsDirectly(unit * sources, charges, unit * points);
+    EXPECT_LT(((device - processor).array() / processor.array()).abs().maxCoeff(), 1e-12) << unit;
+  }
+}
+
+TEST(SumDevice, APointsSumDependsOnItAloneAndIsTheSameInEveryRun)
+{
+  const Eigen::MatrixXd sources = Random(20000, 3, 7), charges = Random(20000, 3, 8);
+  const Eigen::MatrixXd points = Random(3001, 3, 9);
+  const auto sum = [&](const Eigen::MatrixXd& at)
+  { return shape::SumGradientsDirectly(sources, charges, at, {}, OpenCL); };
+  const Eigen::MatrixXd whole = sum(points);
+  EXPECT_EQ(sum(points), whole);
+  EXPECT_EQ(sum(points.middleRows(77, 5)), whole.middleRows(77, 5));
+}
+
+TEST(SumDevice, TheMultipoleMethodAgreesWithTheProcessor)
+{
+  // Points outside the sources' box, too, which have no near sources.
+  const Eigen::MatrixXd sources = Random(12000, 3, 11), charges = Random(12000, 4, 12);
+  Eigen::MatrixXd points = Random(5000, 3, 13);
+  points.bottomRows(500) *= 100.0;
+  // In this grade the processor's near sums, too, are accurate to rounding.
+  const shape::FmmSummation device(sources, points, Multipole(1e-8, OpenCL));
+  const shape::FmmSummation processor(sources, points, Multipole(1e-8, Processor));
+  const Eigen::MatrixXd error = device.Potentials(charges) - processor.Potentials(charges);
+  EXPECT_LT((error.array() / Sizes(sources, charges, points, false)).abs().maxCoeff(), 1e-12);
+  const Eigen::MatrixXd gradientError = device.Gradients(charges) - processor.Gradients(charges);
+  EXPECT_LT(
+    (gradientError.array() / Sizes(sources, charges, points, true)).abs().maxCoeff(), 1e-12);
+}
+
+TEST(SumDevice, TheMultipoleMethodKeepsItsToleranceAndItsBits)
+{
+  const Eigen::MatrixXd sources = Random(12000, 3, 14), charges = Random(12000, 3, 15);
+  const Eigen::MatrixXd points = Random(3000, 3, 16);
+  const shape::FmmSummation fast(sources, points, Multipole(1e-4, OpenCL));
+  const Eigen::MatrixXd potentials = fast.Potentials(charges);
+  const Eigen::MatrixXd error = potentials - shape::SumPotentialsDirectly(sources, charges, points);
+  EXPECT_LT(error.norm(), 1e-4 * Sizes(sources, charges, points, false).matrix().norm());
+  const shape::FmmSummation some(sources, points.middleRows(1000, 77), Multipole(1e-4, OpenCL));
+  EXPECT_EQ(some.Potentials(charges), potentials.middleRows(1000, 77));
+}
+
+TEST(SumDevice, SumsAreNotFiniteWhereAPointCoincidesWithASourceAndThereAlone)
+{
+  const Eigen::MatrixXd sources = Random(5000, 3, 17), charges = Random(5000, 3, 18);
+  Eigen::MatrixXd points = Random(200, 3, 19);
+  points.row(99) = sources.row(1234);
+  const shape::FmmSummation fast(sources, points, Multipole(1e-6, OpenCL));
+  for (const Eigen::MatrixXd& sums :
+    { shape::SumPotentialsDirectly(sources, charges, points, Rounding, {}, OpenCL),
+      shape::SumGradientsDirectly(sources, charges, points, {}, OpenCL), fast.Potentials(charges),
+      fast.Gradients(charges) })
+  {
+    for (int i = 0; i < 200; ++i)
+    {
+      EXPECT_EQ(sums.row(i).array().isFinite().all(), i != 99);
+    }
+  }
+}
+
+TEST(SumDevice, EmptySumsAreZeroAndEverySumCanBeStopped)
+{
+  const Eigen::MatrixXd none(0, 3), points = Random(500, 3, 20), charges = Random(500, 2, 21);
+  EXPECT_EQ(shape::SumPotentialsDirectly(none, Eigen::MatrixXd(0, 2), points, Rounding, {}, OpenCL),
+    Eigen::MatrixXd(Eigen::MatrixXd::Zero(500, 2)));
+  EXPECT_EQ(shape::SumGradientsDirectly(points, charges, none, {}, OpenCL), Eigen::MatrixXd(0, 6));
+  EXPECT_EQ(
+    shape::SumGradientsDirectly(points, Eigen::MatrixXd(500, 0), points, {}, OpenCL).cols(), 0);
+  // Stopped at the first report, the second, ...
+  const Eigen::MatrixXd many = Random(40000, 3, 22);
+  for (int most = 0; most < 3; ++most)
+  {
+    int reports = 0;
+    double before = 0.0;
+    const shape::Progress stop(
+      [&](double fraction)
+      {
+        EXPECT_GE(fraction, before);
+        EXPECT_LE(fraction, 1.0);
+        before = fraction;
+        return reports++ < most;
+      });
+    EXPECT_THROW(
+      shape::SumPotentialsDirectly(many, many, points, Rounding, stop, OpenCL), shape::Aborted);
+    EXPECT_EQ(reports, most + 1);
+  }
+}
+
+// What a driver reads when it starts is set in a process of the test's own.
+
+TEST(SumDeviceDeathTest, ADeviceThatFailsIsReplacedByTheProcessorWithAWarning)
+{
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(
+    {
+      // The sources take more than the largest buffer of a device of 1 GB, 256 MiB.
+      setenv("POCL_MEMORY_LIMIT", "1", 1);
+      const Eigen::MatrixXd sources = Random(9000000, 3, 23), points = Random(2, 3, 24);
+      const Eigen::MatrixXd charges = Eigen::MatrixXd::Ones(9000000, 1);
+      std::vector<std::string> warnings;
+      const shape::Progress progress =
+        shape::Progress().WithWarnings([&](const std::string& text) { warnings.push_back(text); });
+      const Eigen::MatrixXd sums =
+        shape::SumPotentialsDirectly(sources, charges, points, Rounding, progress, OpenCL);
+      const bool right = sums == shape::SumPotentialsDirectly(sources, charges, points) &&
+        warnings.size() == 1 && warnings[0].find("OpenCL device failed") != std::string::npos &&
+        warnings[0].find("set Device to Processor") != std::string::npos;
+      std::exit(right ? 0 : 1);
+    },
+    testing::ExitedWithCode(0), "");
+}
+
+TEST(SumDeviceDeathTest, WithoutADeviceOpenCLIsRefusedAndAutomaticIsTheProcessor)
+{
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(
+    {
+      setenv("OCL_ICD_VENDORS", "/no/such/folder", 1);
+      const bool automatic =
+        shape::ChooseSumDevice(SumDevice::Automatic, 1e12) == SumDevice::Processor;
+      try
+      {
+        shape::ChooseSumDevice(OpenCL, 1.0);
+      }
+      catch (const shape::InvalidInput& error)
+      {
+        const bool said = std::string(error.what()).find("no OpenCL device") != std::string::npos;
+        std::exit(automatic && said ? 0 : 1);
+      }
+      std::exit(2);
+    },
+    testing::ExitedWithCode(0), "");
+}
+
+#else
+
+TEST(SumDevice, WithoutOpenCLItIsRefused)
+{
+  EXPECT_THROW(shape::ChooseSumDevice(OpenCL, 1.0), shape::InvalidInput);
+  EXPECT_THROW(shape::SumPotentialsDirectly(
+                 Random(5, 3, 1), Random(5, 1, 2), Random(4, 3, 3), Rounding, {}, OpenCL),
+    shape::InvalidInput);
+}
+
+#endif
+
+TEST(SumDevice, AutomaticLeavesSmallSumsToTheProcessor)
+{
+  EXPECT_EQ(
+    shape::ChooseSumDevice(SumDevice::Automatic, 0.99 * shape::MinimumDevicePairs), Processor);
+  EXPECT_EQ(shape::ChooseSumDevice(Processor, 1e15), Processor);
+  const Eigen::MatrixXd sources = Random(100, 3, 31), charges = Random(100, 2, 32);
+  const Eigen::MatrixXd points = Random(20, 3, 33);
+  EXPECT_EQ(
+    shape::SumPotentialsDirectly(sources, charges, points, Rounding, {}, SumDevice::Automatic),
+    shape::SumPotentialsDirectly(sources, charges, points));
+}
