@@ -33,21 +33,6 @@ void Progress::operator()(double fraction) const
   }
 }
 
-Progress Progress::WithWarnings(std::function<void(const std::string&)> warn) const
-{
-  Progress warned = *this;
-  warned.Warning = std::make_shared<const std::function<void(const std::string&)>>(std::move(warn));
-  return warned;
-}
-
-void Progress::Warn(const std::string& text) const
-{
-  if (this->Warning)
-  {
-    (*this->Warning)(text);
-  }
-}
-
 Progress Progress::Part(double begin, double end, const char* stage) const
 {
   Progress part = *this;

@@ -2,14 +2,12 @@
 
 #include <functional>
 #include <memory>
-#include <string>
 
 namespace shape
 {
 
 /**
- * Receives the completed share of a computation, in [0, 1], its stage and warnings, and may stop
- * it.
+ * Receives the completed share of a computation, in [0, 1], and its stage, and may stop it.
  *
  * A kernel reports progress from the thread that called the kernel, at least every half second
  * unless a single library call takes longer. If the callback returns false, the report throws
@@ -26,15 +24,8 @@ public:
   Progress(Callback report);
   Progress(std::function<bool(double)> report);
 
-  /// Adds a callback that receives the warnings; without one they are lost.
-  Progress WithWarnings(std::function<void(const std::string&)> warn) const;
-
   /// Reports the completed share `fraction`. Throws Aborted.
   void operator()(double fraction) const;
-
-  /// Warns the user that the kernel could not do what was asked, and did something else. `text`
-  /// names the fact and the remedy in one line.
-  void Warn(const std::string& text) const;
 
   /// Returns the Progress of a part of the computation. The part covers the range from `begin` to
   /// `end` of this Progress, within [0, 1]. `stage` names what the part does, in lower case; it is
@@ -43,7 +34,6 @@ public:
 
 private:
   std::shared_ptr<const Callback> Report;
-  std::shared_ptr<const std::function<void(const std::string&)>> Warning;
   double Begin = 0.0;
   double End = 1.0;
   const char* Stage = "";

@@ -128,10 +128,7 @@ void vtkShapeAlgorithm::DeclareMemoryRemedy(const std::string& remedy)
 
 void vtkShapeAlgorithm::Warn(const std::string& text)
 {
-  if (std::find(this->Warnings.begin(), this->Warnings.end(), text) == this->Warnings.end())
-  {
-    this->Warnings.push_back(text);
-  }
+  this->Warnings.push_back(text);
 }
 
 int vtkShapeAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
@@ -325,8 +322,7 @@ const vtkShapeAlgorithm::GatheredInput& vtkShapeAlgorithm::GetGatheredInput(
 
 shape::Progress vtkShapeAlgorithm::MakeProgress()
 {
-  return vtkShapeProgress::Make(this, this->GetLabel())
-    .WithWarnings([this](const std::string& text) { this->Warn(text); });
+  return vtkShapeProgress::Make(this, this->GetLabel());
 }
 
 void vtkShapeAlgorithm::AddCount(

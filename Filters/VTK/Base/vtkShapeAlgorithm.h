@@ -194,8 +194,8 @@ protected:
   void DeclareMemoryRemedy(const std::string& remedy);
 
   /// Tells the user in one line about a doubtful input or result. `text` names the fact and the
-  /// remedy; it is said once. The fact `Warning` has all warnings of a run. In parallel, only those
-  /// of the first process are shown.
+  /// remedy. The fact `Warning` has all warnings of a run. In parallel, only those of the first
+  /// process are shown.
   void Warn(const std::string& text);
 
   /// Declares the names of the measures that Execute computes for the outputs. If the points of an

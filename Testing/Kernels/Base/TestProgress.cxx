@@ -55,14 +55,4 @@ TEST(Progress, WithoutACallbackAReportDoesNothing)
   EXPECT_NO_THROW(shape::Progress().Part(0.0, 0.5, "cutting")(1.0));
 }
 
-TEST(Progress, WarningsOfEveryPartReachTheCallback)
-{
-  std::vector<std::string> warnings;
-  const shape::Progress progress =
-    shape::Progress().WithWarnings([&](const std::string& text) { warnings.push_back(text); });
-  progress.Part(0.0, 0.5, "cutting").Warn("blunt");
-  shape::Progress().Warn("lost");
-  EXPECT_EQ(warnings, std::vector<std::string>{ "blunt" });
-}
-
 } // namespace
