@@ -74,12 +74,13 @@ void AddOnProcessor(const Eigen::MatrixXd& packed, const Eigen::MatrixXd& positi
 
 /// Computes the same sums on an OpenCL device; returns false if it fails.
 bool SetOnDevice(const Eigen::MatrixXd& packed, const Eigen::MatrixXd& positions,
-  Eigen::Ref<Eigen::MatrixXd> values, bool gradient, const Progress& progress)
+  Eigen::Ref<Eigen::MatrixXd> values, bool gradient, const SumDevice& device,
+  const Progress& progress)
 {
   OpenCLSum sum{ packed, positions, gradient };
   sum.Spans = { { 0, static_cast<int>(packed.cols()) } };
   sum.AddBlocks(0, static_cast<int>(positions.rows()), 0, 1);
-  const std::optional<Eigen::MatrixXd> sums = SumByOpenCL(sum, progress);
+  const std::optional<Eigen::MatrixXd> sums = SumByOpenCL(sum, device, progress);
   if (sums)
   {
     values = *sums;
@@ -90,7 +91,7 @@ bool SetOnDevice(const Eigen::MatrixXd& packed, const Eigen::MatrixXd& positions
 /// Sums potentials, or with `gradient` three derivatives for each column of the charges.
 Eigen::MatrixXd Sum(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
   const Eigen::MatrixXd& points, bool gradient, RootError error, const Progress& progress,
-  SumDevice device)
+  const SumDevice& device)
 {
   Check(sources, charges, points);
   const double scale = ScaleFor(sources);
@@ -100,8 +101,8 @@ Eigen::MatrixXd Sum(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charg
   const Eigen::Index m = sources.rows();
   const int k = static_cast<int>(charges.cols());
   const int valuesPerColumn = gradient ? 3 : 1;
-  const SumDevice chosen =
-    ChooseSumDevice(device, static_cast<double>(m) * static_cast<double>(positions.rows()));
+  const bool onDevice =
+    ChooseOpenCL(device, static_cast<double>(m) * static_cast<double>(positions.rows()));
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(positions.rows(), valuesPerColumn * k);
   Eigen::MatrixXd packed;
   // InverseDistanceSum takes up to three columns of charges.
@@ -114,7 +115,7 @@ Eigen::MatrixXd Sum(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charg
     auto to = values.middleCols(valuesPerColumn * column, valuesPerColumn * columns);
     const Progress part =
       progress.Part(static_cast<double>(column) / k, static_cast<double>(column + columns) / k);
-    if (chosen == SumDevice::Processor || !SetOnDevice(packed, positions, to, gradient, part))
+    if (!onDevice || !SetOnDevice(packed, positions, to, gradient, device, part))
     {
       AddOnProcessor(packed, positions, to, gradient, error, part);
     }
@@ -126,13 +127,13 @@ Eigen::MatrixXd Sum(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charg
 
 Eigen::MatrixXd SumPotentialsDirectly(const Eigen::MatrixXd& sources,
   const Eigen::MatrixXd& charges, const Eigen::MatrixXd& points, RootError error,
-  const Progress& progress, SumDevice device)
+  const Progress& progress, const SumDevice& device)
 {
   return Sum(sources, charges, points, false, error, progress, device);
 }
 
 Eigen::MatrixXd SumGradientsDirectly(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
-  const Eigen::MatrixXd& points, const Progress& progress, SumDevice device)
+  const Eigen::MatrixXd& points, const Progress& progress, const SumDevice& device)
 {
   return Sum(sources, charges, points, true, RootError::Rounding, progress, device);
 }

@@ -18,19 +18,17 @@ namespace shape
  * (rounding), unless `error` allows more; an OpenCL device allows none. The cost is O(m n). The
  * values at a point have the same bits for any number of threads and, on the same device, for any
  * set of other points. They are not finite if the distance of the point from a source is less than
- * 1e-18 times the sources' largest coordinate. If the device fails, the processor computes the sum,
- * and `progress` warns. Throws InvalidInput if the numbers of rows or columns do not match or there
- * is no such device (ChooseSumDevice), and Aborted.
+ * 1e-18 times the sources' largest coordinate. Throws InvalidInput if the numbers of rows or
+ * columns do not match or there is no such device (ChooseOpenCL), and Aborted.
  */
 Eigen::MatrixXd SumPotentialsDirectly(const Eigen::MatrixXd& sources,
   const Eigen::MatrixXd& charges, const Eigen::MatrixXd& points,
   RootError error = RootError::Rounding, const Progress& progress = {},
-  SumDevice device = SumDevice::Processor);
+  const SumDevice& device = {});
 
 /// Computes the gradients of the same potentials. Returns n x 3k: column 3 r + c is
 /// d phi_r / d y_c.
 Eigen::MatrixXd SumGradientsDirectly(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& charges,
-  const Eigen::MatrixXd& points, const Progress& progress = {},
-  SumDevice device = SumDevice::Processor);
+  const Eigen::MatrixXd& points, const Progress& progress = {}, const SumDevice& device = {});
 
 } // namespace shape

@@ -75,7 +75,7 @@ struct FmmSummation::Parts
   };
   std::variant<Positions, FmmEvaluation<float>, FmmEvaluation<double>> Method;
   Eigen::Index Sources = 0, Points = 0;
-  SumDevice Device = SumDevice::Processor;
+  SumDevice Device;
 
   Eigen::MatrixXd Sum(
     const Eigen::MatrixXd& charges, bool gradients, const Progress& progress) const;

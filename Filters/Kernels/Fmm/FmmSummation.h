@@ -31,7 +31,7 @@ struct FmmSummationOptions
   Eigen::Index AllPoints = 0;
   /// Where the sums of the direct method, and those of the multipole method over near sources, are
   /// computed. The choice of the method does not depend on it.
-  SumDevice Device = SumDevice::Processor;
+  SumDevice Device;
 };
 
 /**
@@ -49,9 +49,8 @@ struct FmmSummationOptions
  * For tolerances of 1e-6 or more, the constructor takes about a third of the time of a sum. For
  * smaller tolerances, it takes at least as long as a sum. With the methods Direct and Multipole,
  * the values at a point have the same bits for any number of threads and, on the same device, for
- * any set of other points. The points may therefore be distributed over processes. If an OpenCL
- * device fails, the processor computes the sums, and the Progress warns. The values at a point that
- * coincides with a source are not finite. Points and sources may lie anywhere.
+ * any set of other points. The points may therefore be distributed over processes. The values at a
+ * point that coincides with a source are not finite. Points and sources may lie anywhere.
  */
 class FmmSummation
 {
@@ -66,7 +65,7 @@ public:
 
   /// Computes the potentials of charges (m x k; each column gives one potential). Returns n x k
   /// potentials. Throws InvalidInput if the number of rows is not m or there is no such device
-  /// (ChooseSumDevice); Aborted.
+  /// (ChooseOpenCL); Aborted.
   Eigen::MatrixXd Potentials(const Eigen::MatrixXd& charges, const Progress& progress = {}) const;
 
   /// Computes the gradients of the same potentials. Returns n x 3k: column 3 r + c is

@@ -1,30 +1,41 @@
 #pragma once
 
+#include <functional>
+#include <string>
+
 namespace shape
 {
 
 /**
- * Where sums over pairs of points and sources are computed.
+ * Where sums over pairs of points and sources are computed, and who is warned if that fails.
  *
  * An OpenCL device is used through the ICD loader, and only if it has double precision
  * (cl_khr_fp64). Its sums differ from the processor's by rounding only: by less than 1e-12 of the
- * sum of the terms' absolute values. They have the same bits in every run on the same device.
+ * sum of the terms' absolute values. They have the same bits in every run on the same device. If
+ * the device fails, the processor computes the sum.
  */
-enum class SumDevice
+struct SumDevice
 {
-  /// a GPU, if there is one and the sum has at least MinimumDevicePairs pairs; else the processor
-  Automatic,
-  Processor, ///< never OpenCL
-  OpenCL     ///< the largest GPU or, if there is none, another OpenCL device
+  enum class KindType
+  {
+    /// a GPU, if there is one and the sum has at least MinimumPairs pairs; else the processor
+    Automatic,
+    Processor, ///< never OpenCL
+    OpenCL     ///< the largest GPU or, if there is none, another OpenCL device
+  };
+  KindType Kind = KindType::Processor;
+  /// Called from the thread of the caller if the device fails, with the fact and the remedy in one
+  /// line. It may be empty only if OpenCL is never used.
+  std::function<void(const std::string& warning)> Warn = {};
+
+  /// The minimum number of pairs for which Automatic chooses a GPU. They take a core about a
+  /// second. To start the device and to compile for it takes about as long, once in a process. The
+  /// true break-even depends on the GPU and has not been measured.
+  static constexpr double MinimumPairs = 1e9;
 };
 
-/// The minimum number of pairs for which Automatic chooses a GPU. They take a core about a second.
-/// To start the device and to compile for it takes about as long, once in a process. The true
-/// break-even depends on the GPU and has not been measured.
-constexpr double MinimumDevicePairs = 1e9;
-
-/// Returns the device for a sum of so many pairs: Processor or OpenCL. Throws InvalidInput if
-/// `asked` is OpenCL and there is no such device, or ShapeMap was built without OpenCL.
-SumDevice ChooseSumDevice(SumDevice asked, double pairs);
+/// Returns whether OpenCL computes a sum of so many pairs. Throws InvalidInput if the kind is
+/// OpenCL and there is no such device, or ShapeMap was built without OpenCL.
+bool ChooseOpenCL(const SumDevice& device, double pairs);
 
 } // namespace shape

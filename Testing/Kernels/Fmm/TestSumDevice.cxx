@@ -13,9 +13,12 @@
 namespace
 {
 
-using shape::SumDevice;
-constexpr SumDevice OpenCL = SumDevice::OpenCL, Processor = SumDevice::Processor;
+using Kind = shape::SumDevice::KindType;
 constexpr shape::RootError Rounding = shape::RootError::Rounding;
+const shape::SumDevice Processor;
+const shape::SumDevice OpenCL{ Kind::OpenCL,
+  [](const std::string& warning) { ADD_FAILURE() << warning; } };
+const shape::SumDevice Automatic{ Kind::Automatic, OpenCL.Warn };
 
 Eigen::MatrixXd Random(int rows, int columns, unsigned seed)
 {
@@ -35,7 +38,7 @@ Eigen::ArrayXXd Sizes(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& cha
   for (Eigen::Index i = 0; i < points.rows(); ++i)
   {
     const Eigen::ArrayXd squared = (sources.rowwise() - points.row(i)).rowwise().squaredNorm();
-    const Eigen::RowVectorXd inverse = gradients ? squared.inverse() : squared.rsqrt();
+    const Eigen::RowVectorXd inverse = squared.pow(gradients ? -1.0 : -0.5);
     sizes.row(i) = 0.25 / M_PI * inverse * charges.cwiseAbs();
   }
   return gradients ? sizes(Eigen::all,
@@ -44,7 +47,7 @@ Eigen::ArrayXXd Sizes(const Eigen::MatrixXd& sources, const Eigen::MatrixXd& cha
                    : sizes;
 }
 
-shape::FmmSummationOptions Multipole(double tolerance, SumDevice device)
+shape::FmmSummationOptions Multipole(double tolerance, const shape::SumDevice& device)
 {
   shape::FmmSummationOptions options;
   options.Method = shape::FmmSummationOptions::MethodType::Multipole;
@@ -179,57 +182,54 @@ TEST(SumDevice, EmptySumsAreZeroAndEverySumCanBeStopped)
   }
 }
 
-// What a driver reads when it starts is set in a process of the test's own.
+// A driver reads the environment when it starts, so these checks run in processes of their own.
 
 TEST(SumDeviceDeathTest, ADeviceThatFailsIsReplacedByTheProcessorWithAWarning)
 {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
-  EXPECT_EXIT(
-    {
-      // The sources take more than the largest buffer of a device of 1 GB, 256 MiB.
-      setenv("POCL_MEMORY_LIMIT", "1", 1);
-      const Eigen::MatrixXd sources = Random(9000000, 3, 23), points = Random(2, 3, 24);
-      const Eigen::MatrixXd charges = Eigen::MatrixXd::Ones(9000000, 1);
-      std::vector<std::string> warnings;
-      const shape::Progress progress =
-        shape::Progress().WithWarnings([&](const std::string& text) { warnings.push_back(text); });
-      const Eigen::MatrixXd sums =
-        shape::SumPotentialsDirectly(sources, charges, points, Rounding, progress, OpenCL);
-      const bool right = sums == shape::SumPotentialsDirectly(sources, charges, points) &&
-        warnings.size() == 1 && warnings[0].find("OpenCL device failed") != std::string::npos &&
-        warnings[0].find("set Device to Processor") != std::string::npos;
-      std::exit(right ? 0 : 1);
-    },
-    testing::ExitedWithCode(0), "");
+  const auto failAndReplace = []
+  {
+    // The sources take more than the largest buffer of a device of 1 GB, 256 MiB.
+    setenv("POCL_MEMORY_LIMIT", "1", 1);
+    const Eigen::MatrixXd sources = Random(9000000, 3, 23), points = Random(2, 3, 24);
+    const Eigen::MatrixXd charges = Eigen::MatrixXd::Ones(9000000, 1);
+    std::vector<std::string> warnings;
+    const shape::SumDevice failing{ Kind::OpenCL,
+      [&](const std::string& warning) { warnings.push_back(warning); } };
+    const Eigen::MatrixXd sums =
+      shape::SumPotentialsDirectly(sources, charges, points, Rounding, {}, failing);
+    return sums == shape::SumPotentialsDirectly(sources, charges, points) && warnings.size() == 1 &&
+      warnings[0].find("OpenCL device failed") != std::string::npos &&
+      warnings[0].find("set Device to Processor") != std::string::npos;
+  };
+  EXPECT_EXIT(std::exit(failAndReplace() ? 0 : 1), testing::ExitedWithCode(0), "");
 }
 
 TEST(SumDeviceDeathTest, WithoutADeviceOpenCLIsRefusedAndAutomaticIsTheProcessor)
 {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
-  EXPECT_EXIT(
+  const auto refuse = []
+  {
+    setenv("OCL_ICD_VENDORS", "/no/such/folder", 1);
+    try
     {
-      setenv("OCL_ICD_VENDORS", "/no/such/folder", 1);
-      const bool automatic =
-        shape::ChooseSumDevice(SumDevice::Automatic, 1e12) == SumDevice::Processor;
-      try
-      {
-        shape::ChooseSumDevice(OpenCL, 1.0);
-      }
-      catch (const shape::InvalidInput& error)
-      {
-        const bool said = std::string(error.what()).find("no OpenCL device") != std::string::npos;
-        std::exit(automatic && said ? 0 : 1);
-      }
-      std::exit(2);
-    },
-    testing::ExitedWithCode(0), "");
+      shape::ChooseOpenCL(OpenCL, 1.0);
+    }
+    catch (const shape::InvalidInput& error)
+    {
+      return std::string(error.what()).find("no OpenCL device") != std::string::npos &&
+        !shape::ChooseOpenCL(Automatic, 1e12);
+    }
+    return false;
+  };
+  EXPECT_EXIT(std::exit(refuse() ? 0 : 1), testing::ExitedWithCode(0), "");
 }
 
 #else
 
 TEST(SumDevice, WithoutOpenCLItIsRefused)
 {
-  EXPECT_THROW(shape::ChooseSumDevice(OpenCL, 1.0), shape::InvalidInput);
+  EXPECT_THROW(shape::ChooseOpenCL(OpenCL, 1.0), shape::InvalidInput);
   EXPECT_THROW(shape::SumPotentialsDirectly(
                  Random(5, 3, 1), Random(5, 1, 2), Random(4, 3, 3), Rounding, {}, OpenCL),
     shape::InvalidInput);
@@ -239,12 +239,10 @@ TEST(SumDevice, WithoutOpenCLItIsRefused)
 
 TEST(SumDevice, AutomaticLeavesSmallSumsToTheProcessor)
 {
-  EXPECT_EQ(
-    shape::ChooseSumDevice(SumDevice::Automatic, 0.99 * shape::MinimumDevicePairs), Processor);
-  EXPECT_EQ(shape::ChooseSumDevice(Processor, 1e15), Processor);
+  EXPECT_FALSE(shape::ChooseOpenCL(Automatic, 0.99 * shape::SumDevice::MinimumPairs));
+  EXPECT_FALSE(shape::ChooseOpenCL(Processor, 1e15));
   const Eigen::MatrixXd sources = Random(100, 3, 31), charges = Random(100, 2, 32);
   const Eigen::MatrixXd points = Random(20, 3, 33);
-  EXPECT_EQ(
-    shape::SumPotentialsDirectly(sources, charges, points, Rounding, {}, SumDevice::Automatic),
+  EXPECT_EQ(shape::SumPotentialsDirectly(sources, charges, points, Rounding, {}, Automatic),
     shape::SumPotentialsDirectly(sources, charges, points));
 }

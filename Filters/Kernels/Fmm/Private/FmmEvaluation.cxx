@@ -82,8 +82,8 @@ FmmEvaluation<Real>::FmmEvaluation(const Eigen::MatrixXd& sources, const Eigen::
 }
 
 template <typename Real>
-Eigen::MatrixXd FmmEvaluation<Real>::Sum(
-  const Eigen::MatrixXd& charges, bool gradients, SumDevice device, const Progress& progress) const
+Eigen::MatrixXd FmmEvaluation<Real>::Sum(const Eigen::MatrixXd& charges, bool gradients,
+  const SumDevice& device, const Progress& progress) const
 {
   // Outline (the passes of Ying, Biros and Zorin 2004):
   // 1. Charges are sorted as the tree's sources and scaled by 1 / (4 pi).
@@ -112,8 +112,8 @@ Eigen::MatrixXd FmmEvaluation<Real>::Sum(
   const std::size_t perBox = static_cast<std::size_t>(work.Columns) * this->Operators.Stride;
   work.Outgoing.assign(this->Tree.SourceBoxes.size() * perBox, Real(0));
   work.Incoming.assign(this->Tree.PointBoxes.size() * perBox, Real(0));
-  const bool nearIsSet = ChooseSumDevice(device, this->NearPairs) == SumDevice::OpenCL &&
-    this->SetNearOnDevice(work, progress.Part(0.0, 0.3));
+  const bool nearIsSet = ChooseOpenCL(device, this->NearPairs) &&
+    this->SetNearOnDevice(work, device, progress.Part(0.0, 0.3));
   const Progress left = nearIsSet ? progress.Part(0.3, 1.0) : progress;
   this->Collect(work, left.Part(0.0, 0.15));
   this->Translate(work, left.Part(0.15, 0.35));
@@ -297,7 +297,8 @@ void FmmEvaluation<Real>::EvaluateCharges(Workspace& work, const Eigen::MatrixXd
 }
 
 template <typename Real>
-bool FmmEvaluation<Real>::SetNearOnDevice(Workspace& work, const Progress& progress) const
+bool FmmEvaluation<Real>::SetNearOnDevice(
+  Workspace& work, const SumDevice& device, const Progress& progress) const
 {
   OpenCLSum sum{ work.Packed, this->Points, work.Gradients };
   sum.Spans.assign(this->Tree.Near.begin(), this->Tree.Near.end());
@@ -308,7 +309,7 @@ bool FmmEvaluation<Real>::SetNearOnDevice(Workspace& work, const Progress& progr
   }
   // A point has few near sources: one pass.
   sum.Pass = std::numeric_limits<int>::max();
-  std::optional<Eigen::MatrixXd> sums = SumByOpenCL(sum, progress);
+  std::optional<Eigen::MatrixXd> sums = SumByOpenCL(sum, device, progress);
   if (sums)
   {
     work.Values = std::move(*sums);

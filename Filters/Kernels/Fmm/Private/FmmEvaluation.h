@@ -33,14 +33,14 @@ public:
 
   /// charges: m x k, with k <= 3. Returns the potentials (n x k) or the gradients (n x 3k). device:
   /// where near sources are summed. Throws InvalidInput if there is no such device, and Aborted.
-  Eigen::MatrixXd Sum(const Eigen::MatrixXd& charges, bool gradients, SumDevice device,
+  Eigen::MatrixXd Sum(const Eigen::MatrixXd& charges, bool gradients, const SumDevice& device,
     const Progress& progress) const;
 
 private:
   struct Workspace;
   void Collect(Workspace& work, const Progress& progress) const;
   void Translate(Workspace& work, const Progress& progress) const;
-  bool SetNearOnDevice(Workspace& work, const Progress& progress) const;
+  bool SetNearOnDevice(Workspace& work, const SumDevice& device, const Progress& progress) const;
   void AddNear(Workspace& work, int leaf) const;
   void Evaluate(Workspace& work, bool nearIsSet, const Progress& progress) const;
   Eigen::MatrixXd Around(const FmmTree::Box& box, const Eigen::MatrixXd& cube) const;

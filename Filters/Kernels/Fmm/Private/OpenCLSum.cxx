@@ -1,7 +1,6 @@
 #include "Fmm/Private/OpenCLSum.h"
 
 #include "Base/Errors.h"
-#include "Fmm/SumDevice.h"
 
 #include <algorithm>
 #include <string>
@@ -79,7 +78,7 @@ kernel void Sum(global const double* restrict sources, global const int2* restri
 )CL";
 
 /// The device of this process. Its context and programs are made when they are first needed.
-class Device
+class OpenDevice
 {
 public:
   cl::Device Id;
@@ -135,7 +134,7 @@ void AddDevices(const cl::Platform& platform, std::vector<cl::Device>& able)
 
 /// Finds the GPU with the most compute units or, if there is none, such a device of another kind.
 /// Returns null if there is no device.
-std::unique_ptr<Device> FindDevice()
+std::unique_ptr<OpenDevice> FindDevice()
 {
   std::vector<cl::Platform> platforms;
   std::vector<cl::Device> able;
@@ -158,7 +157,7 @@ std::unique_ptr<Device> FindDevice()
       // a driver without devices
     }
   }
-  auto device = std::make_unique<Device>();
+  auto device = std::make_unique<OpenDevice>();
   unsigned int most = 0;
   for (const cl::Device& one : able)
   {
@@ -175,10 +174,10 @@ std::unique_ptr<Device> FindDevice()
 }
 
 /// Returns the device of this process, or null if there is none.
-Device* GetDevice()
+OpenDevice* GetOpenDevice()
 {
   // It is never closed: when a process ends, its driver may be gone before its static objects.
-  static Device* const device = FindDevice().release();
+  static OpenDevice* const device = FindDevice().release();
   return device;
 }
 
@@ -193,7 +192,8 @@ cl::Buffer Upload(
 }
 
 /// Adds the sums to the values.
-void Run(Device& device, const OpenCLSum& sum, Eigen::MatrixXd& values, const Progress& progress)
+void Run(
+  OpenDevice& device, const OpenCLSum& sum, Eigen::MatrixXd& values, const Progress& progress)
 {
   static_assert(sizeof(OpenCLBlock) == sizeof(cl_int4) && sizeof(SourceSpan) == sizeof(cl_int2));
   const cl::Context context = device.GetContext();
@@ -248,32 +248,38 @@ void Run(Device& device, const OpenCLSum& sum, Eigen::MatrixXd& values, const Pr
 
 } // namespace
 
-SumDevice ChooseSumDevice(SumDevice asked, double pairs)
+bool ChooseOpenCL(const SumDevice& device, double pairs)
 {
-  if (asked == SumDevice::OpenCL && !GetDevice())
+  switch (device.Kind)
   {
-    throw InvalidInput("there is no OpenCL device with double precision; install the driver of a "
-                       "GPU, or set Device to Automatic or Processor");
+    case SumDevice::KindType::Processor:
+      return false;
+    case SumDevice::KindType::OpenCL:
+      if (!GetOpenDevice())
+      {
+        throw InvalidInput("there is no OpenCL device with double precision; install the driver of "
+                           "a GPU, or set Device to Automatic or Processor");
+      }
+      return true;
+    default:
+      // Drivers are loaded only for a sum that is large enough.
+      return pairs >= SumDevice::MinimumPairs && GetOpenDevice() && GetOpenDevice()->IsGPU;
   }
-  // Drivers are loaded only for a sum that is large enough.
-  const bool automatic = asked == SumDevice::Automatic && pairs >= MinimumDevicePairs &&
-    GetDevice() && GetDevice()->IsGPU;
-  return automatic || asked == SumDevice::OpenCL ? SumDevice::OpenCL : SumDevice::Processor;
 }
 
-std::optional<Eigen::MatrixXd> SumByOpenCL(const OpenCLSum& sum, const Progress& progress)
+std::optional<Eigen::MatrixXd> SumByOpenCL(
+  const OpenCLSum& sum, const SumDevice& device, const Progress& progress)
 {
-  Device& device = *GetDevice();
   Eigen::MatrixXd values =
     Eigen::MatrixXd::Zero(sum.Points.rows(), (sum.Sources.rows() - 3) * (sum.Gradients ? 3 : 1));
   try
   {
-    Run(device, sum, values, progress);
+    Run(*GetOpenDevice(), sum, values, progress);
     return values;
   }
   catch (const cl::Error& error)
   {
-    progress.Warn("the OpenCL device failed (" + std::string(error.what()) + ", error " +
+    device.Warn("the OpenCL device failed (" + std::string(error.what()) + ", error " +
       std::to_string(error.err()) +
       "), so the processor computed the sums; set Device to Processor, or use a device with more "
       "memory or another driver");
@@ -283,20 +289,19 @@ std::optional<Eigen::MatrixXd> SumByOpenCL(const OpenCLSum& sum, const Progress&
 
 #else
 
-SumDevice ChooseSumDevice(SumDevice asked, double)
+bool ChooseOpenCL(const SumDevice& device, double)
 {
-  if (asked == SumDevice::OpenCL)
+  if (device.Kind == SumDevice::KindType::OpenCL)
   {
-    throw InvalidInput(
-      "ShapeMap was built without OpenCL (SHAPEMAP_OPENCL=OFF); build it with SHAPEMAP_OPENCL=ON, "
-      "or set Device to Processor");
+    throw InvalidInput("ShapeMap was built without OpenCL (SHAPEMAP_OPENCL=OFF); build it with "
+                       "SHAPEMAP_OPENCL=ON, or set Device to Processor");
   }
-  return SumDevice::Processor;
+  return false;
 }
 
-std::optional<Eigen::MatrixXd> SumByOpenCL(const OpenCLSum&, const Progress&)
+std::optional<Eigen::MatrixXd> SumByOpenCL(const OpenCLSum&, const SumDevice&, const Progress&)
 {
-  return std::nullopt; // never called: ChooseSumDevice returns Processor
+  return std::nullopt; // never called: ChooseOpenCL returns false
 }
 
 #endif

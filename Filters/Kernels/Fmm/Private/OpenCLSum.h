@@ -2,6 +2,7 @@
 
 #include "Base/Progress.h"
 #include "Fmm/InverseDistance.h"
+#include "Fmm/SumDevice.h"
 
 #include <Eigen/Core>
 
@@ -37,13 +38,14 @@ struct OpenCLSum
 
 /**
  * Computes the sums of AddPotentials or AddGradients (InverseDistance.h) on the device that
- * ChooseSumDevice has found. Each point adds its terms in a fixed order, accurate to rounding, so
+ * ChooseOpenCL has found. Each point adds its terms in a fixed order, accurate to rounding, so
  * its bits do not depend on the other points. Sums at a point that coincides with a
  * source are not finite.
  *
  * Returns n x k potentials or n x 3k gradients, zero at points without a block. If the device
- * fails, warns through `progress` and returns nothing. Throws Aborted.
+ * fails, calls device.Warn and returns nothing. Throws Aborted.
  */
-std::optional<Eigen::MatrixXd> SumByOpenCL(const OpenCLSum& sum, const Progress& progress);
+std::optional<Eigen::MatrixXd> SumByOpenCL(
+  const OpenCLSum& sum, const SumDevice& device, const Progress& progress);
 
 } // namespace shape
