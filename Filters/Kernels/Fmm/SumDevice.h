@@ -12,7 +12,7 @@ namespace shape
  * An OpenCL device is used through the ICD loader, and only if it has double precision
  * (cl_khr_fp64). Its sums differ from the processor's by rounding only: by less than 1e-12 of the
  * sum of the terms' absolute values. They have the same bits in every run on the same device. If
- * the device fails, the processor computes the sum.
+ * the device fails, Warn is called, and the processor computes the sum.
  */
 struct SumDevice
 {
@@ -24,8 +24,8 @@ struct SumDevice
     OpenCL     ///< the largest GPU or, if there is none, another OpenCL device
   };
   KindType Kind = KindType::Processor;
-  /// Called from the thread of the caller if the device fails, with the fact and the remedy in one
-  /// line. It may be empty only if OpenCL is never used.
+  /// Receives the fact and the remedy in one line, in the thread that called the kernel. If it is
+  /// empty, a device that fails is a SolveFailure.
   std::function<void(const std::string& warning)> Warn = {};
 
   /// The minimum number of pairs for which Automatic chooses a GPU. They take a core about a

@@ -37,7 +37,7 @@ double ToleranceFor(const ChargeSet& set, double error)
 
 /// Sums over the charges: directly, or by the multipole method if it is faster and keeps the error.
 Eigen::MatrixXd Sums(const ChargeSet& set, const Eigen::MatrixXd& points, bool gradients,
-  double error, Eigen::Index allPoints, const Progress& progress)
+  double error, Eigen::Index allPoints, const SumDevice& device, const Progress& progress)
 {
   constexpr double worthATry = 1e8; // below it the multipole method is not faster
   const double pairs = static_cast<double>(set.Points.rows()) *
@@ -51,33 +51,34 @@ Eigen::MatrixXd Sums(const ChargeSet& set, const Eigen::MatrixXd& points, bool g
       // 1e-3 is the loosest grade of FmmSummation; tolerances above 0.1 are rejected.
       options.Tolerance = std::min(tolerance, 1e-3);
       options.AllPoints = allPoints;
+      options.Device = device;
       const FmmSummation fast(set.Points, points, options, progress.Part(0.0, 0.3));
       return gradients ? fast.Gradients(set.Charges, progress.Part(0.3, 1.0))
                        : fast.Potentials(set.Charges, progress.Part(0.3, 1.0));
     }
   }
   return gradients
-    ? SumGradientsDirectly(set.Points, set.Charges, points, progress)
-    : SumPotentialsDirectly(set.Points, set.Charges, points, RootError::Rounding, progress);
+    ? SumGradientsDirectly(set.Points, set.Charges, points, progress, device)
+    : SumPotentialsDirectly(set.Points, set.Charges, points, RootError::Rounding, progress, device);
 }
 
 } // namespace
 
 Eigen::MatrixXd Evaluate(const ChargeSet& set, const Eigen::MatrixXd& points,
-  const Progress& progress, double error, Eigen::Index allPoints)
+  const Progress& progress, double error, Eigen::Index allPoints, const SumDevice& device)
 {
-  Eigen::MatrixXd values = Sums(set, points, false, error, allPoints, progress);
+  Eigen::MatrixXd values = Sums(set, points, false, error, allPoints, device, progress);
   values += points.lazyProduct(set.Affine.leftCols<3>().transpose());
   values.rowwise() += set.Affine.col(3).transpose();
   return values;
 }
 
-Eigen::MatrixXd EvaluateJacobians(
-  const ChargeSet& set, const Eigen::MatrixXd& points, const Progress& progress)
+Eigen::MatrixXd EvaluateJacobians(const ChargeSet& set, const Eigen::MatrixXd& points,
+  const Progress& progress, const SumDevice& device)
 {
   // The same error as the default of Evaluate.
   constexpr double error = 1e-10;
-  Eigen::MatrixXd values = Sums(set, points, true, error, 0, progress);
+  Eigen::MatrixXd values = Sums(set, points, true, error, 0, device, progress);
   for (int r = 0; r < 3; ++r)
   {
     for (int c = 0; c < 3; ++c)

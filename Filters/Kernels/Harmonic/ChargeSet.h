@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
+#include "Fmm/SumDevice.h"
 
 #include <Eigen/Core>
 
@@ -25,15 +26,17 @@ struct ChargeSet
 /// Returns the values of f (n x 3) at `points` (n x 3). A large sum is computed by the fast
 /// multipole method (FmmSummation.h) if this is faster. Its root mean square error is then at most
 /// `error` times the size of the image. The result has the same bits for any number of threads. It
-/// is not finite at the position of a charge. allPoints: as in FmmSummationOptions. Throws Aborted.
+/// is not finite at the position of a charge. allPoints, device: as in FmmSummationOptions. Throws
+/// InvalidInput if there is no such device, and Aborted.
 Eigen::MatrixXd Evaluate(const ChargeSet& set, const Eigen::MatrixXd& points,
-  const Progress& progress = {}, double error = 1e-10, Eigen::Index allPoints = 0);
+  const Progress& progress = {}, double error = 1e-10, Eigen::Index allPoints = 0,
+  const SumDevice& device = {});
 
 /// Returns the derivative of f at `points` as n x 9: column 3 r + c is d f_r / d y_c. The result
 /// has the same bits for any number of threads. It is not finite at the position of a charge.
-/// Throws Aborted.
-Eigen::MatrixXd EvaluateJacobians(
-  const ChargeSet& set, const Eigen::MatrixXd& points, const Progress& progress = {});
+/// Throws the same exceptions.
+Eigen::MatrixXd EvaluateJacobians(const ChargeSet& set, const Eigen::MatrixXd& points,
+  const Progress& progress = {}, const SumDevice& device = {});
 
 /// Returns the matrix of potentials 1 / (4 pi |y_i - x_j|): one row for each point y_i, one column
 /// for each source x_j. Throws Aborted.

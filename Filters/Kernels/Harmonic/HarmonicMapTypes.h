@@ -59,6 +59,7 @@ struct HarmonicVolumeMapOptions
   /// FiniteElements: the approximate number of tetrahedra: 1,000 to 100,000,000. It is larger if
   /// the boundary has many triangles.
   int Tetrahedra = 200000;
+  SumDevice Device; ///< Accelerated: where its sums over charges are computed
 };
 
 /// Points inside the domain with prescribed images. The map fits them in the least-squares sense.

@@ -146,7 +146,7 @@ LinearVolumeMap::LinearVolumeMap(
   const Surface& surface = self.Scaled.Surface;
   self.System = std::make_unique<NearSurfaceChargeSystem>(std::make_shared<SignedDistance>(surface),
     surface, HarmonicVolumeMapOptions().ChargeDistance, NearSurfaceChargeSystem::Effort::Exact,
-    Processes(), progress);
+    Processes(), SumDevice(), progress);
   // Weighted least squares of affine maps by their normal equations: the box has unit size.
   const Eigen::MatrixXd rows = WithOnes(surface.Points());
   const Eigen::MatrixXd weighted = rows.transpose() * ComputePointAreas(surface).asDiagonal();

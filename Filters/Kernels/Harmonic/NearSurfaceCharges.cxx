@@ -218,7 +218,7 @@ NearSurfaceCharges InsertNearSurfaceCharges(const SignedDistance& boundary,
 
 NearSurfaceChargeSystem::NearSurfaceChargeSystem(std::shared_ptr<const SignedDistance> boundary,
   const Surface& surface, double chargeDistance, Effort effort, const shape::Processes& processes,
-  const Progress& progress)
+  const SumDevice& device, const Progress& progress)
   : Shared(processes, { surface.Points().rows(), surface.Triangles().rows() })
 {
   // Outline:
@@ -276,6 +276,7 @@ NearSurfaceChargeSystem::NearSurfaceChargeSystem(std::shared_ptr<const SignedDis
   SchwarzOptions blocks;
   blocks.Processes = processes;
   FmmSummationOptions sums;
+  sums.Device = device;
   if (effort == Effort::More)
   {
     blocks.Around = 200;

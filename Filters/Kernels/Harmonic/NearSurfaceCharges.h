@@ -53,10 +53,11 @@ public:
   /// boundary: closed, facing out of the solid, with longest side 1; it is let go as soon as the
   /// charges have their positions. surface: the boundary, or a refinement of it. chargeDistance:
   /// HarmonicVolumeMapOptions::ChargeDistance. Throws SolveFailure if no charge has room; Aborted.
-  /// Several processes share the rows and the preconditioner.
+  /// Several processes share the rows and the preconditioner. device: where sums over charges are
+  /// computed; solving throws InvalidInput if there is no such device.
   NearSurfaceChargeSystem(std::shared_ptr<const SignedDistance> boundary, const Surface& surface,
     double chargeDistance, Effort effort = Effort::Little, const shape::Processes& processes = {},
-    const Progress& progress = {});
+    const SumDevice& device = {}, const Progress& progress = {});
 
   /// Positions where values are prescribed: m x 3, this process's share of the surface's points,
   /// and then its share of the triangles' centroids.
@@ -116,6 +117,7 @@ struct AcceleratedSetup
   shape::Processes Processes; ///< share the system
   Surface Boundary;
   double ChargeDistance = 0.0;
+  SumDevice::KindType Device = SumDevice::KindType::Processor;
   std::unique_ptr<NearSurfaceChargeSystem> System;
 };
 

@@ -103,6 +103,7 @@ PiecewiseHarmonicMap::PiecewiseHarmonicMap(
   const PiecewiseCharges& charges, const Progress& progress)
   : Maps(charges.Maps)
   , Skins(charges.Skins.size() > 0 ? charges.Skins : Eigen::VectorXd::Zero(charges.Maps.size()))
+  , Device(charges.Device)
   , FarthestOutside(charges.Farthest)
   , Borders(charges.Maps.size())
   , Parents(charges.Maps.size(), 0)
@@ -303,6 +304,13 @@ double ShareOf(const PiecewiseHarmonicMap::Positions& positions, int i, int regi
 
 } // namespace
 
+Eigen::MatrixXd PiecewiseHarmonicMap::EvaluateRegion(
+  int region, const Eigen::MatrixXd& points, const Progress& progress) const
+{
+  // The default error and number of points.
+  return shape::Evaluate(this->Maps[region], points, progress, 1e-10, 0, this->Device);
+}
+
 Eigen::MatrixXd PiecewiseHarmonicMap::Evaluate(
   const Eigen::MatrixXd& points, const Progress& progress) const
 {
@@ -312,7 +320,7 @@ Eigen::MatrixXd PiecewiseHarmonicMap::Evaluate(
   }
   if (this->RegionCount() == 1)
   {
-    return shape::Evaluate(this->Maps[0], points, progress);
+    return this->EvaluateRegion(0, points, progress);
   }
   // Every map is evaluated once, at all points that need it, and added with its share.
   const Positions positions = this->Locate(points, progress.Part(0.0, 0.3));
@@ -321,8 +329,8 @@ Eigen::MatrixXd PiecewiseHarmonicMap::Evaluate(
   {
     const double part = 0.7 / this->RegionCount();
     const std::vector<int> rows = Needing(*this, positions, r);
-    const Eigen::MatrixXd own = shape::Evaluate(
-      this->Maps[r], points(rows, Eigen::all), progress.Part(0.3 + part * r, 0.3 + part * (r + 1)));
+    const Eigen::MatrixXd own = this->EvaluateRegion(
+      r, points(rows, Eigen::all), progress.Part(0.3 + part * r, 0.3 + part * (r + 1)));
     for (std::size_t k = 0; k < rows.size(); ++k)
     {
       values.row(rows[k]) += ShareOf(positions, rows[k], r) * own.row(k);
@@ -340,7 +348,7 @@ Eigen::MatrixXd PiecewiseHarmonicMap::Jacobians(
   }
   if (this->RegionCount() == 1)
   {
-    return shape::EvaluateJacobians(this->Maps[0], points, progress);
+    return shape::EvaluateJacobians(this->Maps[0], points, progress, this->Device);
   }
   // As in Evaluate, with the product rule for the shares.
   const Positions positions = this->Locate(points, progress.Part(0.0, 0.3));
@@ -349,8 +357,8 @@ Eigen::MatrixXd PiecewiseHarmonicMap::Jacobians(
   {
     const double part = 0.7 / this->RegionCount();
     const std::vector<int> rows = Needing(*this, positions, r);
-    const Eigen::MatrixXd own = shape::EvaluateJacobians(
-      this->Maps[r], points(rows, Eigen::all), progress.Part(0.3 + part * r, 0.3 + part * (r + 1)));
+    const Eigen::MatrixXd own = shape::EvaluateJacobians(this->Maps[r], points(rows, Eigen::all),
+      progress.Part(0.3 + part * r, 0.3 + part * (r + 1)), this->Device);
     std::vector<int> blended;
     for (std::size_t k = 0; k < rows.size(); ++k)
     {
@@ -361,7 +369,7 @@ Eigen::MatrixXd PiecewiseHarmonicMap::Jacobians(
       }
     }
     // The derivative of the share (product rule).
-    const Eigen::MatrixXd values = shape::Evaluate(this->Maps[r], points(blended, Eigen::all));
+    const Eigen::MatrixXd values = this->EvaluateRegion(r, points(blended, Eigen::all), {});
     for (std::size_t k = 0; k < blended.size(); ++k)
     {
       const int i = blended[k];

@@ -37,6 +37,7 @@ struct PiecewiseCharges
   /// around the solid, and Void for the wall of a void. May be empty if there is one region.
   Eigen::VectorXi Regions;
   double Farthest = 0.0; ///< maximum distance outside the solid at which the map is valid
+  SumDevice Device;      ///< where Evaluate and Jacobians sum over charges
   /// For each region, the thickness (>= 0) of the skin inside its border. In the skin the map of
   /// the surrounding region blends into the region's map. Empty: all are 0.
   Eigen::VectorXd Skins;
@@ -84,7 +85,7 @@ public:
   /// Returns the region of each of `points` (n x 3, finite), 0 for points outside the solid.
   Eigen::VectorXi RegionsAt(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
 
-  /// Returns f at the points: n x 3. Throws Aborted.
+  /// Returns f at the points: n x 3. Throws InvalidInput if there is no such device, and Aborted.
   Eigen::MatrixXd Evaluate(const Eigen::MatrixXd& points, const Progress& progress = {}) const;
 
   /// Returns the derivative of f at the points: n x 9, with the columns in the order of
@@ -122,9 +123,12 @@ private:
   void FindParents();
   Eigen::MatrixXd EvaluateRepaired(const Eigen::MatrixXd& points, const Progress& progress) const;
   Eigen::MatrixXd RepairedJacobians(const Eigen::MatrixXd& points, const Progress& progress) const;
+  Eigen::MatrixXd EvaluateRegion(
+    int region, const Eigen::MatrixXd& points, const Progress& progress) const;
 
   std::vector<ChargeSet> Maps;
   Eigen::VectorXd Skins;
+  SumDevice Device;
   double FarthestOutside;
   std::unique_ptr<SignedDistance> Solid;
   std::vector<std::unique_ptr<SignedDistance>> Borders; ///< one for each region; null for region 0

@@ -128,7 +128,11 @@ void vtkShapeAlgorithm::DeclareMemoryRemedy(const std::string& remedy)
 
 void vtkShapeAlgorithm::Warn(const std::string& text)
 {
-  this->Warnings.push_back(text);
+  // A kernel may meet the same fact many times.
+  if (std::find(this->Warnings.begin(), this->Warnings.end(), text) == this->Warnings.end())
+  {
+    this->Warnings.push_back(text);
+  }
 }
 
 int vtkShapeAlgorithm::FillInputPortInformation(int port, vtkInformation* info)

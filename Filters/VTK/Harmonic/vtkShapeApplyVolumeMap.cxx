@@ -31,6 +31,8 @@ vtkShapeApplyVolumeMap::vtkShapeApplyVolumeMap()
   this->DeclareInput("Map", PortData::Whole, PortUse::Required, { "vtkPolyData" });
   this->DeclareMovedOutput();
   this->DeclareFacts();
+  this->Device = { shape::SumDevice::KindType::Automatic,
+    [this](const std::string& warning) { this->Warn(warning); } };
 }
 
 namespace
@@ -53,10 +55,13 @@ Position PrepareElements(vtkPolyData* data, bool inverse, const shape::Progress&
   { return shape::ApplyVolumeMap(*map, points, part); };
 }
 
-Position PrepareCharges(vtkPolyData* data, bool inverse, const shape::Progress& progress)
+Position PrepareCharges(
+  vtkPolyData* data, bool inverse, const shape::SumDevice& device, const shape::Progress& progress)
 {
-  const auto map = std::make_shared<const shape::PiecewiseHarmonicMap>(
-    vtkShapeChargeSet::Read(data, "the Map"), progress.Part(0.0, 0.3));
+  shape::PiecewiseCharges charges = vtkShapeChargeSet::Read(data, "the Map");
+  charges.Device = device;
+  const auto map =
+    std::make_shared<const shape::PiecewiseHarmonicMap>(charges, progress.Part(0.0, 0.3));
   if (!inverse)
   {
     return [map](const Eigen::MatrixXd& points, const shape::Progress& part)
@@ -91,7 +96,8 @@ void vtkShapeApplyVolumeMap::Execute(const shape::Progress& progress)
   vtkPolyData* data = this->GetGatheredInput(1).Data;
   const Position position = vtkShapeFiniteElements::Has(data)
     ? PrepareElements(data, this->Inverse, progress.Part(0.05, 0.2, "preparing the map"))
-    : PrepareCharges(data, this->Inverse, progress.Part(0.05, 0.2, "preparing the map"));
+    : PrepareCharges(
+        data, this->Inverse, this->Device, progress.Part(0.05, 0.2, "preparing the map"));
   std::array<std::vector<Eigen::RowVector3d>, 2> found =
     vtkShapeChargeSet::Move(domain, this->GetOutputDataObject(0), position,
       progress.Part(0.2, 1.0, this->Inverse ? "inverting the map" : "moving the points"));

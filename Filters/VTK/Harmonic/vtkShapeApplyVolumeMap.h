@@ -36,6 +36,8 @@
 
 #include "vtkShapeAlgorithm.h"
 
+#include "Fmm/SumDevice.h"
+
 class VTKSHAPEFILTERS_EXPORT vtkShapeApplyVolumeMap : public vtkShapeAlgorithm
 {
 public:
@@ -47,6 +49,8 @@ public:
   vtkSetMacro(Inverse, bool);
   vtkGetMacro(Inverse, bool);
   vtkBooleanMacro(Inverse, bool);
+  vtkShapeEnumOptionAs(Device.Kind, Device, shape::SumDevice::KindType,
+    shape::SumDevice::KindType::Automatic, shape::SumDevice::KindType::OpenCL);
   ///@}
 
 protected:
@@ -59,6 +63,7 @@ private:
   void operator=(const vtkShapeApplyVolumeMap&) = delete;
 
   bool Inverse = false;
+  shape::SumDevice Device;
 };
 
 #endif

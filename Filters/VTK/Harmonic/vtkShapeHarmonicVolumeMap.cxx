@@ -55,6 +55,8 @@ vtkShapeHarmonicVolumeMap::vtkShapeHarmonicVolumeMap()
   this->DeclareFacts({ { 1, { "OffsetDistance" } } });
   this->DeclareMemoryRemedy("lower Collocation Ratio");
   this->DeclareMeasures({ "Inverted" });
+  this->Options.Device = { shape::SumDevice::KindType::Automatic,
+    [this](const std::string& warning) { this->Warn(warning); } };
 }
 
 void vtkShapeHarmonicVolumeMap::AddFeatures(vtkAlgorithmOutput* feature)
@@ -196,7 +198,7 @@ using Position =
 
 /// Sends a map from the first process to all, and prepares it.
 Position ShareMap(vtkMultiProcessController* controller, shape::VolumeMapResult& result,
-  bool byElements, const shape::Progress& progress)
+  bool byElements, const shape::SumDevice& device, const shape::Progress& progress)
 {
   if (byElements)
   {
@@ -210,6 +212,7 @@ Position ShareMap(vtkMultiProcessController* controller, shape::VolumeMapResult&
     { return shape::ApplyVolumeMap(*map, points, part); };
   }
   vtkShapeChargeSet::Share(controller, result.Map.Charges);
+  result.Map.Charges.Device = device;
   const auto map =
     std::make_shared<const shape::PiecewiseHarmonicMap>(result.Map.Charges, progress);
   return [map](const Eigen::MatrixXd& points, const shape::Progress& part)
@@ -243,6 +246,8 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
       {
         vtkShapeSolid::RequireOneSolid(domain, controller);
       }
+      // A process without the device that is asked for would let the others wait for its sums.
+      shape::ChooseOpenCL(this->Options.Device, 0.0);
     });
   // Below this number of boundary points, messages take longer than the work that is shared.
   constexpr vtkIdType worthSharing = 20000;
@@ -266,8 +271,8 @@ void vtkShapeHarmonicVolumeMap::Execute(const shape::Progress& progress)
   vtkShapeGather::Share(controller, result.Targets);
   const bool byElements =
     this->Options.Method == shape::HarmonicVolumeMapOptions::MethodType::FiniteElements;
-  const Position position =
-    ShareMap(controller, result, byElements, progress.Part(solved, solved + 0.01));
+  const Position position = ShareMap(
+    controller, result, byElements, this->Options.Device, progress.Part(solved, solved + 0.01));
   const auto found = vtkShapeChargeSet::Move(domain, moved, position,
     progress.Part(solved + 0.01, this->FoldFree ? 0.95 : 1.0, "moving the points"));
   if (this->FoldFree)

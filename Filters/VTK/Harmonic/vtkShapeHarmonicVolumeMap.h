@@ -168,6 +168,8 @@ public:
   vtkGetMacro(Repair, bool);
   vtkShapeOption(MaximumMemory, double);
   vtkShapeOption(Tetrahedra, int);
+  vtkShapeEnumOptionAs(Options.Device.Kind, Device, shape::SumDevice::KindType,
+    shape::SumDevice::KindType::Automatic, shape::SumDevice::KindType::OpenCL);
   ///@}
 
 protected:

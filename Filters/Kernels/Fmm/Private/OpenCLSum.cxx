@@ -279,10 +279,15 @@ std::optional<Eigen::MatrixXd> SumByOpenCL(
   }
   catch (const cl::Error& error)
   {
-    device.Warn("the OpenCL device failed (" + std::string(error.what()) + ", error " +
-      std::to_string(error.err()) +
-      "), so the processor computed the sums; set Device to Processor, or use a device with more "
-      "memory or another driver");
+    const std::string fact = "the OpenCL device failed (" + std::string(error.what()) + ", error " +
+      std::to_string(error.err()) + ")";
+    if (!device.Warn)
+    {
+      throw SolveFailure(fact + "; compute on the processor");
+    }
+    device.Warn(fact +
+      ", and the processor computed the sums; set Device to Processor, or use a "
+      "device with more memory or another driver");
     return std::nullopt;
   }
 }

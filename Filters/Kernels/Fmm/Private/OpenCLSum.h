@@ -43,7 +43,7 @@ struct OpenCLSum
  * source are not finite.
  *
  * Returns n x k potentials or n x 3k gradients, zero at points without a block. If the device
- * fails, calls device.Warn and returns nothing. Throws Aborted.
+ * fails, calls device.Warn and returns nothing. Throws SolveFailure if there is no Warn; Aborted.
  */
 std::optional<Eigen::MatrixXd> SumByOpenCL(
   const OpenCLSum& sum, const SumDevice& device, const Progress& progress);

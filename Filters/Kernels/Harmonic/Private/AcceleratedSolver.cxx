@@ -126,12 +126,15 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
   const Processes& processes = setup.Processes;
   auto effort = NearSurfaceChargeSystem::Effort::Little;
   const double distance = options.ChargeDistance;
-  if (!setup.System || setup.ChargeDistance != distance || !AreEqual(setup.Boundary, boundary))
+  const SumDevice& device = options.Device;
+  if (!setup.System || setup.ChargeDistance != distance || setup.Device != device.Kind ||
+    !AreEqual(setup.Boundary, boundary))
   {
     setup.Boundary = boundary;
     setup.ChargeDistance = distance;
+    setup.Device = device.Kind;
     setup.System = std::make_unique<NearSurfaceChargeSystem>(
-      problem.Distance(), boundary, distance, effort, processes, progress.Part(0.0, 0.02));
+      problem.Distance(), boundary, distance, effort, processes, device, progress.Part(0.0, 0.02));
   }
   result.OffsetDistance = setup.System->Offset();
   result.PointsWithoutCharge = setup.System->PointsWithoutCharge();
@@ -151,8 +154,8 @@ void SolveAccelerated(FundamentalSolutionFit& problem, const HarmonicVolumeMapOp
     std::unique_ptr<NearSurfaceChargeSystem> finer;
     if (number > 1)
     {
-      finer = std::make_unique<NearSurfaceChargeSystem>(
-        problem.Distance(), refined.Surface, distance, effort, processes, part.Part(0.0, 0.55));
+      finer = std::make_unique<NearSurfaceChargeSystem>(problem.Distance(), refined.Surface,
+        distance, effort, processes, device, part.Part(0.0, 0.55));
     }
     const NearSurfaceChargeSystem& system = finer ? *finer : *setup.System;
     result.OffsetDistance = std::min(result.OffsetDistance, system.Offset());

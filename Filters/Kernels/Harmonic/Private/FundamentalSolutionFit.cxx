@@ -103,6 +103,7 @@ FundamentalSolutionFit::FundamentalSolutionFit(const ScaledBoundary& scaled,
   : Scaled(scaled)
   , Processes(processes)
   , SumError(std::clamp(0.03 * options.Tolerance, 1e-10, 1e-5))
+  , Device(options.Device)
   , Threshold(options.SingularValueThreshold)
   , MaximumMemory(options.MaximumMemory)
 {
@@ -168,7 +169,8 @@ Eigen::MatrixXd FundamentalSolutionFit::Left(
 {
   const double all = this->Processes.SumOf(static_cast<double>(positions.rows()));
   return targets -
-    Evaluate(this->Sum, positions, progress, this->SumError, static_cast<Eigen::Index>(all));
+    Evaluate(
+      this->Sum, positions, progress, this->SumError, static_cast<Eigen::Index>(all), this->Device);
 }
 
 void FundamentalSolutionFit::Collocate(const Eigen::MatrixXd& points, const Progress& progress)
@@ -188,7 +190,8 @@ void FundamentalSolutionFit::Collocate(const Eigen::MatrixXd& points, const Prog
   this->CollocationResidual.conservativeResize(before + points.rows(), 3);
   this->CollocationResidual.bottomRows(points.rows()) =
     PullBack(closest, surface.Triangles(), this->Scaled.Targets) -
-    Evaluate(this->Sum, closest.Positions, progress.Part(0.5, 1.0), this->SumError);
+    Evaluate(
+      this->Sum, closest.Positions, progress.Part(0.5, 1.0), this->SumError, 0, this->Device);
 }
 
 void FundamentalSolutionFit::RequireMemory(int boundaryRows, int sources) const
@@ -278,8 +281,8 @@ FundamentalSolutionFit::Added FundamentalSolutionFit::Add(
   ChargeSet step{ sources, charges };
   step.Affine.setZero();
   // All processes sum by the same method.
-  const Eigen::MatrixXd change =
-    Evaluate(step, this->Probes, progress.Part(0.0, 0.8), this->SumError, this->Shared.Count());
+  const Eigen::MatrixXd change = Evaluate(step, this->Probes, progress.Part(0.0, 0.8),
+    this->SumError, this->Shared.Count(), this->Device);
 
   // The least-squares factor of each coordinate, over the weighted probes.
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(this->Probes.rows());
@@ -301,7 +304,8 @@ FundamentalSolutionFit::Added FundamentalSolutionFit::Add(
   const double left = inner(this->Residual, this->Residual).sum();
   this->Residual -= change * factors.asDiagonal();
   this->CollocationResidual -=
-    Evaluate(step, this->Positions, progress.Part(0.8, 1.0), this->SumError) * factors.asDiagonal();
+    Evaluate(step, this->Positions, progress.Part(0.8, 1.0), this->SumError, 0, this->Device) *
+    factors.asDiagonal();
   const Eigen::Index before = this->Sum.Points.rows();
   this->Sum.Points.conservativeResize(before + sources.rows(), 3);
   this->Sum.Charges.conservativeResize(before + sources.rows(), 3);

@@ -100,6 +100,7 @@ private:
   Eigen::MatrixXd CollocationResidual; ///< residual at the collocation points
   ChargeSet Sum;                       ///< the sum so far, in scaled coordinates
   double SumError = 0.0;               ///< error of evaluations, far below the tolerance
+  SumDevice Device;                    ///< of evaluations
   double Threshold = 0.0, MaximumMemory = 0.0;
 };
 
