@@ -17,15 +17,17 @@ packages=(
   libeigen3-dev libtbb-dev libopenblas-dev liblapacke-dev libhwy-dev libnanoflann-dev
   libsuitesparse-dev libtet1.5-dev libocct-data-exchange-dev libopencv-dnn-dev
   libprotobuf-dev libinsighttoolkit5-dev libboost-dev zlib1g-dev libxcb1-dev
+  ocl-icd-opencl-dev opencl-c-headers opencl-clhpp-headers
   # a display and real models
   xvfb xauth libcgal-demo
   # pages of the help and of the site
   python3-markdown python3-pygments
 )
 test_packages=(
-  # frameworks, style, types, keys and pictures of a window, a browser, readers of what is written
+  # frameworks, style, types, keys and pictures of a window, a browser, readers of what is written,
+  # an OpenCL device
   libgtest-dev clang-format-14 universal-ctags mypy python3-venv unzip xdotool imagemagick chromium
-  gmsh calculix-ccx
+  gmsh calculix-ccx pocl-opencl-icd
   # peers of the reproduced figures
   python3-scipy
 )

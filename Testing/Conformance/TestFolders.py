@@ -1,7 +1,7 @@
 """The order of the house. Plugin uses Filters/VTK, which uses Filters/Kernels. A room (a folder of
 kernels) includes only rooms before it, and files include each other without circles. A header in
 Private/ is included from its own room alone; one beside Private/ by another room, by the filters or
-by the room's own headers. Only the files named here include VTK, TetGen, OpenCV, ITK or OpenCASCADE. Every filter and
+by the room's own headers. Only the files named here include VTK, TetGen, OpenCL, OpenCV, ITK or OpenCASCADE. Every filter and
 writer has all its parts. Run with python3 TestFolders.py ROOT."""
 import collections
 import os
@@ -22,6 +22,7 @@ LIBRARIES = {'Base': [], 'Linear': ['Base'], 'Fmm': ['Base', 'Linear']}
 USE_VTK = ['Geometry/Private/QuadricSampling.cxx', 'Search/CellLocator.cxx', 'Search/Private/CellInterpolation.cxx',
            'Solids/IsoSurface.cxx']
 USE_TETGEN = ['Tetrahedra/Private/TetGen.cxx']
+USE_OPENCL = ['Kernels/Fmm/Private/OpenCLSum.cxx']
 USE_OPENCV = ['Kernels/Network/Private/NetworkLibrary.cxx']
 USE_ITK = ['Kernels/IO/Private/ImageLibrary.cxx']
 USE_OCCT = ['Kernels/IO/Private/CascadeFile.cxx', 'Kernels/IO/Private/CascadeFile.h',
@@ -83,6 +84,8 @@ for part in ('Filters', 'Plugin', 'Testing'):
     for path, includes in sources(part):
         if ('tetgen.h' in includes) != (path in ['Kernels/' + use for use in USE_TETGEN]):
             faults.append('%s: %s, and no other file, includes tetgen.h' % (path, USE_TETGEN))
+        if ('CL/opencl.hpp' in includes) != (path in USE_OPENCL):
+            faults.append('%s: %s, and no other file, includes OpenCL' % (path, USE_OPENCL))
         if ('opencv2/dnn.hpp' in includes) != (path in USE_OPENCV):
             faults.append('%s: %s, and no other file, includes OpenCV' % (path, USE_OPENCV))
         if any(re.match(r'itk\w*\.h', include) for include in includes) != (path in USE_ITK):

@@ -8,7 +8,7 @@ log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 cmake -G Ninja -S "$root" -B "$plain" -DCMAKE_BUILD_TYPE=Release -DSHAPEMAP_PARAVIEW=OFF \
   -DSHAPEMAP_TESTS=OFF -DSHAPEMAP_TETGEN=OFF -DSHAPEMAP_OCCT=OFF -DSHAPEMAP_OPENCV=OFF \
-  -DSHAPEMAP_ITK=OFF -DSHAPEMAP_CHOLMOD=OFF -DVTK_DIR="$2" \
+  -DSHAPEMAP_OPENCL=OFF -DSHAPEMAP_ITK=OFF -DSHAPEMAP_CHOLMOD=OFF -DVTK_DIR="$2" \
   -DCMAKE_UNITY_BUILD="$(sed -n 's/^CMAKE_UNITY_BUILD:[A-Z]*=//p' "$1/CMakeCache.txt")" >"$log" 2>&1 || { cat "$log"; exit 1; }
 cmake --build "$plain" >"$log" 2>&1 || { cat "$log"; exit 1; }
 if find "$plain" -name 'ShapeMap.so' | grep .; then
@@ -32,5 +32,5 @@ refusals = []
 tetrahedra.AddObserver('ErrorEvent', lambda *_: refusals.append('error'))
 tetrahedra.Update()
 assert refusals and tetrahedra.GetOutputDataObject(0).GetNumberOfCells() == 0
-print('the filters run without ParaView, TetGen, OpenCASCADE, OpenCV, ITK and CHOLMOD')
+print('the filters run without ParaView, TetGen, OpenCASCADE, OpenCV, OpenCL, ITK and CHOLMOD')
 PY

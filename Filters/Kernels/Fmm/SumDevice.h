@@ -30,7 +30,7 @@ struct SumDevice
 
   /// The minimum number of pairs for which Automatic chooses a GPU. They take a core about a
   /// second. To start the device and to compile for it takes about as long, once in a process. The
-  /// true break-even depends on the GPU and has not been measured.
+  /// true break-even depends on the GPU and has not been measured (`benchmark opencl_sums`).
   static constexpr double MinimumPairs = 1e9;
 };
 
