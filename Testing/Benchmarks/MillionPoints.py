@@ -14,6 +14,8 @@ import os
 
 import sweep
 
+import charts
+
 SIZES = ('bear_bis.off', 'bear_bis.off@1', 'bunny00.off@1', 'bunny00.off@2', 'bunny00.off@3')
 POINTS = (10096, 30284, 113114, 339338, 1018010)
 STAGES = (('placing', 'placing the charges'), ('inverting', 'inverting the blocks'),
@@ -22,41 +24,15 @@ PROCESSES = 4
 EVALUATIONS = 10  # for each boundary point
 
 
-def chart(path, title, axis, rows, series):
-    """Series (key, label) over the number of points, both axes logarithmic."""
-    from paraview import simple
-    table = simple.ProgrammableSource(OutputDataSetType='vtkTable')
-    columns = {'points': [row['points'] for row in rows]}
-    for key, label in series:
-        columns[label] = [row[key] for row in rows]
-    table.Script = 'import numpy\nfor name, values in %r.items():\n' % columns + (
-        '    output.RowData.append(numpy.array(values, float), name)\n')
-    view = simple.CreateView('XYChartView')
-    view.ViewSize = [900, 700]
-    display = simple.Show(table, view)
-    display.UseIndexForXAxis, display.XArrayName = 0, 'points'
-    names = [label for _, label in series]
-    display.SeriesVisibility = names
-    display.SeriesLabel = [text for name in names for text in (name, name)]
-    display.SeriesLineThickness = [text for name in names for text in (name, '3')]
-    display.SeriesMarkerStyle = [text for name in names for text in (name, '4')]
-    display.SeriesMarkerSize = [text for name in names for text in (name, '10')]
-    view.ChartTitle, view.ChartTitleFontSize, view.LegendFontSize = title, 20, 15
-    view.LegendLocation = 'TopLeft'
-    view.LeftAxisTitle, view.BottomAxisTitle = axis, 'boundary points'
-    view.LeftAxisTitleFontSize = view.BottomAxisTitleFontSize = 17
-    view.LeftAxisLabelFontSize = view.BottomAxisLabelFontSize = 15
-    view.LeftAxisLogScale = view.BottomAxisLogScale = 1
-    simple.SaveScreenshot(path, view)
-    simple.Delete(view)
-
-
 def draw(folder, rows):
-    chart(os.path.join(folder, 'MillionPointsSeconds.png'),
-          'Solution, and evaluation of 10 points for each boundary point', 'CPU seconds', rows,
-          (('cpu', 'solution'), *STAGES, ('evaluate', 'evaluation')))
-    chart(os.path.join(folder, 'MillionPointsMemory.png'), 'Memory of the solution', 'MiB', rows,
-          (('mib', 'one process'), ('processmib', 'each of four processes')))
+    for name, title, left, series in (
+            ('Seconds', 'Solution, and evaluation of 10 points for each boundary point', 'CPU seconds',
+             (('cpu', 'solution'), *STAGES, ('evaluate', 'evaluation'))),
+            ('Memory', 'Memory of the solution', 'MiB',
+             (('mib', 'one process'), ('processmib', 'each of four processes')))):
+        columns = {key: [row[key] for row in rows] for key in ('points', *(key for key, _ in series))}
+        charts.lines(os.path.join(folder, 'MillionPoints%s.png' % name), title, columns,
+                     [charts.Series(*one) for one in series], 'boundary points', left)
 
 
 def measure(options, program):
