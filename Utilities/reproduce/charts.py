@@ -3,9 +3,13 @@ import collections
 
 from paraview import simple
 
-# A line of a chart: a column of the table, its label, its colour (None: ParaView's choice), and whether it is
-# dashed, without markers.
+# A line of a chart: a column of the table, its label, its colour (None: the next of COLOURS), and whether it
+# is dashed, without markers.
 Series = collections.namedtuple('Series', 'name label colour dashed', defaults=(None, False))
+
+# Of Okabe and Ito: colour-blind readers can tell them apart.
+COLOURS = [[0.0, 0.0, 0.0], [0.90, 0.62, 0.0], [0.34, 0.71, 0.91],
+           [0.0, 0.62, 0.45], [0.84, 0.37, 0.0], [0.8, 0.47, 0.65]]
 
 TRADE = (Series('featureRMSE', 'features', [0.95, 0.55, 0.25]),
          Series('boundaryRMSE', 'boundary', [0.22, 0.50, 0.66]),
@@ -31,8 +35,8 @@ def lines(path, title, columns, series, bottom, left, legend=None):
 
     display.SeriesVisibility = [one.name for one in series]
     display.SeriesLabel = by_name(lambda one: one.label)
-    display.SeriesColor = [text for one in series if one.colour
-                           for text in [one.name] + [str(value) for value in one.colour]]
+    display.SeriesColor = [text for one, colour in zip(series, COLOURS)
+                           for text in [one.name] + [str(value) for value in one.colour or colour]]
     display.SeriesLineThickness = by_name(lambda one: '4')
     display.SeriesLineStyle = by_name(lambda one: '2' if one.dashed else '1')
     display.SeriesMarkerStyle = by_name(lambda one: '0' if one.dashed else '4')
