@@ -68,6 +68,7 @@ struct OpenBox
   int Id = 0;
   std::shared_ptr<const ChargeField> Field;
   std::vector<int> Triangles; ///< those that meet it; empty if it is inside the domain
+  Eigen::AlignedBox3d Region; ///< around its part inside the domain
 };
 
 /// Divides a domain into boxes and examines them, level by level.
@@ -109,7 +110,9 @@ public:
     std::iota(field->Near.begin(), field->Near.end(), 0);
     std::vector<int> triangles(domain.Triangles().rows());
     std::iota(triangles.begin(), triangles.end(), 0);
-    this->Open.push_back({ 0, field, std::move(triangles) });
+    this->Open.push_back({ 0, field, std::move(triangles),
+      { domain.Points().colwise().minCoeff().transpose() * this->Scale,
+        domain.Points().colwise().maxCoeff().transpose() * this->Scale } });
   }
 
   void Examine(const Progress& progress);
@@ -162,18 +165,20 @@ void DomainCover::Decide(const OpenBox& open)
 {
   CoverBox& box = this->Boxes[open.Id];
   bool tooNear = false;
+  const Eigen::Vector3d centre = open.Region.center();
+  const Eigen::Vector3d half = (1.0 + 1e-12) *
+    (open.Region.max() - centre).cwiseMax(centre - open.Region.min());
   const TaylorExpansion expansion =
-    this->Expand(*open.Field, box.Place.Centre, box.Place.Radius(), NearDegree, &tooNear);
+    this->Expand(*open.Field, centre, (1.0 + 1e-12) * half.norm(), NearDegree, &tooNear);
   if (tooNear)
   {
     return;
   }
-  const double half = box.Place.Half;
   const DeterminantSign verdict = BoundDeterminant(
-    expansion, half, NearDegree, std::pow(half, NearDegree) * open.Field->HighTerms);
+    expansion, half, NearDegree, std::pow(half.maxCoeff(), TaylorExpansion::LowDegree) * open.Field->HighTerms);
   box.State = static_cast<BoxState>(verdict.Sign);
   box.Determinant = verdict.Sign * verdict.Bound;
-  const Eigen::Vector3d lowest = box.Place.Centre + verdict.Lowest;
+  const Eigen::Vector3d lowest = centre + verdict.Lowest;
   if (verdict.Sign == 0 && verdict.Estimate < 0.0 && 2.0 * box.Place.Half <= this->LargestWitness &&
     (open.Triangles.empty() || this->IsInside(lowest)))
   {
@@ -185,7 +190,7 @@ void DomainCover::Decide(const OpenBox& open)
 void DomainCover::Test(const OpenBox& open, const Eigen::Vector3d& position)
 {
   const DeterminantSign verdict =
-    BoundDeterminant(this->Expand(*open.Field, position, 0.0, 1), 0.0, 1);
+    BoundDeterminant(this->Expand(*open.Field, position, 0.0, 1), Eigen::Vector3d::Zero(), 1);
   if (verdict.Sign < 0)
   {
     CoverBox& box = this->Boxes[open.Id];
@@ -274,11 +279,21 @@ std::vector<OpenBox> DomainCover::Divide(const OpenBox& open) const
     {
       child.Centre(axis) += (octant >> axis & 1) != 0 ? child.Half : -child.Half;
     }
-    std::vector<int> triangles = FindTrianglesInCube(this->Domain, open.Triangles, child);
-    // Without a triangle, the whole child is on one side.
-    if (open.Triangles.empty() || !triangles.empty() || this->IsInside(child.Centre))
+    Eigen::AlignedBox3d region;
+    std::vector<int> triangles = FindTrianglesInCube(this->Domain, open.Triangles, child, &region);
+    if (!triangles.empty())
     {
-      children.push_back({ octant, field, std::move(triangles) });
+      region = BoundSolidInCube(child, region,
+        [&](const Eigen::Vector3d& position) { return this->IsInside(position); });
+    }
+    // Without a triangle, the whole child is on one side.
+    else if (open.Triangles.empty() || this->IsInside(child.Centre))
+    {
+      region = { child.Centre.array() - child.Half, child.Centre.array() + child.Half };
+    }
+    if (!region.isEmpty())
+    {
+      children.push_back({ octant, field, std::move(triangles), region });
     }
   }
   return children;

@@ -3,6 +3,7 @@
 #include "Base/Errors.h"
 #include "Distance/SignedDistance.h"
 #include "Harmonic/Private/BoxInSolid.h"
+#include "Harmonic/Private/DeterminantSign.h"
 #include "Harmonic/Private/TaylorExpansion.h"
 #include "Mesh/UsedPoints.h"
 #include "Support/TestShapes.h"
@@ -175,6 +176,110 @@ TEST(BoxInSolid, VolumesSumToTheSolid)
     sum += volume;
   }
   EXPECT_NEAR(sum, shape::ComputeEnclosedVolume(mesh), 1e-12);
+}
+
+// The box around the sphere's part of a cube contains all of it, and no face is farther away than
+// the part reaches.
+TEST(BoxInSolid, BoundsTheSolidInACube)
+{
+  const Mesh mesh = shapetest::Icosphere(2);
+  const shape::SignedDistance inside{ shape::Surface(mesh) };
+  const auto isInside = [&](const Eigen::Vector3d& position)
+  { return inside.Evaluate(position.transpose()).Distances(0) <= 0.0; };
+  std::vector<int> all(mesh.Triangles.rows());
+  std::iota(all.begin(), all.end(), 0);
+  std::mt19937 random(5);
+  int cut = 0, smaller = 0;
+  for (int trial = 0; trial < 300; ++trial)
+  {
+    shape::BoxCube cube;
+    cube.Half = trial % 3 == 0 ? 0.6 : 0.1;
+    cube.Centre = RandomPoints(1, random).transpose();
+    Eigen::AlignedBox3d bounds;
+    if (shape::FindTrianglesInCube(mesh, all, cube, &bounds).empty())
+    {
+      continue;
+    }
+    ++cut;
+    const Eigen::AlignedBox3d box = shape::BoundSolidInCube(cube, bounds, isInside);
+    smaller += box.volume() < 4.0 * std::pow(cube.Half, 3);
+    Eigen::AlignedBox3d sampled;
+    Eigen::MatrixXd samples = cube.Half * RandomPoints(4000, random);
+    samples.rowwise() += cube.Centre.transpose();
+    const Eigen::VectorXd distances = inside.Evaluate(samples).Distances;
+    for (Eigen::Index i = 0; i < samples.rows(); ++i)
+    {
+      if (distances(i) <= 0.0)
+      {
+        sampled.extend(samples.row(i).transpose());
+      }
+    }
+    if (!sampled.isEmpty())
+    {
+      EXPECT_TRUE(box.contains(sampled));
+      EXPECT_LT((box.sizes() - sampled.sizes()).maxCoeff(), 0.5 * cube.Half);
+    }
+  }
+  EXPECT_GT(cut, 50);
+  EXPECT_GT(smaller, 20);
+}
+
+// Random Jacobians, whose singular values differ by up to 1000: no sample of the box contradicts
+// the sign or the bound. Boxes are as large as the expansion allows, and of any proportions.
+TEST(DeterminantSign, IsNeverWrong)
+{
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  int positive = 0, negative = 0, wrong = 0;
+  double closest = std::numeric_limits<double>::infinity();
+  for (int trial = 0; trial < 3000; ++trial)
+  {
+    ChargeSet map;
+    map.Points = 2.0 * RandomPoints(6, random).rowwise().normalized();
+    map.Charges = std::exp2(-6.0 * uniform(random)) * 20.0 * RandomPoints(6, random);
+    const Eigen::Vector3d scales =
+      Eigen::Array3d::NullaryExpr([&] { return std::pow(10.0, -3.0 * uniform(random)); });
+    map.Affine.leftCols<3>() = RandomPoints(3, random);
+    // Scaled images, so that one component may be nearly constant.
+    map.Affine = scales.asDiagonal() * map.Affine;
+    map.Charges = map.Charges * scales.asDiagonal();
+    const Eigen::Vector3d half = std::exp2(-3.0 * uniform(random)) *
+      Eigen::Array3d::NullaryExpr([&] { return 0.05 + uniform(random); });
+    TaylorExpansion expansion;
+    expansion.Coefficients.middleRows<3>(1) = map.Affine.leftCols<3>().transpose();
+    constexpr int degree = TaylorExpansion::LowDegree;
+    expansion.Add(AsColumns(map), { 0, 1, 2, 3, 4, 5 }, Eigen::Vector3d::Zero(),
+      std::min(1.9, half.norm() * (1.0 + 1e-12)), degree);
+    if (half.norm() > 1.9)
+    {
+      continue;
+    }
+    const shape::DeterminantSign verdict = shape::BoundDeterminant(expansion, half, degree);
+    if (verdict.Sign == 0)
+    {
+      continue;
+    }
+    (verdict.Sign > 0 ? positive : negative) += 1;
+    // At random positions, half of them on edges and at corners.
+    Eigen::MatrixXd samples = RandomPoints(600, random);
+    samples.topRows(300) = samples.topRows(300).cwiseSign();
+    samples.topRows(150).col(trial % 3) = samples.middleRows(300, 150).col(0);
+    const Eigen::MatrixXd jacobians =
+      shape::EvaluateJacobians(map, samples * half.asDiagonal());
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const auto row : jacobians.rowwise())
+    {
+      lowest =
+        std::min(lowest, verdict.Sign * row.reshaped<Eigen::RowMajor>(3, 3).determinant());
+    }
+    wrong += lowest < verdict.Bound || verdict.Bound <= 0.0;
+    closest = std::min(closest, lowest / verdict.Bound);
+  }
+  EXPECT_EQ(wrong, 0);
+  EXPECT_GT(positive, 300);
+  EXPECT_GT(negative, 300);
+  // The bounds are not idle.
+  EXPECT_LT(closest, 1.2);
 }
 
 // An affine map is certified by one box; its determinant is known. A reflection is inverted.

@@ -71,14 +71,56 @@ ClippedTriangle ClipTriangle(
 
 } // namespace
 
-std::vector<int> FindTrianglesInCube(
-  const Mesh& mesh, const std::vector<int>& triangles, const BoxCube& cube)
+std::vector<int> FindTrianglesInCube(const Mesh& mesh, const std::vector<int>& triangles,
+  const BoxCube& cube, Eigen::AlignedBox3d* bounds)
 {
   std::vector<int> found;
   const double half = cube.Half * (1.0 + 2e-9);
-  std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(found),
-    [&](int triangle) { return ClipTriangle(mesh, triangle, cube.Centre, half).Count > 0; });
+  for (const int triangle : triangles)
+  {
+    const ClippedTriangle polygon = ClipTriangle(mesh, triangle, cube.Centre, half);
+    if (polygon.Count == 0)
+    {
+      continue;
+    }
+    found.push_back(triangle);
+    for (int i = 0; i < polygon.Count && bounds; ++i)
+    {
+      bounds->extend(polygon.Corners[i]);
+    }
+  }
   return found;
+}
+
+Eigen::AlignedBox3d BoundSolidInCube(const BoxCube& cube, const Eigen::AlignedBox3d& bounds,
+  const std::function<bool(const Eigen::Vector3d&)>& isInside)
+{
+  // Where the solid reaches farthest along an axis, there is a point of a triangle or a face of the
+  // cube. A face that no triangle meets is inside as a whole or outside, so one corner decides.
+  const double margin = 1e-9 * cube.Half;
+  Eigen::AlignedBox3d solid = bounds;
+  for (const double sign : { -1.0, 1.0 })
+  {
+    const Eigen::Vector3d corner = cube.Centre.array() + sign * cube.Half;
+    const Eigen::Vector3d reached = sign < 0.0 ? bounds.min() : bounds.max();
+    const Eigen::Array3d gaps = sign * (corner - reached).array();
+    if ((gaps <= margin).all() || !isInside(corner))
+    {
+      continue;
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (gaps(axis) > margin)
+      {
+        Eigen::Vector3d opposite = cube.Centre.array() - sign * cube.Half;
+        opposite(axis) = corner(axis);
+        solid.extend(corner).extend(opposite);
+      }
+    }
+  }
+  const Eigen::AlignedBox3d whole(
+    cube.Centre.array() - cube.Half, cube.Centre.array() + cube.Half);
+  return whole.intersection({ solid.min().array() - margin, solid.max().array() + margin });
 }
 
 double ComputeVolumeInCube(

@@ -3,6 +3,7 @@
 #include "Mesh/Mesh.h"
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <cmath>
 #include <functional>
@@ -24,9 +25,15 @@ struct BoxCube
 };
 
 /// Returns those of `triangles` that have a point in the cube, which is enlarged by 1e-9 of its
-/// edge. A triangle is left out only if it has none.
-std::vector<int> FindTrianglesInCube(
-  const Mesh& mesh, const std::vector<int>& triangles, const BoxCube& cube);
+/// edge. A triangle is left out only if it has none. bounds: extended by the parts of the triangles
+/// in the enlarged cube.
+std::vector<int> FindTrianglesInCube(const Mesh& mesh, const std::vector<int>& triangles,
+  const BoxCube& cube, Eigen::AlignedBox3d* bounds = nullptr);
+
+/// Returns the smallest box, up to rounding outwards, around the part of a cube inside a solid.
+/// bounds: those of FindTrianglesInCube. isInside: whether a position is inside the solid.
+Eigen::AlignedBox3d BoundSolidInCube(const BoxCube& cube, const Eigen::AlignedBox3d& bounds,
+  const std::function<bool(const Eigen::Vector3d&)>& isInside);
 
 /**
  * Returns the volume of the part of a cube inside a solid, by the divergence theorem in space, in
