@@ -46,6 +46,9 @@ struct MapCertificate
   /// Whether the boundary's image has no crossings, and its components bound a solid in the same
   /// way as those of the boundary.
   bool BoundaryInjective = false;
+  /// Whether the boundary's image encloses a negative volume, as that of a mirrored solid does. The
+  /// integral of det J is this volume, so det J < 0 somewhere, whatever the map is inside.
+  bool BoundaryReversed = false;
   /// Whether every box is certified and the boundary is injective.
   bool Bijective = false;
 };

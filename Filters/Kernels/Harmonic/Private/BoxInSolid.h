@@ -20,6 +20,20 @@ struct BoxCube
 
   /// The corner with the largest coordinates.
   Eigen::Vector3d Corner() const { return this->Centre.array() + this->Half; }
+  Eigen::AlignedBox3d Box() const
+  {
+    return { this->Centre.array() - this->Half, this->Centre.array() + this->Half };
+  }
+  /// One of eight parts. Bit i of the octant: whether coordinate i is larger.
+  BoxCube Child(int octant) const
+  {
+    BoxCube child{ this->Centre, 0.5 * this->Half };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      child.Centre(axis) += (octant >> axis & 1) != 0 ? child.Half : -child.Half;
+    }
+    return child;
+  }
   /// The radius of a ball around the cube, enlarged by rounding.
   double Radius() const { return std::sqrt(3.0) * (1.0 + 1e-12) * this->Half; }
 };

@@ -79,7 +79,7 @@ struct DeterminantTables
   }
 };
 
-const DeterminantTables& GetTables()
+const DeterminantTables& GetDeterminantTables()
 {
   static const DeterminantTables tables;
   return tables;
@@ -97,20 +97,6 @@ Matrix3d CoefficientOf(const TaylorExpansion& expansion, const JacobianTerm& ter
   return coefficient;
 }
 
-/// The largest magnitude of a monomial in the box.
-double MagnitudeOf(const JacobianTerm& term, const Vector3d& half)
-{
-  double magnitude = 1.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (int p = 0; p < term.Powers[axis]; ++p)
-    {
-      magnitude *= half(axis);
-    }
-  }
-  return magnitude;
-}
-
 /// Whether a symmetric matrix is positive definite; if so, its determinant, else 0.
 double DeterminantIfPositive(const Symmetric& m)
 {
@@ -125,7 +111,7 @@ double DeterminantIfPositive(const Symmetric& m)
 double LowestControlDeterminant(
   const std::array<Symmetric, ControlTerms>& terms, const Vector3d& less)
 {
-  const auto& tables = GetTables();
+  const auto& tables = GetDeterminantTables();
   constexpr int n = ControlCount;
   // Bernstein's basis for x, then for y, then for z.
   std::array<Symmetric, n * n * n> alongX, alongY;
@@ -174,7 +160,7 @@ double LowestControlDeterminant(
 void FindLowestCorner(
   const TaylorExpansion& expansion, const Vector3d& half, DeterminantSign& verdict)
 {
-  const auto& tables = GetTables();
+  const auto& tables = GetDeterminantTables();
   const Matrix3d middle = CoefficientOf(expansion, tables.Terms[0]);
   std::array<Matrix3d, 3> slopes;
   for (int axis = 0; axis < 3; ++axis)
@@ -210,7 +196,7 @@ DeterminantSign BoundDeterminant(const TaylorExpansion& expansion, const Vector3
   int degree, const Matrix3d& leftOut)
 {
   DeterminantSign verdict;
-  const auto& tables = GetTables();
+  const auto& tables = GetDeterminantTables();
   const Matrix3d jacobian = CoefficientOf(expansion, tables.Terms[0]);
   // With the singular values S of J = U S V', the factors S^-1/2 U' and V S^-1/2. They need not be
   // accurate: all bounds are for the factors as they are.
@@ -226,10 +212,18 @@ DeterminantSign BoundDeterminant(const TaylorExpansion& expansion, const Vector3
     std::array<Symmetric, ControlTerms> terms;
     terms.fill(Symmetric::Zero());
     Matrix3d magnitude = Matrix3d::Zero(), rest = leftOut;
+    // The largest magnitudes of powers in the box.
+    Eigen::Matrix<double, 3, TaylorExpansion::Degree> powers;
+    powers.col(0).setOnes();
+    for (int p = 1; p < TaylorExpansion::Degree; ++p)
+    {
+      powers.col(p) = powers.col(p - 1).cwiseProduct(half);
+    }
     for (int i = 0; i < TaylorExpansion::SizeOf(degree - 1); ++i)
     {
-      const Matrix3d coefficient =
-        MagnitudeOf(tables.Terms[i], half) * CoefficientOf(expansion, tables.Terms[i]);
+      const auto& term = tables.Terms[i];
+      const Matrix3d coefficient = powers(0, term.Powers[0]) * powers(1, term.Powers[1]) *
+        powers(2, term.Powers[2]) * CoefficientOf(expansion, term);
       if (i >= ControlTerms)
       {
         rest += coefficient.cwiseAbs();

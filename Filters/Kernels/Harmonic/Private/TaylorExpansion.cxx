@@ -14,7 +14,17 @@ namespace
 struct TaylorTables
 {
   std::vector<TaylorExpansion::Monomial> Monomials;
-  std::vector<TaylorStep> Steps; ///< one for each monomial
+  std::vector<TaylorStep> Steps; ///< one for each monomial with a power of z below 2
+  /// For each step, its monomial.
+  std::vector<int> OfSteps;
+  /// The other monomials, by degree: first follows from the monomials Sources with these factors.
+  struct LaplaceStep
+  {
+    int Target;
+    std::array<int, 2> Sources;
+    std::array<double, 2> Factors;
+  };
+  std::vector<LaplaceStep> LaplaceSteps;
   /// Of a shift along each axis: first += step * second, in this order. LowShifts are those that
   /// the terms of LowDegree and less need.
   std::array<std::vector<std::pair<int, int>>, 3> Shifts, LowShifts;
@@ -39,14 +49,29 @@ struct TaylorTables
       powers[axis] += change;
       return powers[axis] < 0 ? TaylorExpansion::Size : index[powers[0]][powers[1]][powers[2]];
     };
-    for (const auto& [powers, n] : this->Monomials)
+    std::array<int, TaylorExpansion::Size + 1> steps;
+    steps.fill(TaylorSums::MaximumSize);
+    for (int i = 0; i < TaylorExpansion::Size; ++i)
     {
+      const auto& [powers, n] = this->Monomials[i];
       const std::array<int, 3> p{ powers[0], powers[1], powers[2] };
-      // n r^2 a_k + (2 n - 1) sum_i d_i a_(k - e_i) + (n - 1) sum_i a_(k - 2 e_i) = 0, n = |k|
-      const double rank = std::max(n, 1);
-      this->Steps.push_back({ { find(p, 0, -1), find(p, 1, -1), find(p, 2, -1) },
-        { find(p, 0, -2), find(p, 1, -2), find(p, 2, -2) }, (1.0 - 2.0 * rank) / rank,
-        (1.0 - rank) / rank });
+      if (p[2] < 2)
+      {
+        // n r^2 a_k + (2 n - 1) sum_i d_i a_(k - e_i) + (n - 1) sum_i a_(k - 2 e_i) = 0, n = |k|
+        const double rank = std::max(n, 1);
+        steps[i] = static_cast<int>(this->Steps.size());
+        this->OfSteps.push_back(i);
+        this->Steps.push_back(
+          { { steps[find(p, 0, -1)], steps[find(p, 1, -1)], steps[find(p, 2, -1)] },
+            { steps[find(p, 0, -2)], steps[find(p, 1, -2)] }, (1.0 - 2.0 * rank) / rank,
+            (1.0 - rank) / rank });
+        continue;
+      }
+      // sum_i (k_i + 2) (k_i + 1) a_(k + 2 e_i) = 0
+      const std::array<int, 3> base{ p[0], p[1], p[2] - 2 };
+      const auto factor = [](int power) { return (power + 2.0) * (power + 1.0); };
+      this->LaplaceSteps.push_back({ i, { find(base, 0, 2), find(base, 1, 2) },
+        { -factor(base[0]) / factor(base[2]), -factor(base[1]) / factor(base[2]) } });
     }
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -126,8 +151,11 @@ void TaylorExpansion::Add(const ChargeColumns& charges, const std::vector<int>& 
     return;
   }
   TaylorSums sums;
-  sums.Steps = GetTables().Steps.data();
-  sums.Size = SizeOf(degree);
+  const TaylorTables& tables = GetTables();
+  Eigen::Matrix<double, TaylorSums::MaximumSize, 3> found;
+  found.setZero();
+  sums.Steps = tables.Steps.data();
+  sums.Size = (degree + 1) * (degree + 1);
   sums.Degree = degree;
   sums.Charges = &charges;
   sums.Ids = &ids;
@@ -135,11 +163,25 @@ void TaylorExpansion::Add(const ChargeColumns& charges, const std::vector<int>& 
   sums.Radius = radius;
   for (int c = 0; c < 3; ++c)
   {
-    sums.Coefficients[c] = this->Coefficients.col(c).data();
+    sums.Coefficients[c] = found.col(c).data();
   }
   sums.Remainder = this->Remainder.data();
   sums.Magnitude = this->Magnitude.data();
   AddTaylorSums(sums);
+  Eigen::Matrix<double, Size, 3> all;
+  for (int i = 0; i < sums.Size; ++i)
+  {
+    all.row(tables.OfSteps[i]) = found.row(i);
+  }
+  for (const auto& [target, sources, factors] : tables.LaplaceSteps)
+  {
+    if (target >= SizeOf(degree))
+    {
+      break;
+    }
+    all.row(target) = factors[0] * all.row(sources[0]) + factors[1] * all.row(sources[1]);
+  }
+  this->Coefficients.topRows(SizeOf(degree)) += all.topRows(SizeOf(degree));
 }
 
 void TaylorExpansion::Shift(const Eigen::Vector3d& step)

@@ -26,7 +26,7 @@ struct TaylorExpansion
 {
   static constexpr int Degree = 8;
   static constexpr int Size = (Degree + 1) * (Degree + 2) * (Degree + 3) / 6;
-  static_assert(Size == TaylorSums::MaximumSize);
+  static_assert((Degree + 1) * (Degree + 1) == TaylorSums::MaximumSize);
 
   static constexpr int LowDegree = 4;
 
@@ -38,9 +38,10 @@ struct TaylorExpansion
   /// sum of the magnitudes of its terms.
   Eigen::Vector3d Magnitude = Eigen::Vector3d::Zero();
   /// Rounding errors of the gradient are at most this times the Magnitude. The recurrence amplifies
-  /// errors by at most (1 + sqrt(2))^Degree = 1200; with 500 operations for a coefficient, and a
-  /// million charges in a sum, the errors stay below 3e-10.
-  static constexpr double Rounding = 1e-9;
+  /// errors by at most (1 + sqrt(2))^Degree = 1200, and Laplace's equation by 2^(Degree / 2) = 16.
+  /// With 500 operations for a coefficient, and a million charges in a sum, the errors stay below
+  /// 4e-9.
+  static constexpr double Rounding = 1e-8;
 
   /// Monomial i is x^X y^Y z^Z; monomials are sorted by degree. The first four are 1, x, y, z.
   struct Monomial
@@ -54,7 +55,8 @@ struct TaylorExpansion
   /**
    * Adds the polynomials of some charges, up to the given degree <= Degree. The recurrence for the
    * coefficients is that of Duan and Krasny, "An adaptive treecode for computing nonbonded
-   * potential energy in classical molecular systems" (2001).
+   * potential energy in classical molecular systems" (2001). It computes those with a power of z
+   * below 2; the sums are harmonic, which determines the others.
    *
    * ids: the charges that are added. radius: where the bound of the error holds; each of these
    * charges is farther than this from the centre.

@@ -63,8 +63,7 @@ void SumTaylorTerms(const TaylorSums& given)
         const TaylorStep& step = given.Steps[i];
         const Vector lower = hn::MulAdd(x, term(step.Lower[0]),
           hn::MulAdd(y, term(step.Lower[1]), hn::Mul(z, term(step.Lower[2]))));
-        const Vector lowest =
-          hn::Add(term(step.Lowest[0]), hn::Add(term(step.Lowest[1]), term(step.Lowest[2])));
+        const Vector lowest = hn::Add(term(step.Lowest[0]), term(step.Lowest[1]));
         value = hn::MulAdd(hn::Set(wide, step.LowerFactor), lower,
           hn::Mul(hn::Mul(hn::Set(wide, step.LowestFactor), inverse), lowest));
         hn::Store(value, wide, terms + i * lanes);
