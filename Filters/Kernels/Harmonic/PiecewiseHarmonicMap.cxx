@@ -82,8 +82,9 @@ std::unique_ptr<const FiniteElementMap> JoinShares(const PiecewiseCharges& charg
   if (repair.Shares.size() != repair.Elements.Points.rows() || repair.Elements.Images.cols() != 3 ||
     !(repair.Shares.minCoeff() >= 0.0 && repair.Shares.maxCoeff() <= 1.0))
   {
-    throw InvalidInput("the repair of the map has " + std::to_string(repair.Elements.Points.rows()) +
-      " points and " + std::to_string(repair.Shares.size()) +
+    throw InvalidInput("the repair of the map has " +
+      std::to_string(repair.Elements.Points.rows()) + " points and " +
+      std::to_string(repair.Shares.size()) +
       " shares; give each point an image of three coordinates and one share from 0 to 1");
   }
   FiniteElements joined = repair.Elements;
@@ -386,8 +387,7 @@ Eigen::MatrixXd PiecewiseHarmonicMap::Jacobians(
 PiecewiseHarmonicMap::RepairPositions PiecewiseHarmonicMap::LocateInRepair(
   const Eigen::MatrixXd& points, const Progress& progress) const
 {
-  FiniteElementMap::Values values =
-    this->Repair->Evaluate(points, progress, this->RepairTolerance);
+  FiniteElementMap::Values values = this->Repair->Evaluate(points, progress, this->RepairTolerance);
   RepairPositions at{ std::move(values.Cells), std::move(values.Images),
     Eigen::MatrixXd::Zero(points.rows(), 12) };
   std::vector<int> inside;
@@ -431,7 +431,7 @@ Eigen::MatrixXd PiecewiseHarmonicMap::EvaluateRepaired(
   const RepairPositions at = this->LocateInRepair(points, progress.Part(0.0, 0.3));
   const std::vector<int> rows = OutsideCore(at);
   const Eigen::MatrixXd charges =
-    shape::Evaluate(this->Maps[0], points(rows, Eigen::all), progress.Part(0.3, 1.0));
+    this->EvaluateRegion(0, points(rows, Eigen::all), progress.Part(0.3, 1.0));
   // g = h + phi (f - h), and f itself where phi is 1.
   Eigen::MatrixXd values = at.Values.leftCols<3>();
   for (std::size_t k = 0; k < rows.size(); ++k)
@@ -450,9 +450,9 @@ Eigen::MatrixXd PiecewiseHarmonicMap::RepairedJacobians(
   const RepairPositions at = this->LocateInRepair(points, progress.Part(0.0, 0.3));
   const std::vector<int> rows = OutsideCore(at);
   const Eigen::MatrixXd charges =
-    shape::Evaluate(this->Maps[0], points(rows, Eigen::all), progress.Part(0.3, 0.6));
-  const Eigen::MatrixXd derivatives =
-    shape::EvaluateJacobians(this->Maps[0], points(rows, Eigen::all), progress.Part(0.6, 1.0));
+    this->EvaluateRegion(0, points(rows, Eigen::all), progress.Part(0.3, 0.6));
+  const Eigen::MatrixXd derivatives = shape::EvaluateJacobians(
+    this->Maps[0], points(rows, Eigen::all), progress.Part(0.6, 1.0), this->Device);
   // The derivative of g = h + phi (f - h).
   Eigen::MatrixXd jacobians = at.Gradients.leftCols<9>();
   for (std::size_t k = 0; k < rows.size(); ++k)
