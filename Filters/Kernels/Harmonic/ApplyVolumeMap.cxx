@@ -28,8 +28,8 @@ MovedPoints ApplyVolumeMap(
   const FiniteElementMap& map, const Eigen::MatrixXd& points, const Progress& progress)
 {
   constexpr double tolerance = 1e-6;
-  const FiniteElementMap::Values values = map.Evaluate(
-    points, progress, tolerance * ComputeLongestBoxEdge(map.Elements().Points));
+  const FiniteElementMap::Values values =
+    map.Evaluate(points, progress, tolerance * ComputeLongestBoxEdge(map.Elements().Points));
   MovedPoints moved;
   moved.OutsideDomain = (values.Cells.array() < 0).cast<int>();
   moved.Points = moved.OutsideDomain.replicate(1, 3).array().select(points, values.Images);

@@ -177,8 +177,8 @@ FiniteElements FillWithElements(const Surface& given, const Eigen::MatrixXd& giv
   return elements;
 }
 
-FiniteElements ComputeFiniteElements(const Surface& boundary, const Eigen::MatrixXd& values,
-  int tetrahedra, const Progress& progress)
+FiniteElements ComputeFiniteElements(
+  const Surface& boundary, const Eigen::MatrixXd& values, int tetrahedra, const Progress& progress)
 {
   FiniteElements elements =
     FillWithElements(boundary, values, tetrahedra, progress.Part(0.0, 0.65));

@@ -60,8 +60,8 @@ double ComputeFarthest(double offsetDistance, const Eigen::MatrixXd& points);
  * therefore equals f_r. f and its first derivative are continuous across borders, even if the two
  * fitted maps differ there.
  *
- * With a repair, the map is that of MapRepair in the tetrahedra and within 1e-6 of their longest side
- * around them. There, a point outside the solid takes h and phi from the closest position.
+ * With a repair, the map is that of MapRepair in the tetrahedra and within 1e-6 of their longest
+ * side around them. There, a point outside the solid takes h and phi from the closest position.
  *
  * Region r > 0 is the space inside the components with number r, except the regions inside it. A
  * position on a border belongs to the outer region.
@@ -133,7 +133,7 @@ private:
   std::unique_ptr<SignedDistance> Solid;
   std::vector<std::unique_ptr<SignedDistance>> Borders; ///< one for each region; null for region 0
   std::vector<int> Parents;                             ///< one for each region
-  std::vector<int> Order;  ///< regions > 0, outer ones before inner ones
+  std::vector<int> Order;                         ///< regions > 0, outer ones before inner ones
   std::unique_ptr<const FiniteElementMap> Repair; ///< of h and phi; null without a repair
   double RepairTolerance = 0.0;
   std::vector<Mesh> Walls; ///< one for each region: the walls of the voids in it

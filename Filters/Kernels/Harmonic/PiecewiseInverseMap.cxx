@@ -98,8 +98,7 @@ InverseMap::Result PiecewiseInverseMap::FindInRepaired(
     Steps steps(progress.Part(0.8, 1.0));
     const FiniteElementMap::Values starts =
       this->Ring->Evaluate(points(open, Eigen::all), steps.Next());
-    Search search =
-      StartSearch(*this->Map, starts.Images, points(open, Eigen::all), steps.Next());
+    Search search = StartSearch(*this->Map, starts.Images, points(open, Eigen::all), steps.Next());
     IterateNewton(*this->Map, search, { this->Goal, this->MaxStep, this->Iterations }, steps);
     const Eigen::VectorXi outside = FindPointsOutsideDomain(
       this->Map->Domain(), search.Positions, this->Map->Farthest(), steps.Next());

@@ -237,9 +237,8 @@ std::vector<int> CoreSearch::UntangleCore(const Progress& progress)
     }
   }
   const auto count = static_cast<int>(this->CoreTetrahedra.size());
-  const Eigen::MatrixXi tetrahedra =
-    this->Elements.Tetrahedra(this->CoreTetrahedra, Eigen::all)
-      .unaryExpr([&](int point) { return positions[point]; });
+  const Eigen::MatrixXi tetrahedra = this->Elements.Tetrahedra(this->CoreTetrahedra, Eigen::all)
+                                       .unaryExpr([&](int point) { return positions[point]; });
   this->Core = { this->Elements.Points(this->CorePoints, Eigen::all), tetrahedra,
     repair.Elements.Images(this->CorePoints, Eigen::all), {}, 0 };
   std::vector<int> inverted;
@@ -259,11 +258,10 @@ std::vector<int> CoreSearch::UntangleCore(const Progress& progress)
     return inverted;
   }
   const Eigen::MatrixXi byCell = tetrahedra.transpose();
-  UntangleResult result = Untangle({ this->Core.Images,
-                                     Eigen::VectorXi::Constant(count, cell_kind::Tetrahedron),
-                                     Eigen::VectorXi::LinSpaced(count + 1, 0, 4 * count),
-                                     byCell.reshaped() },
-    this->Core.Points, {}, progress);
+  UntangleResult result =
+    Untangle({ this->Core.Images, Eigen::VectorXi::Constant(count, cell_kind::Tetrahedron),
+               Eigen::VectorXi::LinSpaced(count + 1, 0, 4 * count), byCell.reshaped() },
+      this->Core.Points, {}, progress);
   // New points divide tetrahedra in the solid as in the image.
   this->Core.Points = result.Provenance.Weights * this->Core.Points;
   this->Core.Images = result.Solid.Points;
@@ -284,8 +282,7 @@ double CoreSearch::VolumeOf(const std::vector<int>& tetrahedra) const
   double volume = 0.0;
   for (const int t : tetrahedra)
   {
-    const Corners corners =
-      GetTetrahedron(this->Elements.Points, this->Elements.Tetrahedra.row(t));
+    const Corners corners = GetTetrahedron(this->Elements.Points, this->Elements.Tetrahedra.row(t));
     volume += (corners.bottomRows<3>().rowwise() - corners.row(0)).determinant() / 6.0;
   }
   return volume;
@@ -355,8 +352,7 @@ RepairMapResult RepairMap(const ChargeSet& map, const Surface& domain,
   const Eigen::MatrixXd& targets, const RepairMapOptions& options, const Progress& progress)
 {
   RequireOption(options.MaximumRounds >= 1, "Maximum Rounds", options.MaximumRounds, "at least 1");
-  if (targets.size() != 0 &&
-    (targets.rows() != domain.Points().rows() || targets.cols() != 3))
+  if (targets.size() != 0 && (targets.rows() != domain.Points().rows() || targets.cols() != 3))
   {
     throw InvalidInput("the boundary has " + std::to_string(domain.Points().rows()) +
       " points and " + std::to_string(targets.rows()) +

@@ -38,8 +38,8 @@ struct RepairMapResult
  * 1. CertifyMap covers the solid with boxes. The solid is filled with tetrahedra. Those that meet a
  *    box that is not certified are the core, with all that share a point with them.
  * 2. The ring are the other tetrahedra that share a point with the core. In the ring the result is
- *    g = h + phi (f - h) (MapRepair): h is linear between the images of the corners, and phi is 0 at
- *    the core and 1 elsewhere. det J_g > 0 is proven by bounds in cubes. Where this fails, the core
+ *    g = h + phi (f - h) (MapRepair): h is linear between the images of the corners, and phi is 0
+ * at the core and 1 elsewhere. det J_g > 0 is proven by bounds in cubes. Where this fails, the core
  *    grows.
  * 3. In the core g = h, and Untangle moves its inner points. Points between core and ring keep
  *    their images by f; points on the boundary get the prescribed images. Around tetrahedra that

@@ -85,8 +85,7 @@ Eigen::Vector3d VolumeTransform::EvaluateRepaired(
   if (share > 0.0)
   {
     Eigen::Matrix3d ofCharges;
-    const Eigen::Vector3d difference =
-      this->Charges.front().Evaluate(position, ofCharges) - value;
+    const Eigen::Vector3d difference = this->Charges.front().Evaluate(position, ofCharges) - value;
     value += share * difference;
     jacobian += share * (ofCharges - jacobian) + difference * at.Gradients.rightCols<3>();
   }

@@ -339,6 +339,11 @@ CellLocator::~CellLocator() = default;
 CellLocator::CellLocator(CellLocator&&) noexcept = default;
 CellLocator& CellLocator::operator=(CellLocator&&) noexcept = default;
 
+CellPoints CellLocator::Find(const Eigen::MatrixXd& positions, const Progress& progress) const
+{
+  return this->Find(positions, progress, std::numeric_limits<double>::infinity());
+}
+
 CellPoints CellLocator::Find(
   const Eigen::MatrixXd& positions, const Progress& progress, double farthest) const
 {

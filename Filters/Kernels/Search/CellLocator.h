@@ -5,7 +5,6 @@
 
 #include <Eigen/SparseCore>
 
-#include <limits>
 #include <memory>
 
 namespace shape
@@ -47,11 +46,13 @@ public:
   CellLocator(CellLocator&&) noexcept;
   CellLocator& operator=(CellLocator&&) noexcept;
 
-  /// positions: n x 3, finite. Cells whose distance is larger than `farthest` are too far to be
-  /// found; a limit makes the search faster. Throws InvalidInput if the square of a distance
-  /// overflows; Aborted.
-  CellPoints Find(const Eigen::MatrixXd& positions, const Progress& progress = {},
-    double farthest = std::numeric_limits<double>::infinity()) const;
+  /// positions: n x 3, finite. Throws InvalidInput if the square of a distance overflows; Aborted.
+  CellPoints Find(const Eigen::MatrixXd& positions, const Progress& progress = {}) const;
+
+  /// The same, but cells whose distance is larger than `farthest` are too far to be found. A limit
+  /// makes the search faster.
+  CellPoints Find(
+    const Eigen::MatrixXd& positions, const Progress& progress, double farthest) const;
 
 private:
   struct Search;

@@ -95,11 +95,12 @@
  * With Certify, the facts also have .CertifiedShare, .UndecidedShare and .InvertedShare, shares of
  * the volume: what vtkShapeCertificate proves about the charge set with its default properties.
  *
- * With Repair, the map is replaced where it folds (shape::RepairMap), and the charge set has the
- * repair as field data `RepairPoints` and `RepairTargetPosition` (double, 3), `RepairShare` (double)
- * and `RepairTetrahedra` (int, 4). The moved domain and all readers of the charge set use it. The
- * facts have the three shares of Certify after the repair, and .CertifiedBefore, .CoreShare (share
- * of the volume in which the map is replaced) and .RingShare (in which it is blended).
+ * With Repair, the map is replaced where it folds (shape::RepairMap). The charge set then has the
+ * field data `RepairPoints` and `RepairTargetPosition` (double, 3), `RepairShare` (double) and
+ * `RepairTetrahedra` (int, 4). The moved domain and all readers of the charge set use the repaired
+ * map. The facts have the shares of Certify, for the repaired map. .CertifiedBefore is that of the
+ * charges. .CoreShare is the share of the volume in which the map is replaced, and .RingShare that
+ * in which it is blended.
  *
  * FiniteElements takes no Features, and neither Exact nor FreeBoundary. Its table has one level
  * with the number of unknowns as Sources and Collocations.

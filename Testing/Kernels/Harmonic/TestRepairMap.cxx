@@ -4,6 +4,7 @@
 #include "Geometry/Sampling.h"
 #include "Harmonic/ApplyVolumeMap.h"
 #include "Harmonic/PiecewiseInverseMap.h"
+#include "Harmonic/Private/InverseSearch.h"
 #include "Harmonic/Private/RingCertificate.h"
 #include "Harmonic/Private/TetrahedronBox.h"
 #include "Harmonic/VolumeTransform.h"
@@ -52,7 +53,7 @@ shape::PiecewiseCharges AsPiecewise(
 
 double Determinant(const Eigen::MatrixXd& jacobians, Eigen::Index row)
 {
-  return jacobians.row(row).reshaped<Eigen::RowMajor>(3, 3).determinant();
+  return shape::GetJacobian(jacobians, row).determinant();
 }
 
 /// Random weights of a tetrahedron's corners.
@@ -88,8 +89,8 @@ void ExpectRepaired(const ChargeSet& map, const RepairMapResult& result)
 {
   EXPECT_GE(result.CertifiedShare, 0.999);
   EXPECT_NEAR(result.CertifiedShare + result.InvertedShare + result.UndecidedShare, 1.0, 1e-12);
-  const auto repaired = std::make_shared<const shape::PiecewiseHarmonicMap>(
-    AsPiecewise(map, Ball(), result.Repair));
+  const auto repaired =
+    std::make_shared<const shape::PiecewiseHarmonicMap>(AsPiecewise(map, Ball(), result.Repair));
   std::mt19937 random(5);
 
   // Away from the repair, f is unchanged.
@@ -224,7 +225,7 @@ TEST(RepairMap, TransformsAgree)
   {
     const auto forward = transform.Forward(Eigen::Vector3d(positions.row(i).transpose()));
     EXPECT_LT((forward.Position - values.row(i).transpose()).norm(), 1e-12);
-    const Eigen::Matrix3d jacobian = jacobians.row(i).reshaped<Eigen::RowMajor>(3, 3);
+    const Eigen::Matrix3d jacobian = shape::GetJacobian(jacobians, i);
     EXPECT_LT((forward.Jacobian - jacobian).norm(), 1e-9 * (1.0 + jacobian.norm()));
     const auto backward = transform.Backward(forward.Position);
     EXPECT_EQ(backward.State, shape::InverseMap::State::Found);
@@ -329,6 +330,5 @@ TEST(RepairMap, RejectsWhatItCannotUse)
   repair.Elements.Points = RandomPoints(4, *std::make_unique<std::mt19937>(1));
   repair.Elements.Images = repair.Elements.Points;
   repair.Elements.Tetrahedra = Eigen::RowVector4i(0, 1, 2, 3);
-  EXPECT_THROW(
-    shape::PiecewiseHarmonicMap(AsPiecewise(map, Ball(), repair)), shape::InvalidInput);
+  EXPECT_THROW(shape::PiecewiseHarmonicMap(AsPiecewise(map, Ball(), repair)), shape::InvalidInput);
 }

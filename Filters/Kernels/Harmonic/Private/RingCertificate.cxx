@@ -127,7 +127,8 @@ RingCover::RingCover(
       element.Box.extend(element.Corners.row(k).transpose());
     }
     element.Size = element.Box.sizes().maxCoeff();
-    const Eigen::Matrix3d edges = element.Corners.bottomRows<3>().rowwise() - element.Corners.row(0);
+    const Eigen::Matrix3d edges =
+      element.Corners.bottomRows<3>().rowwise() - element.Corners.row(0);
     const Eigen::Matrix3d inverse = edges.inverse();
     const Eigen::Vector3d first = element.Corners.row(0).transpose();
     element.Linear = (inverse * (images.bottomRows<3>().rowwise() - images.row(0))).transpose();
@@ -217,21 +218,19 @@ std::vector<RingCube> RingCover::Examine(const RingCube& cube, std::vector<int>&
   const double radius = cube.Place.Radius();
   const double nearest = radius / RingNearestRatio;
   const bool tooNear = std::any_of(cube.Field->Near.begin(), cube.Field->Near.end(),
-    [&](int i)
-    {
-      return (this->Charges.col(i).head<3>() - cube.Place.Centre).squaredNorm() <
-        nearest * nearest;
+    [&](int i) {
+      return (this->Charges.col(i).head<3>() - cube.Place.Centre).squaredNorm() < nearest * nearest;
     });
   if (!tested.empty() && !tooNear)
   {
-    TaylorExpansion expansion =
-      cube.Field->Far.GetLowTerms(cube.Place.Centre - cube.Field->Centre);
-    expansion.Add(this->Charges, cube.Field->Near, cube.Place.Centre, radius,
-      TaylorExpansion::LowDegree);
+    TaylorExpansion expansion = cube.Field->Far.GetLowTerms(cube.Place.Centre - cube.Field->Centre);
+    expansion.Add(
+      this->Charges, cube.Field->Near, cube.Place.Centre, radius, TaylorExpansion::LowDegree);
     const Eigen::Vector3d valueError =
       cube.Field->ValueError + radius * (expansion.Remainder - cube.Field->Far.Remainder);
-    tested.erase(std::remove_if(tested.begin(), tested.end(), [&](int id)
-                   { return this->Decide(this->Elements[id], cube, expansion, valueError); }),
+    tested.erase(
+      std::remove_if(tested.begin(), tested.end(),
+        [&](int id) { return this->Decide(this->Elements[id], cube, expansion, valueError); }),
       tested.end());
   }
   for (const int id : tested)
@@ -304,7 +303,8 @@ std::vector<char> RingCover::FindUndecided(const Progress& progress)
       for (RingCube& child : some)
       {
         std::vector<int>& ids = child.Tetrahedra;
-        ids.erase(std::remove_if(ids.begin(), ids.end(), [&](int id) { return undecided[id] != 0; }),
+        ids.erase(
+          std::remove_if(ids.begin(), ids.end(), [&](int id) { return undecided[id] != 0; }),
           ids.end());
         if (!ids.empty())
         {

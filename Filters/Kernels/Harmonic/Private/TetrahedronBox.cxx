@@ -27,8 +27,7 @@ bool MayMeet(const Eigen::Matrix<double, 4, 3>& corners, const Eigen::AlignedBox
     {
       normal = -normal;
     }
-    const double rounding = 1e-12 * normal.norm() *
-      (around.sizes().maxCoeff() + half.maxCoeff());
+    const double rounding = 1e-12 * normal.norm() * (around.sizes().maxCoeff() + half.maxCoeff());
     if (normal.dot(centre - origin) - normal.cwiseAbs().dot(half) > rounding)
     {
       return false;
