@@ -136,7 +136,7 @@ FiniteElements RequireComplete(FiniteElements elements)
 } // namespace
 
 FiniteElements FillWithElements(const Surface& given, const Eigen::MatrixXd& givenValues,
-  int tetrahedra, const Progress& progress)
+  int tetrahedra, bool preserveBoundary, const Progress& progress)
 {
   RequireOption(tetrahedra > 0, "Tetrahedra", tetrahedra, "positive");
   if (givenValues.rows() != given.Points().rows())
@@ -152,8 +152,7 @@ FiniteElements FillWithElements(const Surface& given, const Eigen::MatrixXd& giv
   TetrahedralizeOptions options;
   // Tetrahedra have on average about half of the largest volume.
   options.MaximumVolume = 2.0 * ComputeEnclosedVolume(boundary) / tetrahedra;
-  // Large triangles would have large tetrahedra if no points could be added on them.
-  options.PreserveBoundary = false;
+  options.PreserveBoundary = preserveBoundary;
   TetrahedralizeResult solid = Tetrahedralize(
     boundary, {}, options, progress.Part(0.1, 0.9, "filling the solid with tetrahedra"));
   FiniteElements elements{ std::move(solid.Points), std::move(solid.Tetrahedra), {}, {}, 0 };
@@ -180,8 +179,9 @@ FiniteElements FillWithElements(const Surface& given, const Eigen::MatrixXd& giv
 FiniteElements ComputeFiniteElements(
   const Surface& boundary, const Eigen::MatrixXd& values, int tetrahedra, const Progress& progress)
 {
+  // Large triangles would have large tetrahedra if no points could be added on them.
   FiniteElements elements =
-    FillWithElements(boundary, values, tetrahedra, progress.Part(0.0, 0.65));
+    FillWithElements(boundary, values, tetrahedra, false, progress.Part(0.0, 0.65));
   const Eigen::SparseMatrix<double> stiffness =
     BuildStiffness(elements.Points, elements.Tetrahedra);
   const DirichletProblem problem(

@@ -48,9 +48,10 @@ FiniteElements ComputeFiniteElements(const Surface& boundary, const Eigen::Matri
   int tetrahedra, const Progress& progress = {});
 
 /// Fills a solid with tetrahedra as ComputeFiniteElements does. Images has the values at the
-/// boundary, and 0 inside. Throws what ComputeFiniteElements throws.
+/// boundary, and 0 inside. preserveBoundary: whether no points are added on the triangles. Throws
+/// what ComputeFiniteElements throws.
 FiniteElements FillWithElements(const Surface& boundary, const Eigen::MatrixXd& values,
-  int tetrahedra, const Progress& progress = {});
+  int tetrahedra, bool preserveBoundary, const Progress& progress = {});
 
 /// Evaluates a map of finite elements anywhere. Can be used from several threads.
 class FiniteElementMap

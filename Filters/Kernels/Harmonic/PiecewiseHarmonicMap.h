@@ -41,7 +41,7 @@ struct PiecewiseCharges
   /// For each region, the thickness (>= 0) of the skin inside its border. In the skin the map of
   /// the surrounding region blends into the region's map. Empty: all are 0.
   Eigen::VectorXd Skins;
-  MapRepair Repair; ///< may have tetrahedra if there is one region
+  MapRepair Repair = {}; ///< may have tetrahedra if there is one region
 };
 
 /// Returns the maximum distance outside its domain at which a map is valid

@@ -371,7 +371,7 @@ RepairMapResult RepairMap(const ChargeSet& map, const Surface& domain,
   }
   CoreSearch search(map,
     FillWithElements(domain, targets.size() == 0 ? Evaluate(map, domain.Points()) : targets,
-      options.Tetrahedra, progress.Part(0.25, 0.4)),
+      options.Tetrahedra, true, progress.Part(0.25, 0.4)),
     progress.Part(0.4, 0.42));
   search.AddFolds(certificate, progress.Part(0.42, 0.45, "finding the folds"));
   search.Grow();
