@@ -12,11 +12,13 @@
 #include "Untangle/Private/SlidingBoundary.h"
 #include "Untangle/Private/SolidCells.h"
 #include "Untangle/Private/SolidRefinement.h"
+#include "Untangle/Private/StarCollar.h"
 #include "Untangle/Private/TutteEmbedding.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -244,6 +246,42 @@ int ReduceAndExpand(
   return left;
 }
 
+/// Returns the centre of a fixed boundary that is star-shaped and far from a sphere, if all cells
+/// are tetrahedra that may be split; else a placement that is not valid.
+StarPlacement FindStar(const SolidCells& solid, const UntangleOptions& options)
+{
+  constexpr double minimumReach = 1.5;
+  if (!options.FixBoundary || !options.SplitCells || !solid.HasOnlyTetrahedra())
+  {
+    return {};
+  }
+  const StarPlacement centre = FindStarCentre(solid);
+  double nearest = std::numeric_limits<double>::max(), farthest = 0.0;
+  for (const std::array<int, 3>& triangle : solid.BoundaryTriangles())
+  {
+    const double distance = (solid.Points.row(triangle[0]) - centre.Position).norm();
+    nearest = std::min(nearest, distance);
+    farthest = std::max(farthest, distance);
+  }
+  return farthest > minimumReach * nearest ? centre : StarPlacement();
+}
+
+/// Untangles the solid in a sphere around `centre`, which is convex, and then moves the boundary
+/// outward to where it was. Returns the number of inverted cells.
+int UntangleStar(Untangling& untangling, const UntangleOptions& options,
+  const Eigen::RowVector3d& centre, const Progress& progress)
+{
+  SolidCells& solid = untangling.Solid;
+  SeparateBoundary(solid);
+  const Eigen::MatrixXd targets = solid.Points.topRows(solid.PointCount());
+  ProjectToSphere(solid, centre);
+  solid.Points = SolveTutteEmbedding(solid, progress.Part(0.0, 0.1));
+  const int left = ReduceAndExpand(untangling, options, progress.Part(0.1, 0.8));
+  return left > 0
+    ? left
+    : MoveOutward(solid, centre, targets, progress.Part(0.8, 1.0, "moving the boundary outward"));
+}
+
 /// Finds out whether the boundary crosses itself: cells then cannot all be positive.
 void FindCrossings(const SolidCells& solid, UntangleResult& result, const Progress& progress)
 {
@@ -330,14 +368,29 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
   const bool isRefined = options.Refine != RefineType::None;
   const Progress untangling = progress.Part(0.0, isRefined ? 0.6 : 1.0);
   int left = 0;
-  if (best.Solid.HasTetrahedra())
+  const StarPlacement centre = FindStar(best.Solid, options);
+  if (best.Solid.HasTetrahedra() && !centre.IsValid)
   {
     left = ReduceAndExpand(best, options, untangling.Part(0.0, 0.7));
   }
   else
   {
-    left = ReduceInverted(
-      best, options, Patience, untangling.Part(0.0, 0.7, "untangling the inverted cells"));
+    left = ReduceInverted(best, options, centre.IsValid ? PatienceBeforeExpansion : Patience,
+      untangling.Part(0.0, 0.4, "untangling the inverted cells"));
+  }
+  if (left > 0 && centre.IsValid)
+  {
+    Untangling other = BeginUntangling(cells, rest, options);
+    const int others = UntangleStar(other, options, centre.Position, untangling.Part(0.4, 0.6));
+    if (others < left)
+    {
+      best = std::move(other);
+      left = others;
+    }
+    if (left > 0)
+    {
+      left = ReduceAndExpand(best, options, untangling.Part(0.6, 0.7));
+    }
   }
   if (left > 0)
   {

@@ -154,6 +154,19 @@ void SolidCells::TurnWedges()
   this->WedgesInverted = sum < 0;
 }
 
+std::vector<int> SolidCells::NeighboursOf(int point) const
+{
+  std::vector<int> all;
+  for (const int cell : this->PointCells[point])
+  {
+    all.insert(all.end(), this->Corners[cell].begin(), this->Corners[cell].end());
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  all.erase(std::remove(all.begin(), all.end(), point), all.end());
+  return all;
+}
+
 const std::vector<std::array<int, 4>>& SolidCells::SimplicesOf(int cell)
 {
   const std::vector<int>& corners = this->Corners[cell];
@@ -180,6 +193,12 @@ const std::vector<std::array<int, 4>>& SolidCells::SimplicesOf(int cell)
 bool SolidCells::HasTetrahedra() const
 {
   return std::find(this->Kinds.begin(), this->Kinds.end(), Tetrahedron) != this->Kinds.end();
+}
+
+bool SolidCells::HasOnlyTetrahedra() const
+{
+  return std::all_of(
+    this->Kinds.begin(), this->Kinds.end(), [](int kind) { return kind == Tetrahedron; });
 }
 
 double SolidCells::ShareOf(int cell) const

@@ -33,11 +33,15 @@ public:
   int CellCount() const { return static_cast<int>(this->Kinds.size()); }
   const std::vector<int>& CellsOf(int point) const { return this->PointCells[point]; }
   const std::vector<int>& PointsOf(int cell) const { return this->Corners[cell]; }
+  /// Returns the points that share a cell with a point, ascending.
+  std::vector<int> NeighboursOf(int point) const;
   bool OnBoundary(int point) const { return this->Boundary[point]; }
   const std::vector<std::array<int, 3>>& BoundaryTriangles() const { return this->Surface; }
 
   /// Whether a cell is a tetrahedron.
   bool HasTetrahedra() const;
+  /// Whether all cells are tetrahedra.
+  bool HasOnlyTetrahedra() const;
 
   /// Returns the corner tetrahedra of a cell.
   const std::vector<std::array<int, 4>>& SimplicesOf(int cell);

@@ -38,21 +38,6 @@ void MeasureBoundary(const SolidCells& solid, Eigen::VectorXd& sums, Eigen::Vect
   }
 }
 
-/// The points that share a cell with `point`, without it.
-std::vector<int> FindNeighbours(const SolidCells& solid, int point)
-{
-  std::vector<int> all;
-  for (const int cell : solid.CellsOf(point))
-  {
-    const std::vector<int>& points = solid.PointsOf(cell);
-    all.insert(all.end(), points.begin(), points.end());
-  }
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  all.erase(std::remove(all.begin(), all.end(), point), all.end());
-  return all;
-}
-
 } // namespace
 
 Eigen::MatrixXd SolveTutteEmbedding(const SolidCells& solid, const Progress& progress)
@@ -61,7 +46,7 @@ Eigen::MatrixXd SolveTutteEmbedding(const SolidCells& solid, const Progress& pro
   std::vector<Eigen::Triplet<double>> entries;
   for (int point = 0; point < solid.PointCount(); ++point)
   {
-    const std::vector<int> neighbours = FindNeighbours(solid, point);
+    const std::vector<int> neighbours = solid.NeighboursOf(point);
     // The boundary and loose points are fixed; every other row says: the sum of (x - neighbour) is
     // 0.
     if (solid.OnBoundary(point) || neighbours.empty())
@@ -116,7 +101,7 @@ Eigen::VectorXd ComputeLogarithmicSizes(const SolidCells& solid)
     {
       continue;
     }
-    const std::vector<int> neighbours = FindNeighbours(solid, point);
+    const std::vector<int> neighbours = solid.NeighboursOf(point);
     // Points not connected to a boundary stay at the mean.
     const double pull = 1e-9;
     right(row) = pull * mean;
