@@ -70,8 +70,13 @@ struct UntangleResult
  * four points are all fixed cannot become positive, so it is split. Other tetrahedra that stay
  * inverted are split later. No new point lies on an edge or face of the boundary.
  *
- * A patch ends early if its steps make no progress. Tetrahedra that are then still inverted are
- * made positive by exact tests: their points are put at one position that sees all faces around
+ * A patch ends early if its steps make no progress. If the solid then still has inverted cells and
+ * consists of tetrahedra in a fixed boundary that is star-shaped, it starts anew: it is untangled in
+ * a sphere, which is much easier, and the boundary moves outward from there through a collar of new
+ * tetrahedra (MoveOutward). In exact arithmetic that cannot fail, but many cells are split, and the
+ * collar is thin; Refine improves it.
+ *
+ * Other tetrahedra that are still inverted are made positive by exact tests: their points are put at one position that sees all faces around
  * them, and leave it one by one (after Nigolian, Campen and Bommes, "Expansion cones: a progressive
  * volumetric mapping framework" (2023)). Both methods take turns, four times at most. If inverted
  * cells still remain, everything is repeated with each inner point starting at the mean of its

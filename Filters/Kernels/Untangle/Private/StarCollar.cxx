@@ -22,7 +22,8 @@ using Edge = std::pair<int, int>;
 /// How clearly a fan has to be in order (IsInOrder): before, and after its faces were split.
 constexpr double MinimumOrder = 1e-3, MinimumOrderOfSplit = 1e-10;
 
-/// The new points near the boundary, and where they are.
+/// The new points near the boundary, and where they are. The order of calls: SplitFacesOutOfOrder,
+/// SplitSpokes, then Place and Shrink in turn.
 class Collar
 {
 public:
@@ -186,6 +187,7 @@ void Collar::SplitAtTriangles(const std::set<Edge>& outOfOrder)
       dip = std::min(dip, outward.dot(this->Sphere.row(corner) - centroid));
       depth = std::max(depth, this->FindDepthBelow(corner, inner));
     }
+    // So close to the triangle that the edges see the new point before all others.
     const double share = 0.1 * std::min(1.0, dip / depth);
     const Eigen::RowVector3d position =
       centroid + share * (this->Solid.Points.row(inner) - centroid);
@@ -195,6 +197,7 @@ void Collar::SplitAtTriangles(const std::set<Edge>& outOfOrder)
   }
 }
 
+/// Splits the inner faces at boundary edges out of order.
 void Collar::SplitFacesOutOfOrder()
 {
   std::set<Edge> edges;
@@ -249,7 +252,7 @@ void Collar::SplitFaces(const Edge& edge)
     depth = std::min(depth, 0.25 * highest / distance);
     this->FacePoints.push_back({ this->Solid.Split({ a, b, third }), edge, distance * across });
   }
-  // Halved until the fan is in order. The faces of a marked edge are in no other marked edge.
+  // Near the edge, the parabola is in order from the edge's ends, too.
   const std::vector<int> fan = this->FindFan(edge);
   for (int halving = 0; halving < 40; ++halving, depth *= 0.5)
   {
@@ -317,7 +320,7 @@ void Collar::Place()
   }
 }
 
-/// Halves the depths at inverted tetrahedra.
+/// Halves the depths at inverted tetrahedra, of edges only if alsoFaces. Returns whether any.
 bool Collar::Shrink(const std::vector<int>& inverted, bool alsoFaces)
 {
   std::set<int> bad;
@@ -373,25 +376,20 @@ void SeparateBoundary(SolidCells& solid)
     std::set<std::vector<int>> simplices;
     for (int cell = 0; cell < solid.CellCount(); ++cell)
     {
-      std::vector<int> corners = solid.PointsOf(cell);
-      std::sort(corners.begin(), corners.end());
-      for (int left = 0; left < 4; ++left)
+      for (unsigned int subset = 1; subset < 16U; ++subset)
       {
-        std::vector<int> simplex = corners;
-        simplex.erase(simplex.begin() + left);
-        for (std::size_t k = 0; k < (size == 2 ? 3U : 1U); ++k)
+        std::vector<int> simplex;
+        for (unsigned int k = 0; k < 4U; ++k)
         {
-          std::vector<int> part = simplex;
-          if (size == 2)
+          if ((subset >> k & 1U) && solid.OnBoundary(solid.PointsOf(cell)[k]))
           {
-            part.erase(part.begin() + static_cast<std::ptrdiff_t>(k));
+            simplex.push_back(solid.PointsOf(cell)[k]);
           }
-          if (std::all_of(
-                part.begin(), part.end(), [&](int point) { return solid.OnBoundary(point); }) &&
-            solid.CanSplit(part))
-          {
-            simplices.insert(part);
-          }
+        }
+        if (simplex.size() == size && solid.CanSplit(simplex))
+        {
+          std::sort(simplex.begin(), simplex.end());
+          simplices.insert(std::move(simplex));
         }
       }
     }
@@ -425,9 +423,11 @@ void ProjectToSphere(SolidCells& solid, const Eigen::RowVector3d& centre)
 int MoveOutward(SolidCells& solid, const Eigen::RowVector3d& centre, const Eigen::MatrixXd& targets,
   const Progress& progress)
 {
-  constexpr int rounds = 60, patience = 6;
+  constexpr int rounds = 60, patience = 12;
   Collar collar(solid, centre);
+  progress(0.0);
   collar.SplitFacesOutOfOrder();
+  progress(0.2);
   collar.SplitSpokes();
   for (int point = 0; point < targets.rows(); ++point)
   {
@@ -441,7 +441,7 @@ int MoveOutward(SolidCells& solid, const Eigen::RowVector3d& centre, const Eigen
   std::size_t minimum = std::numeric_limits<std::size_t>::max();
   for (int round = 0, last = 0; round < rounds && round <= last + patience; ++round)
   {
-    progress(static_cast<double>(round) / rounds);
+    progress(0.3 + 0.7 * round / rounds);
     collar.Place();
     inverted = FindInverted(solid);
     if (inverted.size() < minimum)

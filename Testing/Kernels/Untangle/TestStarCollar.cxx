@@ -1,0 +1,187 @@
+#include "Untangle/Private/CellPatches.h"
+#include "Untangle/Private/StarCollar.h"
+#include "Untangle/Untangle.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+
+namespace
+{
+
+constexpr int Permutations[6][3] = { { 0, 1, 2 }, { 1, 2, 0 }, { 2, 0, 1 }, { 0, 2, 1 },
+  { 2, 1, 0 }, { 1, 0, 2 } };
+
+/// A cube [-1, 1]^3 of n^3 cubes, each of the six tetrahedra of Kuhn's subdivision.
+shape::Cells KuhnCube(int n)
+{
+  const int side = n + 1, count = 6 * n * n * n;
+  shape::Cells solid{ Eigen::MatrixXd(side * side * side, 3), Eigen::VectorXi::Constant(count, 10),
+    Eigen::VectorXi::LinSpaced(count + 1, 0, 4 * count), Eigen::VectorXi(4 * count) };
+  const auto at = [&](const Eigen::Array3i& p) { return (p(2) * side + p(1)) * side + p(0); };
+  int corner = 0;
+  for (int index = 0; index < side * side * side; ++index)
+  {
+    const Eigen::Array3i p(index % side, index / side % side, index / side / side);
+    solid.Points.row(index) =
+      p.cast<double>().matrix().transpose() * (2.0 / n) - Eigen::RowVector3d::Ones();
+    if (p.maxCoeff() == n)
+    {
+      continue;
+    }
+    for (int t = 0; t < 6; ++t)
+    {
+      Eigen::Array3i q = p;
+      std::array<int, 4> path = { at(q) };
+      for (int k = 0; k < 3; ++k)
+      {
+        ++q(Permutations[t][k]);
+        path[k + 1] = at(q);
+      }
+      // Odd permutations are turned over.
+      if (t >= 3)
+      {
+        std::swap(path[1], path[2]);
+      }
+      for (const int point : path)
+      {
+        solid.Corners(corner++) = point;
+      }
+    }
+  }
+  return solid;
+}
+
+/// Multiplies the points of the cube's boundary by random factors between 1 and `reach`, equally
+/// distributed in their logarithms.
+void MakeSpikes(shape::Cells& cube, double reach, unsigned int seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(0.0, std::log(reach));
+  for (Eigen::Index i = 0; i < cube.Points.rows(); ++i)
+  {
+    const double factor = std::exp(uniform(random));
+    if (cube.Points.row(i).cwiseAbs().maxCoeff() > 1.0 - 1e-9)
+    {
+      cube.Points.row(i) *= factor;
+    }
+  }
+}
+
+double ComputeVolumeAtRest(const shape::SolidCells& solid, double& least)
+{
+  double volume = 0.0;
+  least = 1.0;
+  for (int cell = 0; cell < solid.CellCount(); ++cell)
+  {
+    const std::vector<int>& c = solid.PointsOf(cell);
+    Eigen::Matrix3d edges;
+    edges << solid.Rest.row(c[1]) - solid.Rest.row(c[0]),
+      solid.Rest.row(c[2]) - solid.Rest.row(c[0]), solid.Rest.row(c[3]) - solid.Rest.row(c[0]);
+    volume += edges.determinant() / 6.0;
+    least = std::min(least, edges.determinant());
+  }
+  return volume;
+}
+
+TEST(StarCollar, FindsACentreOnlyIfThereIsOne)
+{
+  shape::Cells cube = KuhnCube(4);
+  const Eigen::MatrixXd rest = cube.Points;
+  MakeSpikes(cube, 10.0, 1);
+  const shape::StarPlacement centre =
+    shape::FindStarCentre(shape::SolidCells(cube, rest, "the spikes"));
+  ASSERT_TRUE(centre.IsValid);
+  EXPECT_LT(centre.Position.cwiseAbs().maxCoeff(), 1.0);
+  // A cube bent to three quarters of a ring is not star-shaped.
+  cube.Points = rest;
+  for (Eigen::Index i = 0; i < rest.rows(); ++i)
+  {
+    const double angle = 2.3 * rest(i, 0), radius = 3.0 - rest(i, 1);
+    cube.Points.row(i) << radius * std::sin(angle), -radius * std::cos(angle), rest(i, 2);
+  }
+  EXPECT_FALSE(shape::FindStarCentre(shape::SolidCells(cube, rest, "the ring")).IsValid);
+}
+
+TEST(StarCollar, SeparatesTheBoundary)
+{
+  const shape::Cells cube = KuhnCube(2);
+  shape::SolidCells solid(cube, cube.Points, "the cube");
+  shape::SeparateBoundary(solid);
+  for (int cell = 0; cell < solid.CellCount(); ++cell)
+  {
+    std::vector<int> boundary = solid.PointsOf(cell);
+    boundary.erase(std::remove_if(boundary.begin(), boundary.end(),
+                     [&](int point) { return !solid.OnBoundary(point); }),
+      boundary.end());
+    EXPECT_LT(boundary.size(), 4U) << "cell " << cell;
+    if (boundary.size() == 2 || boundary.size() == 3)
+    {
+      EXPECT_FALSE(solid.CanSplit(boundary)) << "an inner simplex of cell " << cell;
+    }
+  }
+}
+
+TEST(StarCollar, MovesTheBoundaryOutwardHoweverFar)
+{
+  for (const double reach : { 2.0, 30.0, 1000.0 })
+  {
+    for (const unsigned int seed : { 1U, 2U, 3U })
+    {
+      const shape::Cells rest = KuhnCube(5);
+      shape::Cells ball = rest, spikes = rest;
+      MakeSpikes(spikes, reach, seed);
+      // A map of the cube onto a ball, with the boundary on the rays of the spikes.
+      for (Eigen::Index i = 0; i < ball.Points.rows(); ++i)
+      {
+        const double largest = rest.Points.row(i).cwiseAbs().maxCoeff();
+        if (largest > 0.0)
+        {
+          ball.Points.row(i) = 0.5 * largest * rest.Points.row(i).normalized();
+        }
+      }
+      shape::UntangleResult valid = shape::Untangle(ball, rest.Points);
+      ASSERT_EQ(valid.InvertedAfter, 0);
+      shape::SolidCells solid(valid.Solid, valid.Provenance.Weights * rest.Points, "the ball");
+      // Only for the splits: the ball stays as it is.
+      shape::SeparateBoundary(solid);
+      ASSERT_TRUE(shape::FindInverted(solid).empty());
+      Eigen::MatrixXd targets = solid.Points.topRows(solid.PointCount());
+      targets.topRows(spikes.Points.rows()) = spikes.Points;
+      EXPECT_EQ(shape::MoveOutward(solid, Eigen::RowVector3d::Zero(), targets, {}), 0)
+        << reach << ' ' << seed;
+      EXPECT_TRUE(shape::FindInverted(solid).empty());
+      for (Eigen::Index i = 0; i < spikes.Points.rows(); ++i)
+      {
+        if (solid.OnBoundary(static_cast<int>(i)))
+        {
+          EXPECT_EQ(solid.Points.row(i), spikes.Points.row(i)) << "the boundary is at the targets";
+        }
+      }
+      double least = 0.0;
+      EXPECT_NEAR(ComputeVolumeAtRest(solid, least), 8.0, 1e-10)
+        << "the parts at rest fill the cube";
+      EXPECT_GT(least, 0.0) << "and none of them is inverted";
+    }
+  }
+}
+
+TEST(StarCollar, LetsUntangleEndValidInSpikes)
+{
+  for (const unsigned int seed : { 4U, 5U, 6U })
+  {
+    const shape::Cells rest = KuhnCube(5);
+    shape::Cells spikes = rest;
+    MakeSpikes(spikes, 100.0, seed);
+    const shape::UntangleResult result = shape::Untangle(spikes, rest.Points);
+    EXPECT_GT(result.InvertedBefore, 0) << seed;
+    EXPECT_EQ(result.InvertedAfter, 0) << seed;
+  }
+}
+
+} // namespace
