@@ -63,9 +63,14 @@ kernel void Sum(global const double* restrict sources, global const int2* restri
       const double inverse = rsqrt(fma(z, z, fma(y, y, x * x)));
 #if GRADIENTS
       const double cube = -inverse * inverse * inverse;
-      const double along[3] = { x * cube, y * cube, z * cube };
-      for (int c = 0; c < SUMS; ++c)
-        sums[c] = fma(source[3 + c / 3], along[c % 3], sums[c]);
+      const double gx = x * cube, gy = y * cube, gz = z * cube;
+      for (int c = 0; c < COLUMNS; ++c)
+      {
+        const double charge = source[3 + c];
+        sums[3 * c] = fma(charge, gx, sums[3 * c]);
+        sums[3 * c + 1] = fma(charge, gy, sums[3 * c + 1]);
+        sums[3 * c + 2] = fma(charge, gz, sums[3 * c + 2]);
+      }
 #else
       for (int c = 0; c < SUMS; ++c)
         sums[c] = fma(source[3 + c], inverse, sums[c]);
