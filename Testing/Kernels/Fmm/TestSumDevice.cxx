@@ -66,7 +66,7 @@ TEST(SumDevice, DirectSumsAgreeWithTheProcessorForEveryNumberOfColumns)
 {
   // Several passes of sources, and a last block that is not full.
   const Eigen::MatrixXd sources = Random(40000, 3, 1), points = 1.1 * Random(333, 3, 2);
-  for (int columns = 1; columns <= 5; ++columns)
+  for (int columns = 1; columns <= 4; ++columns)
   {
     const Eigen::MatrixXd charges = Random(40000, columns, 3);
     const Eigen::MatrixXd potentials =
