@@ -98,6 +98,12 @@ FmmSummation::FmmSummation(const Eigen::MatrixXd& sources, const Eigen::MatrixXd
     throw InvalidInput("the tolerance of the sum is " + number.str() +
       "; give 2e-12 to 0.1, or use the direct method for a smaller error");
   }
+  if (!(options.LargerBoxes >= 1.0 && std::isfinite(options.LargerBoxes)))
+  {
+    std::ostringstream number;
+    number << options.LargerBoxes;
+    throw InvalidInput("LargerBoxes is " + number.str() + "; it must be at least 1, and finite");
+  }
   const Grade& grade = GradeFor(options.Tolerance);
   const double m = static_cast<double>(sources.rows());
   const double n = static_cast<double>(std::max(points.rows(), options.AllPoints));
@@ -109,15 +115,17 @@ FmmSummation::FmmSummation(const Eigen::MatrixXd& sources, const Eigen::MatrixXd
     this->Self->Method = Parts::Positions{ sources, points };
     return;
   }
+  FmmEffort effort = grade.Effort;
+  effort.Leaf = static_cast<int>(std::min(effort.Leaf * options.LargerBoxes, 1e9));
   // In single precision the box expansions take half the memory, and a vector register holds twice
   // as many coefficients.
   if (options.Tolerance >= MinimumSingle)
   {
-    this->Self->Method.emplace<1>(sources, points, grade.Effort, progress);
+    this->Self->Method.emplace<1>(sources, points, effort, progress);
   }
   else
   {
-    this->Self->Method.emplace<2>(sources, points, grade.Effort, progress);
+    this->Self->Method.emplace<2>(sources, points, effort, progress);
   }
 }
 

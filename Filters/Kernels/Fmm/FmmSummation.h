@@ -32,6 +32,10 @@ struct FmmSummationOptions
   /// Where the sums of the direct method, and those of the multipole method over near sources, are
   /// computed. The choice of the method does not depend on it.
   SumDevice Device;
+  /// Multipole: multiplies the number of sources in a box; >= 1. If there are more sources than
+  /// points, their ratio is best: a sum of 113,000 sources at 38,000 points, with a tolerance of
+  /// 1e-8, took 1.4 CPU seconds with 1, and 0.8 with 3.
+  double LargerBoxes = 1.0;
 };
 
 /**

@@ -3,6 +3,7 @@
 #include "Base/Parallel.h"
 #include "Geometry/VertexNormals.h"
 #include "Linear/DirichletProblem.h"
+#include "Linear/LimitedMemoryBfgs.h"
 #include "Linear/SparseSolve.h"
 #include "Mesh/Mesh.h"
 #include "Search/ClosestPoint.h"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <utility>
 
 namespace shape
@@ -26,11 +26,6 @@ constexpr int MaximumSteps = 60;
 constexpr double LeastGain = 1e-5;
 /// Of the regularised determinant, relative to the determinant of an isometry.
 constexpr double Epsilon = 0.05;
-
-double Dot(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
-{
-  return a.cwiseProduct(b).sum();
-}
 
 /// The energy of a Jacobian, and its derivative.
 struct JacobianEnergy
@@ -243,60 +238,6 @@ Eigen::MatrixXd Tangential(const Eigen::MatrixXd& vectors, const Eigen::MatrixXd
   return vectors - along.asDiagonal() * normals;
 }
 
-/// The changes of images and gradients in the last steps.
-class StepHistory
-{
-public:
-  void Add(Eigen::MatrixXd step, Eigen::MatrixXd change)
-  {
-    constexpr std::size_t longest = 10;
-    const double product = Dot(step, change);
-    // Only a positive curvature keeps the approximate Hessian positive definite.
-    if (product > 1e-12 * step.norm() * change.norm())
-    {
-      this->Entries.push_back({ std::move(step), std::move(change), 1.0 / product });
-      if (this->Entries.size() > longest)
-      {
-        this->Entries.pop_front();
-      }
-    }
-  }
-  bool IsEmpty() const { return this->Entries.empty(); }
-  void Clear() { this->Entries.clear(); }
-
-  /// The two-loop recursion: the product of the approximate inverse Hessian and a gradient.
-  Eigen::MatrixXd Apply(const HarmonicDistortion& energy, Eigen::MatrixXd gradient) const
-  {
-    std::vector<double> factors;
-    for (auto entry = this->Entries.rbegin(); entry != this->Entries.rend(); ++entry)
-    {
-      factors.push_back(entry->Inverse * Dot(entry->Step, gradient));
-      gradient -= factors.back() * entry->Change;
-    }
-    Eigen::MatrixXd direction = energy.Smooth(gradient);
-    if (!this->IsEmpty())
-    {
-      const Entry& last = this->Entries.back();
-      direction /= last.Inverse * Dot(last.Change, energy.Smooth(last.Change));
-    }
-    for (const Entry& entry : this->Entries)
-    {
-      const double back = entry.Inverse * Dot(entry.Change, direction);
-      direction += (factors.back() - back) * entry.Step;
-      factors.pop_back();
-    }
-    return direction;
-  }
-
-private:
-  struct Entry
-  {
-    Eigen::MatrixXd Step, Change;
-    double Inverse; ///< 1 / (Step . Change)
-  };
-  std::deque<Entry> Entries;
-};
-
 /// Moves images, which lie on the rail, to lower the energy.
 void Descend(const HarmonicDistortion& energy, EnergyFunction function, const Rail& rail,
   Eigen::MatrixXd& at, const Progress& progress)
@@ -305,16 +246,16 @@ void Descend(const HarmonicDistortion& energy, EnergyFunction function, const Ra
   rail.Project(at, normals);
   double value = energy.Evaluate(at, function, gradient);
   gradient = Tangential(gradient, normals);
-  StepHistory history;
+  LimitedMemoryBfgs history([&](const Eigen::MatrixXd& vector) { return energy.Smooth(vector); });
   for (int step = 0; step < MaximumSteps; ++step)
   {
-    Eigen::MatrixXd direction = -Tangential(history.Apply(energy, gradient), normals);
-    if (!(Dot(direction, gradient) < 0.0))
+    Eigen::MatrixXd direction = -Tangential(history.Apply(gradient), normals);
+    if (!(InnerProduct(direction, gradient) < 0.0))
     {
       history.Clear();
       direction = -Tangential(energy.Smooth(gradient), normals);
     }
-    const double slope = Dot(direction, gradient);
+    const double slope = InnerProduct(direction, gradient);
     const double farthest = direction.rowwise().norm().maxCoeff();
     if (!(slope < 0.0) || !(farthest > 0.0))
     {
