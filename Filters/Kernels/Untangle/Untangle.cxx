@@ -4,7 +4,6 @@
 #include "Geometry/SelfIntersections.h"
 #include "Mesh/Extent.h"
 #include "Mesh/Topology.h"
-#include "Search/ClosestPoint.h"
 #include "Untangle/MinimizeEnergy.h"
 #include "Untangle/Private/CellPatches.h"
 #include "Untangle/Private/CellSplits.h"
@@ -13,6 +12,7 @@
 #include "Untangle/Private/SolidCells.h"
 #include "Untangle/Private/SolidRefinement.h"
 #include "Untangle/Private/StarCollar.h"
+#include "Untangle/Private/StarKernel.h"
 #include "Untangle/Private/TutteEmbedding.h"
 
 #include <algorithm>
@@ -282,21 +282,28 @@ int UntangleStar(Untangling& untangling, const UntangleOptions& options,
     : MoveOutward(solid, centre, targets, progress.Part(0.8, 1.0, "moving the boundary outward"));
 }
 
-/// Finds out whether the boundary crosses itself: cells then cannot all be positive.
-void FindCrossings(const SolidCells& solid, UntangleResult& result, const Progress& progress)
+/// Returns the triangles of the boundary that have an area.
+std::vector<std::array<int, 3>> FindWideTriangles(const SolidCells& solid)
 {
-  constexpr int maximum = 100;
-  Mesh boundary{ solid.Points.topRows(solid.PointCount()), Eigen::MatrixXi() };
   std::vector<std::array<int, 3>> triangles;
   for (const std::array<int, 3>& corners : solid.BoundaryTriangles())
   {
-    const Eigen::Vector3d a = boundary.Points.row(corners[0]), b = boundary.Points.row(corners[1]),
-                          c = boundary.Points.row(corners[2]);
+    const Eigen::Vector3d a = solid.Points.row(corners[0]), b = solid.Points.row(corners[1]),
+                          c = solid.Points.row(corners[2]);
     if ((b - a).cross(c - a).squaredNorm() > 0.0)
     {
       triangles.push_back(corners);
     }
   }
+  return triangles;
+}
+
+/// Finds out whether the boundary crosses itself: cells then cannot all be positive.
+void FindCrossings(const SolidCells& solid, UntangleResult& result, const Progress& progress)
+{
+  constexpr int maximum = 100;
+  Mesh boundary{ solid.Points.topRows(solid.PointCount()), Eigen::MatrixXi() };
+  const std::vector<std::array<int, 3>> triangles = FindWideTriangles(solid);
   boundary.Triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
   for (Eigen::Index t = 0; t < boundary.Triangles.rows(); ++t)
   {
@@ -307,6 +314,36 @@ void FindCrossings(const SolidCells& solid, UntangleResult& result, const Progre
   if (!crossings.empty())
   {
     result.FirstCrossing = crossings.front().Position;
+  }
+}
+
+/// Finds out whether a position inside sees the whole boundary.
+void FindHidden(const SolidCells& solid, UntangleResult& result)
+{
+  std::vector<StarFace> faces;
+  for (const std::array<int, 3>& corners : FindWideTriangles(solid))
+  {
+    faces.push_back({ corners[0], corners[2], corners[1] }); // as positions inside see it
+  }
+  if (faces.empty())
+  {
+    return;
+  }
+  const Eigen::RowVector3d middle =
+    ComputeBox(Mesh{ solid.Points.topRows(solid.PointCount()), Eigen::MatrixXi() }).center();
+  const StarPlacement centre = FindKernelCentre(solid.Points, faces, middle);
+  for (const StarFace& face : faces)
+  {
+    if (SeesFace(solid.Points, face, centre.Position))
+    {
+      continue;
+    }
+    if (result.HiddenTriangles == 0)
+    {
+      result.FirstHidden =
+        (solid.Points.row(face[0]) + solid.Points.row(face[1]) + solid.Points.row(face[2])) / 3.0;
+    }
+    ++result.HiddenTriangles;
   }
 }
 
@@ -422,59 +459,13 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
   if (result.InvertedAfter > 0 && options.FixBoundary)
   {
     FindCrossings(best.Solid, result, progress.Part(1.0, 1.0, "looking for crossings"));
+    FindHidden(best.Solid, result);
   }
   progress(1.0);
   for (Eigen::Index i = 0; i < cells.Points.rows(); ++i)
   {
     result.MovedPoints += result.Solid.Points.row(i) != cells.Points.row(i);
   }
-  return result;
-}
-
-namespace
-{
-
-constexpr double OnSurface = 1e-6;
-
-} // namespace
-
-UntangleResult ComputeFoldFreeMap(const Cells& domain, const Eigen::MatrixXd& moved,
-  const Mesh& boundary, const Eigen::MatrixXd& targets, const Progress& progress)
-{
-  RequireFinite(domain.Points, "the Domain");
-  SolidCells solid(domain, {}, "the Domain");
-  std::vector<int> outer;
-  for (int point = 0; point < solid.PointCount(); ++point)
-  {
-    if (solid.OnBoundary(point))
-    {
-      outer.push_back(point);
-    }
-  }
-  const ClosestPoints closest =
-    SurfaceLocator(boundary).Find(domain.Points(outer, Eigen::all), progress.Part(0.0, 0.1));
-  const Eigen::MatrixXd images = PullBack(closest, boundary.Triangles, targets);
-  Cells carried = domain;
-  carried.Points = moved;
-  // The user asks for the cells that the map inverts, not for those left by the exact boundary.
-  solid.Points = moved;
-  const auto invertedBefore = static_cast<int>(FindInverted(solid).size());
-  const double farthest = OnSurface * ComputeLongestBoxEdge(boundary);
-  for (std::size_t i = 0; i < outer.size(); ++i)
-  {
-    const auto row = static_cast<Eigen::Index>(i);
-    if (closest.Distances(row) <= farthest)
-    {
-      // At a point of the surface exactly its image.
-      int corner = 0;
-      const bool atCorner = closest.Barycentrics.row(row).maxCoeff(&corner) > 1.0 - 1e-9;
-      carried.Points.row(outer[i]) = atCorner
-        ? targets.row(boundary.Triangles(closest.Triangles(row), corner))
-        : images.row(row);
-    }
-  }
-  UntangleResult result = Untangle(carried, domain.Points, {}, progress.Part(0.1, 1.0));
-  result.InvertedBefore = invertedBefore;
   return result;
 }
 

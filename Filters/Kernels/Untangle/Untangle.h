@@ -3,7 +3,6 @@
 #include "Base/Progress.h"
 #include "Distortion/InjectiveRefinement.h"
 #include "Mesh/Cells.h"
-#include "Mesh/Mesh.h"
 #include "Mesh/Provenance.h"
 
 #include <Eigen/Core>
@@ -43,6 +42,11 @@ struct UntangleResult
   /// looked for only if cells stay inverted and the boundary is fixed.
   int BoundaryCrossings = 0;
   Eigen::RowVector3d FirstCrossing; ///< where the first pair crosses, if there is one
+  /// Number of boundary triangles that the position closest to the inner side of all of them does
+  /// not see. It is 0 if the boundary is star-shaped. They are counted only if cells stay inverted
+  /// and the boundary is fixed.
+  int HiddenTriangles = 0;
+  Eigen::RowVector3d FirstHidden; ///< the centroid of the first of them, if there is one
   /// Mean of the measure of Refine, weighted by volume at rest, before and after the refinement; 0
   /// without it. An exponential measure is lowered from the result with SymmetricDirichlet.
   double MeasureBefore = 0.0, MeasureAfter = 0.0;
@@ -71,18 +75,18 @@ struct UntangleResult
  * inverted are split later. No new point lies on an edge or face of the boundary.
  *
  * A patch ends early if its steps make no progress. If the solid then still has inverted cells and
- * consists of tetrahedra in a fixed boundary that is star-shaped, it starts anew: it is untangled in
- * a sphere, which is much easier, and the boundary moves outward from there through a collar of new
- * tetrahedra (MoveOutward). In exact arithmetic that cannot fail, but many cells are split, and the
- * collar is thin; Refine improves it.
+ * consists of tetrahedra in a fixed boundary that is star-shaped, it starts anew: it is untangled
+ * in a sphere, which is much easier, and the boundary moves outward from there through a collar of
+ * new tetrahedra (MoveOutward). In exact arithmetic that cannot fail, but many cells are split, and
+ * the collar is thin; Refine improves it.
  *
- * Other tetrahedra that are still inverted are made positive by exact tests: their points are put at one position that sees all faces around
- * them, and leave it one by one (after Nigolian, Campen and Bommes, "Expansion cones: a progressive
- * volumetric mapping framework" (2023)). Both methods take turns, four times at most. If inverted
- * cells still remain, everything is repeated with each inner point starting at the mean of its
- * neighbours, and the better result is returned. All limits are numbers of steps, so the work is
- * bounded. Cells that stay inverted, for example because the boundary crosses itself, are counted
- * and marked.
+ * Other tetrahedra that are still inverted are made positive by exact tests: their points are put
+ * at one position that sees all faces around them, and leave it one by one (after Nigolian, Campen
+ * and Bommes, "Expansion cones: a progressive volumetric mapping framework" (2023)). Both methods
+ * take turns, four times at most. If inverted cells still remain, everything is repeated with each
+ * inner point starting at the mean of its neighbours, and the better result is returned. All limits
+ * are numbers of steps, so the work is bounded. Cells that stay inverted, for example because the
+ * boundary crosses itself, are counted and marked.
  *
  * If options.Refine is set, RefineInjectively then moves all points that the boundary permits, and
  * inverts no cell. The measure compares each cell with its rest shape or, if `rest` is empty, with
@@ -97,20 +101,5 @@ struct UntangleResult
  */
 UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest = {},
   const UntangleOptions& options = {}, const Progress& progress = {});
-
-/**
- * Untangles a solid that a map has moved, and enforces the map's boundary values. A boundary point
- * of the solid counts as lying on the map's boundary surface if their distance is at most 1e-6
- * times the longest edge of the surface's bounding box. Such a point is put exactly on the
- * surface's image. The other boundary points keep their images. The interior is then untangled with
- * a fixed boundary (Untangle). The result is a mesh, not a map that could be evaluated elsewhere.
- *
- * domain: the solid's cells before the map. moved (n x 3): the images of the solid's points.
- * boundary: the map's boundary surface, in the space of the domain. targets: the images of the
- * points of `boundary`. In the result, InvertedBefore counts the cells that the map inverts. Throws
- * whatever Untangle throws.
- */
-UntangleResult ComputeFoldFreeMap(const Cells& domain, const Eigen::MatrixXd& moved,
-  const Mesh& boundary, const Eigen::MatrixXd& targets, const Progress& progress = {});
 
 } // namespace shape

@@ -28,7 +28,7 @@
 #include "Mesh/Topology.h"
 #include "Quality/ScaledJacobian.h"
 #include "Search/ClosestPoint.h"
-#include "Untangle/Untangle.h"
+#include "Untangle/FoldFreeMap.h"
 
 #include <algorithm>
 #include <cstddef>

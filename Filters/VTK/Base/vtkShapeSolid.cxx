@@ -23,7 +23,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include "Base/Errors.h"
-#include "Untangle/Untangle.h"
+#include "Untangle/FoldFreeMap.h"
 
 #include <utility>
 #include <vector>

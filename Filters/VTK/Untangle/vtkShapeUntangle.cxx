@@ -108,6 +108,13 @@ void Separate(
   }
 }
 
+std::string FormatPosition(const Eigen::RowVector3d& position)
+{
+  std::ostringstream words;
+  words << "(" << position(0) << ", " << position(1) << ", " << position(2) << ")";
+  return words.str();
+}
+
 /// Why cells stay inverted, or nothing.
 std::string ReasonOf(const shape::UntangleResult& result, const shape::UntangleOptions& options)
 {
@@ -117,18 +124,23 @@ std::string ReasonOf(const shape::UntangleResult& result, const shape::UntangleO
   }
   if (result.BoundaryCrossings > 0)
   {
-    std::ostringstream words;
-    words << "the boundary crosses itself, first near (" << result.FirstCrossing(0) << ", "
-          << result.FirstCrossing(1) << ", " << result.FirstCrossing(2) << ")";
-    return words.str();
+    return "the boundary crosses itself, first near " + FormatPosition(result.FirstCrossing);
   }
   if (!options.SplitCells)
   {
     return "no positions were found, and Split Cells is off";
   }
   const bool hasOthers = (result.Solid.Kinds.array() != shape::cell_kind::Tetrahedron).any();
-  return hasOthers ? "no positions were found, and only tetrahedra can be split"
-                   : "no positions were found within the limits";
+  if (hasOthers)
+  {
+    return "no positions were found, and only tetrahedra can be split";
+  }
+  return result.HiddenTriangles == 0
+    ? "no positions were found within the limits"
+    : "no positions were found within the limits, and the boundary is not star-shaped: " +
+      std::to_string(result.HiddenTriangles) +
+      " of its triangles are hidden from the best position inside, first near " +
+      FormatPosition(result.FirstHidden);
 }
 
 } // namespace

@@ -161,4 +161,39 @@ TEST(ConeExpansion, EndsAndFindsWhereABoundaryCrossesItself)
   EXPECT_LE(result.FirstCrossing.cwiseAbs().maxCoeff(), 1.7);
 }
 
+/// Pushes a corner of a cube of 3^3 cubes through a tetrahedron whose four points are fixed. It
+/// then is inverted wherever the inner points are.
+shape::UntangleResult UntangleWithDent(shape::Cells cells, const Eigen::MatrixXd& rest)
+{
+  // The points (1, -1, -1), (1/3, -1, -1), (1, -1/3, -1) and (1, -1/3, -1/3) of the cube.
+  const int corner = 3, face[3] = { 2, 7, 23 };
+  const Eigen::RowVector3d middle =
+    (cells.Points.row(face[0]) + cells.Points.row(face[1]) + cells.Points.row(face[2])) / 3.0;
+  cells.Points.row(corner) = middle - 0.2 * (cells.Points.row(corner) - middle);
+  shape::UntangleOptions options;
+  options.SplitCells = false;
+  return shape::Untangle(cells, rest, options);
+}
+
+TEST(ConeExpansion, TellsABoundaryThatIsNotStarShaped)
+{
+  const shape::Cells cube = TetrahedralCube(3);
+  shape::UntangleResult result = UntangleWithDent(cube, cube.Points);
+  EXPECT_GT(result.InvertedAfter, 0);
+  EXPECT_EQ(result.HiddenTriangles, 0) << "the origin sees the boundary of a dented cube";
+
+  // Bent around the z axis by three quarters of a turn: no position sees both ends.
+  shape::Cells bent = cube;
+  for (Eigen::Index i = 0; i < cube.Points.rows(); ++i)
+  {
+    const double angle = 0.75 * M_PI * cube.Points(i, 2), radius = 3.0 - cube.Points(i, 0);
+    bent.Points.row(i) << radius * std::cos(angle), radius * std::sin(angle), cube.Points(i, 1);
+  }
+  result = UntangleWithDent(bent, cube.Points);
+  EXPECT_GT(result.InvertedAfter, 0);
+  ASSERT_GT(result.HiddenTriangles, 0);
+  EXPECT_LE(result.FirstHidden.head<2>().norm(), 4.0) << "on the boundary";
+  EXPECT_LE(std::abs(result.FirstHidden(2)), 1.0) << "on the boundary";
+}
+
 } // namespace
