@@ -178,7 +178,8 @@ bool RingCover::Decide(const RingElement& element, const RingCube& cube,
       (valueError + cube.Place.Radius() * leftOut.rowwise().norm() +
         TaylorExpansion::Rounding * this->Reach * expansion.Magnitude) +
     Eigen::Vector3d::Constant((1.0 + largest) * element.Rounding + 1e-12 * steepest);
-  return BoundDeterminant(blend, half, degree + 1, largest * leftOut).Sign > 0;
+  return BoundDeterminant(blend, Eigen::Vector3d::Constant(half), degree + 1, largest * leftOut)
+           .Sign > 0;
 }
 
 /// Returns the field for the children of a cube.
@@ -245,11 +246,7 @@ std::vector<RingCube> RingCover::Examine(const RingCube& cube, std::vector<int>&
   const std::shared_ptr<const RingField> field = this->Descend(cube);
   for (int octant = 0; octant < 8; ++octant)
   {
-    RingCube child{ { cube.Place.Centre, 0.5 * cube.Place.Half }, field, {} };
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      child.Place.Centre(axis) += (octant >> axis & 1) != 0 ? child.Place.Half : -child.Place.Half;
-    }
+    RingCube child{ cube.Place.Child(octant), field, {} };
     const Eigen::Vector3d half = Eigen::Vector3d::Constant((1.0 + 1e-9) * child.Place.Half);
     const Eigen::AlignedBox3d box(child.Place.Centre - half, child.Place.Centre + half);
     for (const int id : left)
