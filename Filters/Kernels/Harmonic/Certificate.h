@@ -26,7 +26,7 @@ struct MapCertificate
   {
     Inverted = -1, ///< det J <= 0 at a position in the box: the witness, or the whole box
     Undecided = 0,
-    Certified = 1 ///< det J > 0 at every position in the box
+    Certified = 1 ///< det J > 0 at every position of the domain in the box
   };
   Eigen::MatrixXd Centres; ///< k x 3
   Eigen::VectorXd Edges;   ///< k
@@ -57,23 +57,25 @@ struct MapCertificate
  * Proves that a harmonic map is locally injective, det J > 0 at every position of a domain, or
  * finds where it is not.
  *
- * The domain is covered by cubes. For each cube, the map is expanded into its Taylor polynomial
- * around the centre, with a bound of the remainder (TaylorExpansion.h). For M = J(centre)^-1 and
- * every position x of the cube,
+ * The domain is covered by cubes. In the box around the part of each cube inside the domain, the
+ * map is expanded into its Taylor polynomial around the centre, with a bound of the remainder
+ * (TaylorExpansion.h). With J(centre) = U S V', the factors L = S^-1/2 U' and R = V S^-1/2, and
+ * every position x of the box,
  *
- *   M J(x) = M (J + H (x - c)) + E(x),  |E(x)| <= |M| (bounds of the higher terms and remainders).
+ *   L J(x) R = P(x) + E(x),  P of degree 3, |E(x)| <= |L| (bounds of higher terms, remainders) |R|.
  *
- * If the symmetric part of M J(x) is positive definite for all x, det J has the sign of det M in
- * the cube. The smallest eigenvalue of the symmetric part is concave, so the 8 corners suffice for
- * the linear terms; the norm of E is subtracted. |det J| >= det(symmetric part) / |det M|
+ * If the symmetric part of L J(x) R is positive definite for all x, det J has the sign of det L R
+ * in the box. P is in the convex hull of its control matrices in Bernstein's basis. The smallest
+ * eigenvalue of the symmetric part is concave, so the control matrices suffice; the sums of the
+ * rows of |E| are subtracted from the diagonal. |det J| >= det(symmetric part) / |det L R|
  * (Ostrowski and Taussky, "On the variation of the determinant of a positive definite matrix",
- * 1951). Other cubes are divided into eight. Sampling with Lipschitz bounds is by Chien, Chen and
- * Weber, "Bounded distortion harmonic shape interpolation" (2016), in the plane.
+ * 1951). Other cubes are divided into eight, those with the largest part inside first. Sampling
+ * with Lipschitz bounds is by Chien, Chen and Weber, "Bounded distortion harmonic shape
+ * interpolation" (2016), in the plane.
  *
- * A cube is examined as a whole, also if the surface cuts it. Charges are outside the domain, at a
- * positive distance, so cubes near the surface can be decided when they are small compared with
- * this distance. Rounding errors are part of all bounds. Eight neighbours with the same state
- * become one box again.
+ * Charges are outside the domain, at a positive distance, so cubes near the surface can be decided
+ * when they are small compared with this distance. Rounding errors are part of all bounds. Eight
+ * neighbours with the same state become one box again.
  *
  * If every box is certified, the map is a local homeomorphism of the closed domain. If it is
  * injective on the boundary, too, every position of the image has one preimage: the number of

@@ -140,6 +140,12 @@ void vtkShapeCertificate::Execute(const shape::Progress& progress)
   auto* boxes = vtkUnstructuredGrid::SafeDownCast(this->GetOutputDataObject(0));
   WriteBoxes(certificate, boxes);
   WriteWitnesses(certificate, map.Map(0), vtkPolyData::SafeDownCast(this->GetOutputDataObject(1)));
+  if (certificate.BoundaryReversed)
+  {
+    this->Warn(
+      "the image of the boundary faces inwards, so the map mirrors the solid; reverse the boundary "
+      "before it is mapped, or mirror its image");
+  }
   if (!certificate.Complete)
   {
     this->Warn("Maximum Boxes was reached; raise it, or raise Tolerance");
@@ -150,6 +156,7 @@ void vtkShapeCertificate::Execute(const shape::Progress& progress)
     { "Inverted", certificate.InvertedShare },
     { "Bijective", certificate.Bijective },
     { "BoundaryCrossings", certificate.BoundaryCrossings },
+    { "BoundaryReversed", certificate.BoundaryReversed },
     { "Witnesses", static_cast<double>(certificate.Witnesses.rows()) },
     { "Boxes", static_cast<double>(certificate.Edges.size()) },
     { "ExaminedBoxes", certificate.ExaminedBoxes },

@@ -118,8 +118,7 @@ Eigen::AlignedBox3d BoundSolidInCube(const BoxCube& cube, const Eigen::AlignedBo
       }
     }
   }
-  const Eigen::AlignedBox3d whole(
-    cube.Centre.array() - cube.Half, cube.Centre.array() + cube.Half);
+  const Eigen::AlignedBox3d whole(cube.Centre.array() - cube.Half, cube.Centre.array() + cube.Half);
   return whole.intersection({ solid.min().array() - margin, solid.max().array() + margin });
 }
 

@@ -35,7 +35,8 @@ struct JacobianTerm
 struct DeterminantTables
 {
   std::vector<JacobianTerm> Terms; ///< up to the degree TaylorExpansion::Degree - 1
-  /// Entry (p, k): control value k of the power p on [-1, 1], in Bernstein's basis of ControlDegree.
+  /// Entry (p, k): control value k of the power p on [-1, 1], in Bernstein's basis of
+  /// ControlDegree.
   Eigen::Matrix<double, ControlCount, ControlCount> Controls;
 
   DeterminantTables()
@@ -192,8 +193,8 @@ bool IsCertain(const Matrix3d& matrix, double determinant)
 
 } // namespace
 
-DeterminantSign BoundDeterminant(const TaylorExpansion& expansion, const Vector3d& half,
-  int degree, const Matrix3d& leftOut)
+DeterminantSign BoundDeterminant(
+  const TaylorExpansion& expansion, const Vector3d& half, int degree, const Matrix3d& leftOut)
 {
   DeterminantSign verdict;
   const auto& tables = GetDeterminantTables();

@@ -88,8 +88,7 @@ DomainCover::DomainCover(
   std::iota(field->Near.begin(), field->Near.end(), 0);
   std::vector<int> triangles(domain.Triangles().rows());
   std::iota(triangles.begin(), triangles.end(), 0);
-  const Eigen::AlignedBox3d region(
-    this->Scale * low.transpose(), this->Scale * high.transpose());
+  const Eigen::AlignedBox3d region(this->Scale * low.transpose(), this->Scale * high.transpose());
   this->Open.push_back({ 0, field, std::move(triangles), region, region.volume() });
 }
 
@@ -167,8 +166,8 @@ bool DomainCover::IsInside(const Eigen::Vector3d& position) const
   return this->Inside->Evaluate(position.transpose()).Distances(0) <= 0.0;
 }
 
-/// Computes the volume of a box that is not divided. Searches for a witness in an undecided one: at
-/// the centre and, if the box is small, at the corners and the surface.
+/// Computes the volume of a box that is not divided. Searches for a witness unless it is certified:
+/// at the centre and, if the box is inverted or small, at the corners and the surface.
 void DomainCover::Finish(const OpenBox& open)
 {
   CoverBox& box = this->Boxes[open.Id];
@@ -181,8 +180,8 @@ void DomainCover::Finish(const OpenBox& open)
   {
     return;
   }
-  const bool small = 2.0 * cube.Half <= this->LargestWitness;
-  for (int corner = -1; corner < (small ? 8 : 0) && !box.HasWitness; ++corner)
+  const bool thorough = 2.0 * cube.Half <= this->LargestWitness || box.State == BoxState::Inverted;
+  for (int corner = -1; corner < (thorough ? 8 : 0) && !box.HasWitness; ++corner)
   {
     Eigen::Vector3d position = cube.Centre;
     for (int axis = 0; axis < 3 && corner >= 0; ++axis)
@@ -194,7 +193,7 @@ void DomainCover::Finish(const OpenBox& open)
       this->Test(open, position);
     }
   }
-  if (cut && small && !box.HasWitness)
+  if (cut && thorough && !box.HasWitness)
   {
     const Eigen::Vector3d position =
       this->Inside->Locator().FindOne(cube.Centre.transpose()).Position.transpose();
@@ -241,8 +240,8 @@ std::vector<DomainCover::OpenBox> DomainCover::Divide(const OpenBox& open) const
     std::vector<int> triangles = FindTrianglesInCube(this->Domain, open.Triangles, child, &region);
     if (!triangles.empty())
     {
-      region = BoundSolidInCube(child, region,
-        [&](const Eigen::Vector3d& position) { return this->IsInside(position); });
+      region = BoundSolidInCube(
+        child, region, [&](const Eigen::Vector3d& position) { return this->IsInside(position); });
     }
     // Without a triangle, the whole child is on one side.
     else if (open.Triangles.empty() || this->IsInside(child.Centre))
@@ -271,10 +270,11 @@ std::vector<DomainCover::OpenBox> DomainCover::TakeLargest(std::vector<OpenBox>&
   std::stable_sort(open.begin(), open.end(),
     [](const OpenBox& a, const OpenBox& b) { return a.Priority > b.Priority; });
   const std::size_t most =
-    (std::max<std::size_t>(this->Options.MaximumBoxes, this->Boxes.size()) - this->Boxes.size()) / 8;
+    (std::max<std::size_t>(this->Options.MaximumBoxes, this->Boxes.size()) - this->Boxes.size()) /
+    8;
   std::size_t count = 0;
-  while (count < open.size() && count < most &&
-    open[count].Priority >= 0.125 * open.front().Priority)
+  while (
+    count < open.size() && count < most && open[count].Priority >= 0.125 * open.front().Priority)
   {
     ++count;
   }
