@@ -290,8 +290,8 @@ NearSurfaceChargeSystem::NearSurfaceChargeSystem(std::shared_ptr<const SignedDis
     blocks.MaximumAmplification = std::numeric_limits<double>::infinity();
     sums.Tolerance = 1e-8;
     FmmSummationOptions transposed = sums;
-    transposed.LargerBoxes = std::max(
-      1.0, static_cast<double>(n + m) / static_cast<double>(this->AllSources.rows()));
+    transposed.LargerBoxes =
+      std::max(1.0, static_cast<double>(n + m) / static_cast<double>(this->AllSources.rows()));
     this->TransposedSums =
       std::make_unique<FmmSummation>(system.Rows, this->AllSources, transposed);
     this->Tests = system.Tests;

@@ -36,8 +36,8 @@ public:
   {
     const TriangleAngles angles = ComputeTriangleAngles(surface);
     const Eigen::Index n = surface.Points.rows();
-    Eigen::SparseMatrix<double> matrix = length * length *
-      BuildCotangentStiffness(surface.Triangles, angles.Cotangents, n);
+    Eigen::SparseMatrix<double> matrix =
+      length * length * BuildCotangentStiffness(surface.Triangles, angles.Cotangents, n);
     matrix.diagonal() += ComputeLumpedMasses(surface.Triangles, angles.Areas, n);
     this->Factor.Factorize(matrix);
   }
@@ -66,8 +66,7 @@ int Descend(const RegistrationEnergy& energy, const Stage& stage,
   const double size = ComputeLongestBoxEdge(start.Points),
                weight = stage.Weight * options.DistortionWeight;
   const SobolevGradient smooth(start, stage.Length * size);
-  LimitedMemoryBfgs hessian(
-    [&](const Eigen::MatrixXd& gradient) { return smooth(gradient); });
+  LimitedMemoryBfgs hessian([&](const Eigen::MatrixXd& gradient) { return smooth(gradient); });
   Eigen::MatrixXd gradient = energy.Gradient(at.State, weight, progress.Part(0.0, 0.0));
   constexpr int patience = 3; // steps in a row that hardly lower the energy
   int idle = 0;
@@ -125,16 +124,15 @@ VolumeRegistrationResult RegisterVolume(const Surface& boundary, const Surface& 
   // 3. The harmonic map of the final images.
   RequireOption(options.DistortionWeight > 0.0 && std::isfinite(options.DistortionWeight),
     "DistortionWeight", options.DistortionWeight, "positive and finite");
-  RequireOption(options.MaximumIterations >= 1, "MaximumIterations", options.MaximumIterations,
-    "at least 1");
+  RequireOption(
+    options.MaximumIterations >= 1, "MaximumIterations", options.MaximumIterations, "at least 1");
   if (!HasArea(target))
   {
     throw InvalidInput("the Target has no area; give a surface with triangles");
   }
   RequireFinite(target.Points(), "the Target");
   const ScaledBoundary scaled = ScaleBoundary(boundary, boundary.Points());
-  const Surface solid(
-    boundary.Points()(scaled.Points, Eigen::all), scaled.Surface.Triangles());
+  const Surface solid(boundary.Points()(scaled.Points, Eigen::all), scaled.Surface.Triangles());
   // Step 1.
   Eigen::Matrix4d motion = Eigen::Matrix4d::Identity();
   if (options.Align)

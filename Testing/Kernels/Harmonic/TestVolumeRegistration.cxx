@@ -63,8 +63,8 @@ TEST(VolumeRegistration, GradientAgreesWithFiniteDifferences)
   accurate.Tolerance = 1e-12;
   accurate.GradientTolerance = 1e-10;
   const shape::RegistrationEnergy energy(ball, Ellipsoid(2, { 1.3, 1.0, 0.8 }), 1.1, accurate);
-  const Eigen::MatrixXd images = 1.1 * ball.Points +
-    0.03 * (3.0 * ball.Points.rowwise().reverse().array()).sin().matrix();
+  const Eigen::MatrixXd images =
+    1.1 * ball.Points + 0.03 * (3.0 * ball.Points.rowwise().reverse().array()).sin().matrix();
   for (const double weight : { 1e-6, 1.0 })
   {
     const Eigen::MatrixXd gradient = energy.Gradient(energy.Evaluate(images), weight);
@@ -75,10 +75,10 @@ TEST(VolumeRegistration, GradientAgreesWithFiniteDifferences)
       constexpr double h = 1e-5;
       const auto value = [&](double step)
       { return energy.Evaluate(images + step * direction).Value(weight); };
-      const double slope = (8.0 * (value(h) - value(-h)) - (value(2.0 * h) - value(-2.0 * h))) /
-        (12.0 * h);
-      EXPECT_NEAR(gradient.cwiseProduct(direction).sum(), slope,
-        1e-6 * gradient.norm() * direction.norm());
+      const double slope =
+        (8.0 * (value(h) - value(-h)) - (value(2.0 * h) - value(-2.0 * h))) / (12.0 * h);
+      EXPECT_NEAR(
+        gradient.cwiseProduct(direction).sum(), slope, 1e-6 * gradient.norm() * direction.norm());
     }
   }
 }
@@ -90,8 +90,7 @@ TEST(VolumeRegistration, FindsAnAffineDeformationOfAnEllipsoid)
   const Eigen::Matrix3d turn =
     Eigen::AngleAxisd(0.4, Eigen::Vector3d(1.0, 2.0, 0.5).normalized()).toRotationMatrix();
   const Eigen::Matrix3d linear = turn * Eigen::Vector3d(1.2, 1.0, 0.9).asDiagonal();
-  const auto affine = [&](const Eigen::MatrixXd& points)
-  {
+  const auto affine = [&](const Eigen::MatrixXd& points) {
     return Eigen::MatrixXd((points * linear.transpose()).rowwise() + Eigen::RowVector3d(3, 2, 1));
   };
   const shape::Mesh target{ affine(solid.Points), solid.Triangles };
@@ -123,8 +122,7 @@ TEST(VolumeRegistration, MapsABallOntoADentedBallWithoutFolds)
   EXPECT_GT(SmallestDeterminant(result.Map, 0.95), 0.0);
   // Map is the harmonic map of Targets.
   const Eigen::MatrixXd errors = shape::Evaluate(result.Map, ball.Points) - result.Targets;
-  EXPECT_LT(errors.rowwise().norm().maxCoeff(),
-    0.05 * shape::ComputeLongestBoxEdge(target.Points));
+  EXPECT_LT(errors.rowwise().norm().maxCoeff(), 0.05 * shape::ComputeLongestBoxEdge(target.Points));
 }
 
 TEST(VolumeRegistration, KeepsASimilarSolidAsItIs)
@@ -156,6 +154,6 @@ TEST(VolumeRegistration, CanBeAborted)
 {
   int reports = 0;
   const shape::Progress progress([&](double) { return ++reports < 20; });
-  EXPECT_THROW(shape::RegisterVolume(shapetest::Icosphere(2), DentedBall(2), {}, progress),
-    shape::Aborted);
+  EXPECT_THROW(
+    shape::RegisterVolume(shapetest::Icosphere(2), DentedBall(2), {}, progress), shape::Aborted);
 }

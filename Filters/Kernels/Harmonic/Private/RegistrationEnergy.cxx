@@ -24,8 +24,8 @@ struct Positions
   Eigen::VectorXd Shares;
 };
 
-/// Half of the shares are at positions that are evenly distributed over the volume, the others close
-/// below the boundary, one for each triangle, by area: there a map folds first.
+/// Half of the shares are at positions that are evenly distributed over the volume, the others
+/// close below the boundary, one for each triangle, by area: there a map folds first.
 Positions SampleSolid(const Surface& boundary)
 {
   constexpr int wanted = 1000, tries = 100;
@@ -89,8 +89,8 @@ Positions SampleSolid(const Surface& boundary)
 
 } // namespace
 
-RegistrationEnergy::RegistrationEnergy(const Surface& boundary, const Surface& target,
-  double scale, const LinearVolumeMapOptions& map, const Progress& progress)
+RegistrationEnergy::RegistrationEnergy(const Surface& boundary, const Surface& target, double scale,
+  const LinearVolumeMapOptions& map, const Progress& progress)
   : Boundary(boundary)
   , Target(target)
   , Scale(scale)
@@ -100,8 +100,7 @@ RegistrationEnergy::RegistrationEnergy(const Surface& boundary, const Surface& t
 {
   this->Areas /= this->Areas.sum();
   const int count = static_cast<int>(std::clamp<Eigen::Index>(boundary.Points().rows(), 500, 5000));
-  this->Samples =
-    SampleSurface(target, count, SamplingMode::Uniform, 1, progress.Part(0.0, 0.2));
+  this->Samples = SampleSurface(target, count, SamplingMode::Uniform, 1, progress.Part(0.0, 0.2));
   const Positions positions = SampleSolid(boundary);
   this->Inside = positions.Points;
   this->Shares = positions.Shares;

@@ -42,8 +42,7 @@ public:
 
   /// Returns the derivative of Value(weight) by the images. The distortion must be finite. Throws
   /// the exceptions of LinearVolumeMap::Gradient.
-  Eigen::MatrixXd Gradient(
-    const State& state, double weight, const Progress& progress = {}) const;
+  Eigen::MatrixXd Gradient(const State& state, double weight, const Progress& progress = {}) const;
 
   /// Returns the distances and the distortion of a state of these images.
   RegistrationQuality Judge(const Eigen::MatrixXd& images, const State& state) const;
