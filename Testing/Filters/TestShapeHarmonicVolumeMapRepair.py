@@ -12,7 +12,7 @@ from shapetesting import array, fact, points, read
 horse = simple.XMLPolyDataReader(FileName=[shapetesting.data_file('HorseSmall.vtp')])
 sphere = simple.ShapeParameterize(Input=horse, Domain='Sphere')
 boundary = simple.OutputPort(sphere, 1)
-boundary.Proxy.UpdatePipeline()
+sphere.UpdatePipeline()
 ball = simple.XMLUnstructuredGridReader(FileName=[shapetesting.data_file('BallSmall.vtu')])
 mapped = simple.ShapeHarmonicVolumeMap(
     Domain=ball, Boundary=boundary, MapArray='SourcePosition', Repair=True, Tetrahedra=20000)
