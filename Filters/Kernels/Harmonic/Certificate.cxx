@@ -3,6 +3,7 @@
 #include "Base/Errors.h"
 #include "Geometry/SelfIntersections.h"
 #include "Harmonic/Private/DomainCover.h"
+#include "Harmonic/Private/InverseSearch.h"
 #include "Solids/Nesting.h"
 
 #include <Eigen/LU>
@@ -64,9 +65,8 @@ MapCertificate Collect(const DomainCover& cover, const ChargeSet& map)
   result.WitnessDeterminants.resize(result.Witnesses.rows());
   for (std::size_t i = 0; i < seen.size(); ++i)
   {
-    const Eigen::Matrix3d jacobian =
-      jacobians.row(static_cast<Eigen::Index>(i)).reshaped<Eigen::RowMajor>(3, 3);
-    const double determinant = std::min(jacobian.determinant(), 0.0);
+    const double determinant =
+      std::min(GetJacobian(jacobians, static_cast<Eigen::Index>(i)).determinant(), 0.0);
     result.WitnessDeterminants(static_cast<Eigen::Index>(i)) = determinant;
     result.Determinants(seen[i]) = determinant;
   }

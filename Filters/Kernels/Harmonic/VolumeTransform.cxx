@@ -1,6 +1,7 @@
 #include "Harmonic/VolumeTransform.h"
 
 #include "Base/Parallel.h"
+#include "Harmonic/Private/InverseSearch.h"
 
 #include <Eigen/LU>
 
@@ -81,7 +82,7 @@ Eigen::Vector3d VolumeTransform::EvaluateRepaired(
   }
   // g = h + phi (f - h) and its derivative (MapRepair).
   Eigen::Vector3d value = at.Values.leftCols<3>().transpose();
-  jacobian = at.Gradients.leftCols<9>().reshaped<Eigen::RowMajor>(3, 3);
+  jacobian = GetJacobian(at.Gradients, 0);
   if (share > 0.0)
   {
     Eigen::Matrix3d ofCharges;

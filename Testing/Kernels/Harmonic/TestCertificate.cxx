@@ -4,6 +4,7 @@
 #include "Distance/SignedDistance.h"
 #include "Harmonic/Private/BoxInSolid.h"
 #include "Harmonic/Private/DeterminantSign.h"
+#include "Harmonic/Private/InverseSearch.h"
 #include "Harmonic/Private/TaylorExpansion.h"
 #include "Mesh/UsedPoints.h"
 #include "Support/SimpleSurfaces.h"
@@ -43,17 +44,16 @@ ChargeSet OneCharge(const Eigen::RowVector3d& up, double distance, double streng
 
 double Determinant(const ChargeSet& map, const Eigen::RowVector3d& position)
 {
-  const Eigen::MatrixXd jacobian = shape::EvaluateJacobians(map, position);
-  return jacobian.row(0).reshaped<Eigen::RowMajor>(3, 3).determinant();
+  return shape::GetJacobian(shape::EvaluateJacobians(map, position), 0).determinant();
 }
 
 double WorstAtPoints(const ChargeSet& map, const Eigen::MatrixXd& points)
 {
   const Eigen::MatrixXd jacobians = shape::EvaluateJacobians(map, points);
   double worst = std::numeric_limits<double>::infinity();
-  for (const auto row : jacobians.rowwise())
+  for (Eigen::Index i = 0; i < jacobians.rows(); ++i)
   {
-    worst = std::min(worst, row.reshaped<Eigen::RowMajor>(3, 3).determinant());
+    worst = std::min(worst, shape::GetJacobian(jacobians, i).determinant());
   }
   return worst;
 }
@@ -291,9 +291,9 @@ TEST(DeterminantSign, IsNeverWrong)
     samples.topRows(150).col(trial % 3) = samples.middleRows(300, 150).col(0);
     const Eigen::MatrixXd jacobians = shape::EvaluateJacobians(map, samples * half.asDiagonal());
     double lowest = std::numeric_limits<double>::infinity();
-    for (const auto row : jacobians.rowwise())
+    for (Eigen::Index i = 0; i < jacobians.rows(); ++i)
     {
-      lowest = std::min(lowest, verdict.Sign * row.reshaped<Eigen::RowMajor>(3, 3).determinant());
+      lowest = std::min(lowest, verdict.Sign * shape::GetJacobian(jacobians, i).determinant());
     }
     wrong += lowest < verdict.Bound || verdict.Bound <= 0.0;
     closest = std::min(closest, lowest / verdict.Bound);
@@ -418,6 +418,12 @@ TEST(MapCertificate, FindsAFoldInside)
   const double expected = 0.75 * 2.0 * (width - std::pow(width, 3) / 3.0);
   EXPECT_GE(result.InvertedShare + result.UndecidedShare, expected * 0.99);
   EXPECT_LE(result.InvertedShare, expected * 1.1);
+  ASSERT_GT(result.Witnesses.rows(), 10);
+  for (Eigen::Index i = 0; i < result.Witnesses.rows(); ++i)
+  {
+    EXPECT_LE(result.WitnessDeterminants(i), 0.0);
+    EXPECT_NEAR(result.WitnessDeterminants(i), Determinant(map, result.Witnesses.row(i)), 1e-9);
+  }
   // What is neither certified nor in the slab is a layer of boxes, which become thinner.
   const double layer = 1.0 - expected - result.CertifiedShare;
   options.Tolerance *= 0.5;
@@ -463,7 +469,7 @@ TEST(MapCertificate, IsNeverWrong)
       {
         continue;
       }
-      const double determinant = jacobians.row(i).reshaped<Eigen::RowMajor>(3, 3).determinant();
+      const double determinant = shape::GetJacobian(jacobians, i).determinant();
       int boxes = 0;
       for (Eigen::Index box = 0; box < result.Edges.size(); ++box)
       {

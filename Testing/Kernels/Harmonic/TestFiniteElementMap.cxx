@@ -1,4 +1,5 @@
 #include "Base/Errors.h"
+#include "Harmonic/ApplyVolumeMap.h"
 #include "Harmonic/FiniteElementMap.h"
 #include "Harmonic/HarmonicVolumeMap.h"
 #include "Harmonic/VolumeMap.h"
