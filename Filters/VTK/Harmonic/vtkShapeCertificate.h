@@ -19,8 +19,8 @@
  *   image. There is at most one in each inverted box.
  *
  * Facts: Certificate.Certified, .Undecided and .Inverted, shares of the volume; .Bijective (1 or
- * 0); .BoundaryCrossings; .BoundaryReversed (1 if the image of the boundary faces inwards as a
- * whole, or 0); .Witnesses, .Boxes (of the output), .ExaminedBoxes.
+ * 0); .BoundaryCrossings; .Witnesses, .Boxes (of the output), .ExaminedBoxes. The fact
+ * .BoundaryReversed is 1 if the image of the boundary faces inwards as a whole, else 0.
  *
  * The mathematics: shape::CertifyMap.
  */

@@ -2,7 +2,8 @@
 
 #include "Base/Progress.h"
 #include "Distance/SignedDistance.h"
-#include "Harmonic/Certificate.h"
+#include "Harmonic/CertificateTypes.h"
+#include "Harmonic/ChargeSet.h"
 #include "Harmonic/Private/BoxInSolid.h"
 #include "Harmonic/Private/TaylorExpansion.h"
 
