@@ -47,7 +47,8 @@ shape::Surface Ball()
 shape::PiecewiseCharges AsPiecewise(
   const ChargeSet& map, const shape::Surface& domain, const MapRepair& repair)
 {
-  shape::PiecewiseCharges charges{ { map }, domain, {}, 0.0, {}, repair };
+  shape::PiecewiseCharges charges{ { map }, domain, {} };
+  charges.Repair = repair;
   return charges;
 }
 
