@@ -128,6 +128,21 @@ TEST(FmmSummation, KeepsItsToleranceForSurfacesAndVolumesAndChargesOfBothSigns)
   }
 }
 
+TEST(FmmSummation, KeepsItsToleranceInLargerBoxes)
+{
+  for (const Case& one : Cases())
+  {
+    shape::FmmSummationOptions options = Multipole(1e-6);
+    options.LargerBoxes = 10.0;
+    const Eigen::MatrixXd error =
+      FmmSummation(one.Sources, one.Points, options).Potentials(one.Charges) -
+      shape::SumPotentialsDirectly(one.Sources, one.Charges, one.Points);
+    const Eigen::MatrixXd sizes =
+      shape::SumPotentialsDirectly(one.Sources, one.Charges.cwiseAbs(), one.Points);
+    EXPECT_LT(error.norm() / sizes.norm(), 1e-6) << one.Name;
+  }
+}
+
 TEST(FmmSummation, AUniformlyChargedSphereActsAsItsCentreOutsideAndNotAtAllInside)
 {
   // Gauss points along the axis (zeros of the Legendre polynomial) times even angles around it: the
@@ -303,6 +318,9 @@ TEST(FmmSummation, SmallSumsAreDirectWrongInputIsRefusedAndItCanBeStopped)
   EXPECT_THROW(FmmSummation(broken, points), shape::InvalidInput);
   EXPECT_THROW(FmmSummation(sources, points, Multipole(1e-14)), shape::InvalidInput);
   EXPECT_THROW(FmmSummation(sources, points, Multipole(0.5)), shape::InvalidInput);
+  shape::FmmSummationOptions smaller = Multipole(1e-6);
+  smaller.LargerBoxes = 0.5;
+  EXPECT_THROW(FmmSummation(sources, points, smaller), shape::InvalidInput);
   const shape::Progress stop([](double) { return false; });
   EXPECT_THROW(FmmSummation(sources, points, Multipole(1e-6), stop), shape::Aborted);
   const FmmSummation fast(sources, points, Multipole(1e-6));
