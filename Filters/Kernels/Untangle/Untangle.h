@@ -78,7 +78,7 @@ struct UntangleResult
  * consists of tetrahedra in a fixed boundary that is star-shaped, it starts anew: it is untangled
  * in a sphere, which is much easier, and the boundary moves outward from there through a collar of
  * new tetrahedra (MoveOutward). In exact arithmetic that cannot fail, but many cells are split, and
- * the collar is thin; Refine improves it.
+ * the collar is thin.
  *
  * Other tetrahedra that are still inverted are made positive by exact tests: their points are put
  * at one position that sees all faces around them, and leave it one by one (after Nigolian, Campen
