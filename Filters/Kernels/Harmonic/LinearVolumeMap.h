@@ -59,8 +59,8 @@ struct LinearVolumeMapOptions
  * the adjoint approach to design", Flow, Turbulence and Combustion 65, 2000). In terms of the
  * continuum, the gradient sweeps the derivative at inner points to the boundary: for F = f(y) it is
  * the harmonic measure of y. One gradient is by all images together. With the default
- * tolerances, it took 1.4 times the CPU time of a fit, for bear_bis with 10096 points as for bunny00
- * with 37706 points, because the transposed system needs more iterations.
+ * tolerances, it took 1.4 times the CPU time of a fit, for bear_bis with 10096 points as for
+ * bunny00 with 37706 points, because the transposed system needs more iterations.
  */
 class LinearVolumeMap
 {
