@@ -17,7 +17,7 @@ METHOD, = [item.get('default_values') for item in properties if item.get('name')
 
 def is_usual(item):
     """Whether the row is there with the default Method."""
-    decorator = item.find('Hints/PropertyWidgetDecorator[@property="Method"]')
+    decorator = item.find('Hints//PropertyWidgetDecorator[@property="Method"]')
     return decorator is None or METHOD in (decorator.get('values') or decorator.get('value')).split()
 
 
