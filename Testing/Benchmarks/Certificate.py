@@ -96,6 +96,21 @@ def certified(charges, settings):
     return row
 
 
+def sphere_maps(options, table):
+    """Of each model: label, surface and map array of its map onto the ball, and of the ball onto it. A model
+    without a sphere map is a row of the table."""
+    for name, path in sweep.models(options, MODELS):
+        parameterize = shapemap.vtkShapeParameterize()
+        parameterize.SetInputDataObject(facing_outwards(off.read(path)))
+        parameterize.SetDomain(1)
+        messages = shapetesting.run(parameterize)
+        if messages:
+            table.print({'map': name}, messages[0].strip().splitlines()[-1])
+            continue
+        yield name + ' to ball', parameterize.GetOutputDataObject(0), 'TargetPosition'
+        yield 'ball to ' + name, parameterize.GetOutputDataObject(1), 'SourcePosition'
+
+
 def main():
     parser = sweep.parser(__doc__)
     parser.add_argument('--distance', type=float, default=0.9, help='of the charges')
@@ -105,27 +120,17 @@ def main():
     table = sweep.Table('map:<24', 'points:7d', 'charges:8d', 'rmse:8.1e', 'certified:10.6f', 'undecided:9.1e',
                         'inverted:9.1e', 'witnesses:9.0f', 'crossings:9.0f', 'bijective:9.0f', 'cpu:7.1f',
                         'memory:6.2f')
-    for name, path in sweep.models(options, MODELS):
-        parameterize = shapemap.vtkShapeParameterize()
-        parameterize.SetInputDataObject(facing_outwards(off.read(path)))
-        parameterize.SetDomain(1)
-        messages = shapetesting.run(parameterize)
-        if messages:
-            table.print({'map': name}, messages[0].strip().splitlines()[-1])
-            continue
-        for label, port, array in ((name + ' to ball', 0, 'TargetPosition'),
-                                   ('ball to ' + name, 1, 'SourcePosition')):
-            surface = parameterize.GetOutputDataObject(port)
-            kept = os.path.join(options.keep, label.replace(' ', '_') + '.vtp') if options.keep else ''
-            charges, reason = charges_of(surface, array, options.distance, kept)
-            row = {'map': label}
-            if charges:
-                row.update(certified(charges, sweep.properties(options)),
-                           points=surface.GetNumberOfPoints(), charges=charges.GetNumberOfPoints())
-                maps += 1
-                if row['wrong']:
-                    wrong.append('%s: %d' % (label, row['wrong']))
-            table.print(row, reason)
+    for label, surface, array in sphere_maps(options, table):
+        kept = os.path.join(options.keep, label.replace(' ', '_') + '.vtp') if options.keep else ''
+        charges, reason = charges_of(surface, array, options.distance, kept)
+        row = {'map': label}
+        if charges:
+            row.update(certified(charges, sweep.properties(options)),
+                       points=surface.GetNumberOfPoints(), charges=charges.GetNumberOfPoints())
+            maps += 1
+            if row['wrong']:
+                wrong.append('%s: %d' % (label, row['wrong']))
+        table.print(row, reason)
     claims.none('%d maps' % maps, 'with a positive determinant at a witness', wrong)
     claims.finish()
 

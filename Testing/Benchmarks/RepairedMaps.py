@@ -15,11 +15,9 @@ import time
 import sweep
 
 import numpy
-import off
 import shapemap
 import shapetesting
-from Certificate import MODELS, determinants
-from UntangleModels import facing_outwards
+from Certificate import determinants, sphere_maps
 from shapetesting import fact
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -73,27 +71,18 @@ def main():
     claims, wrong, low, maps = sweep.Claims(), [], [], 0
     table = sweep.Table('map:<24', 'points:7d', 'before:9.6f', 'certified:10.7f', 'inverted:9.1e', 'undecided:9.1e',
                         'core:7.4f', 'ring:7.4f', 'wrong:5d', 'cpu:7.1f')
-    for name, path in sweep.models(options, MODELS):
-        parameterize = shapemap.vtkShapeParameterize()
-        parameterize.SetInputDataObject(facing_outwards(off.read(path)))
-        parameterize.SetDomain(1)
-        messages = shapetesting.run(parameterize)
-        if messages:
-            table.print({'map': name}, messages[0].strip().splitlines()[-1])
+    for label, surface, array in sphere_maps(options, table):
+        if options.direction not in ('both', 'from' if label.startswith('ball to ') else 'to'):
             continue
-        for label, direction, port, array in ((name + ' to ball', 'to', 0, 'TargetPosition'),
-                                              ('ball to ' + name, 'from', 1, 'SourcePosition')):
-            if options.direction not in (direction, 'both'):
-                continue
-            row, reason = repaired(parameterize.GetOutputDataObject(port), array, sweep.properties(options))
-            row['map'] = label
-            if not reason:
-                maps += 1
-                if row['wrong']:
-                    wrong.append('%s: %d' % (label, row['wrong']))
-                if row['certified'] < 0.99:
-                    low.append('%s: %.4f' % (label, row['certified']))
-            table.print(row, reason)
+        row, reason = repaired(surface, array, sweep.properties(options))
+        row['map'] = label
+        if not reason:
+            maps += 1
+            if row['wrong']:
+                wrong.append('%s: %d' % (label, row['wrong']))
+            if row['certified'] < 0.99:
+                low.append('%s: %.4f' % (label, row['certified']))
+        table.print(row, reason)
     claims.none('%d maps' % maps, 'with a determinant that is not positive where it is certified', wrong)
     claims.none('%d maps' % maps, 'with less than 99 % certified', low)
     claims.finish()

@@ -405,7 +405,7 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
   const bool isRefined = options.Refine != RefineType::None;
   const Progress untangling = progress.Part(0.0, isRefined ? 0.6 : 1.0);
   int left = 0;
-  const StarPlacement centre = FindStar(best.Solid, options);
+  const StarPlacement centre = invertedBefore > 0 ? FindStar(best.Solid, options) : StarPlacement();
   if (best.Solid.HasTetrahedra() && !centre.IsValid)
   {
     left = ReduceAndExpand(best, options, untangling.Part(0.0, 0.7));
