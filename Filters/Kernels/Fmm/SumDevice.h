@@ -34,8 +34,8 @@ struct SumDevice
   static constexpr double MinimumPairs = 1e9;
 };
 
-/// Returns whether OpenCL computes a sum of this number of pairs. Throws InvalidInput if the kind is
-/// OpenCL and there is no such device, or ShapeMap was built without OpenCL.
+/// Returns whether OpenCL computes a sum of this number of pairs. Throws InvalidInput if the kind
+/// is OpenCL and there is no such device, or ShapeMap was built without OpenCL.
 bool ChooseOpenCL(const SumDevice& device, double pairs);
 
 } // namespace shape
