@@ -22,7 +22,8 @@ namespace
 PiecewiseVolumeMapResult AsOneRegion(HarmonicVolumeMapResult map, const Surface& boundary)
 {
   PiecewiseVolumeMapResult result;
-  result.Charges = { { map.Map }, boundary, {}, 0.0, {} };
+  result.Charges.Maps = { map.Map };
+  result.Charges.Surface = boundary;
   result.Charges.Farthest = ComputeFarthest(map.OffsetDistance, boundary.Points());
   // The last level holds the errors of the complete sum, whether or not its own map was kept.
   const HarmonicVolumeMapResult::Level& last = map.Levels.back();

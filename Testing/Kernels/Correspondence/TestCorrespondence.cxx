@@ -141,9 +141,7 @@ TEST(Correspondence, AnIdentityIsHarmonicComesBackAndTurnsNothingOver)
 
 TEST(Correspondence, AMapFromLandmarksOnTheWrongSidesIsCalledMirrored)
 {
-  const shape::Mesh bull =
-    shape::CoarsenSurface(shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/bull.off"), 1500)
-      .Surface;
+  const shape::Mesh bull = shape::CoarsenSurface(shapetest::ReadModel("bull"), 1500).Surface;
   const shape::Mesh other = shapetest::Mirrored(bull);
   Options options;
   options.Method = Method::FunctionalMap;

@@ -43,7 +43,7 @@ Eigen::Index CountKept(const shape::CutFeatureResult& cut, const shape::DividedP
 
 /// That the parts are those of the surface: their areas add up, and their points are its own or on
 /// its triangles.
-void ExpectParts(const shape::Mesh& mesh, const shape::CutFeatureResult& cut)
+void ExpectPartsOf(const shape::Mesh& mesh, const shape::CutFeatureResult& cut)
 {
   double area = 0.0;
   for (const shape::DividedPart* part : { &cut.Feature, &cut.Rest })
@@ -76,7 +76,7 @@ void ExpectParts(const shape::Mesh& mesh, const shape::CutFeatureResult& cut)
 /// does the border.
 void ExpectDivided(const shape::Mesh& mesh, const shape::CutFeatureResult& cut)
 {
-  ExpectParts(mesh, cut);
+  ExpectPartsOf(mesh, cut);
   const shape::Topology before = shape::ComputeTopology(mesh);
   const shape::Topology feature = shape::RequireManifold(cut.Feature.Surface, "the feature");
   const shape::Topology rest = shape::RequireManifold(cut.Rest.Surface, "the rest");
@@ -136,7 +136,7 @@ TEST(CutFeature, SeveralLoops)
   // A belt between two, as large as its height by Archimedes.
   const shape::CutFeatureResult belt =
     shape::CutFeature(sphere, { around(0.3), around(-0.2) }, WithoutFill());
-  ExpectParts(sphere, belt);
+  ExpectPartsOf(sphere, belt);
   EXPECT_NEAR(AreaOf(belt.Feature.Surface), 2.0 * M_PI * 0.5, 0.03);
   EXPECT_EQ(shape::ComputeTopology(belt.Feature.Surface).EulerNumber, 0);
   EXPECT_EQ(shape::ComputeTopology(belt.Rest.Surface).Components, 2);
@@ -158,7 +158,7 @@ TEST(CutFeature, SeveralLoops)
     sphere.Triangles.array() + 2 * n;
   const shape::CutFeatureResult caps =
     shape::CutFeature(many, { around(0.5), around(-0.5).rowwise() + shift }, WithoutFill());
-  ExpectParts(many, caps);
+  ExpectPartsOf(many, caps);
   EXPECT_NEAR(AreaOf(caps.Feature.Surface), 2.0 * M_PI, 0.04);
   EXPECT_EQ(shape::ComputeTopology(caps.Rest.Surface).Components, 3);
 }
@@ -174,7 +174,7 @@ TEST(CutFeature, ALoopAroundAHandleNeedsAnother)
   EXPECT_THROW(shape::CutFeature(torus, { across(0.1) }, WithoutFill()), shape::InvalidInput);
   const shape::CutFeatureResult tube =
     shape::CutFeature(torus, { across(0.1), across(1.1) }, WithoutFill());
-  ExpectParts(torus, tube);
+  ExpectPartsOf(torus, tube);
   EXPECT_NEAR(AreaOf(tube.Feature.Surface), 2.0 * M_PI * 0.3, 0.05);
   EXPECT_EQ(shape::ComputeTopology(tube.Feature.Surface).EulerNumber, 0);
 }
@@ -203,7 +203,7 @@ TEST(CutFeature, AtTheBorder)
   const Eigen::MatrixXd outside = Circle({ 1.0, 0.1, 0 }, { 0.5, 0, 0 }, { 0, 0.5, 0 }, 100);
   const shape::CutFeatureResult notch =
     shape::CutFeature(plane, { outside }, shape::CutFeatureOptions());
-  ExpectParts(plane, notch);
+  ExpectPartsOf(plane, notch);
   EXPECT_EQ(notch.Loops, 0);
   EXPECT_TRUE(notch.Holes.empty());
   EXPECT_EQ(shape::RequireManifold(notch.Feature.Surface, "the feature").BoundaryLoops, 1);
@@ -213,7 +213,7 @@ TEST(CutFeature, AtTheBorder)
   Eigen::MatrixXd touching(4, 3);
   touching << 1, 0.2, 0, 0.4, 0.6, 0, 0.2, 0.2, 0, 0.4, -0.2, 0;
   const shape::CutFeatureResult open = shape::CutFeature(plane, { touching }, WithoutFill());
-  ExpectParts(plane, open);
+  ExpectPartsOf(plane, open);
   EXPECT_EQ(shape::RequireManifold(open.Rest.Surface, "the rest").BoundaryLoops, 1);
   const shape::CutFeatureResult filled =
     shape::CutFeature(plane, { touching }, shape::CutFeatureOptions());
@@ -233,7 +233,7 @@ TEST(CutFeature, WhatIsLeftIsFilled)
     Circle({ std::cos(angle), 0, 0 }, { 0, std::sin(angle), 0 }, { 0, 0, std::sin(angle) }, 60);
   const shape::CutFeatureResult cut =
     shape::CutFeature(sphere, { circle }, shape::CutFeatureOptions());
-  ExpectParts(sphere, cut);
+  ExpectPartsOf(sphere, cut);
   ASSERT_EQ(cut.Holes.size(), 1U);
   EXPECT_EQ(shape::RequireClosedSurface(cut.Rest.Surface, "the rest").EulerNumber, 2);
   EXPECT_EQ(shape::RequireManifold(cut.Feature.Surface, "the feature").BoundaryLoops, 1);
@@ -267,7 +267,7 @@ TEST(CutFeature, SelectedTriangles)
   }
   const shape::CutFeatureResult cut =
     shape::CutFeature(sphere, isSelected, shape::CutFeatureOptions());
-  ExpectParts(sphere, cut);
+  ExpectPartsOf(sphere, cut);
   EXPECT_EQ(
     cut.Feature.Surface.Triangles.rows(), std::count(isSelected.begin(), isSelected.end(), 1));
   EXPECT_EQ(shape::RequireClosedSurface(cut.Rest.Surface, "the rest").EulerNumber, 2);
@@ -298,7 +298,7 @@ TEST(CutFeature, SeamsSoupsAndTrianglesWithoutArea)
     shape::CutFeature(sphere, { circle }, shape::CutFeatureOptions());
   const shape::CutFeatureResult cut =
     shape::CutFeature(soup, { circle }, shape::CutFeatureOptions());
-  ExpectParts(soup, cut);
+  ExpectPartsOf(soup, cut);
   EXPECT_EQ(cut.Feature.Surface.Triangles.rows(), whole.Feature.Surface.Triangles.rows());
   EXPECT_EQ(CountKept(cut, cut.Rest), CountKept(whole, whole.Rest));
   EXPECT_EQ(cut.CutLength, whole.CutLength);
@@ -382,7 +382,7 @@ TEST(CutFeature, ASeamStaysASeam)
   const Eigen::MatrixXd circle = Circle({ 0.03, 0, 0 }, { 0.52, 0, 0 }, { 0, 0.52, 0 }, 50);
   const shape::CutFeatureResult cut =
     shape::CutFeature(seamed, { circle }, shape::CutFeatureOptions());
-  ExpectParts(seamed, cut);
+  ExpectPartsOf(seamed, cut);
   EXPECT_EQ(cut.Holes.size(), 1U);
   EXPECT_EQ(shape::RequireManifold(cut.Feature.Surface, "the feature").Components, 2);
   for (const shape::DividedPart* part : { &cut.Feature, &cut.Rest })
@@ -413,7 +413,7 @@ TEST(CutFeature, ANonManifoldPlaceElsewhereDoesNotMatter)
   const Eigen::MatrixXd circle = Circle({ fin(0), fin(1), 0 }, { 0.3, 0, 0 }, { 0, 0.3, 0 }, 40);
   const shape::CutFeatureResult cut =
     shape::CutFeature(plane, { circle }, shape::CutFeatureOptions());
-  ExpectParts(plane, cut);
+  ExpectPartsOf(plane, cut);
   EXPECT_EQ(shape::ComputeTopology(cut.Feature.Surface).NonManifoldEdges, 1);
   EXPECT_EQ(shape::RequireManifold(cut.Rest.Surface, "the rest").EulerNumber, 1);
 }
@@ -423,7 +423,7 @@ TEST(CutFeature, RandomLoopsOnModels)
   int filled = 0;
   for (const char* name : { "bull", "lion-head" })
   {
-    const shape::Mesh mesh = shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/" + name + ".off");
+    const shape::Mesh mesh = shapetest::ReadModel(name);
     const double size = shape::ComputeBoxDiagonal(mesh.Points);
     const Eigen::MatrixXd normals = shape::ComputeAreaVectors(mesh);
     std::mt19937 random(5);
@@ -440,7 +440,7 @@ TEST(CutFeature, RandomLoopsOnModels)
       ExpectDivided(mesh, open);
       const shape::CutFeatureResult cut =
         shape::CutFeature(mesh, { clicks }, shape::CutFeatureOptions());
-      ExpectParts(mesh, cut);
+      ExpectPartsOf(mesh, cut);
       const shape::Topology rest = shape::RequireManifold(cut.Rest.Surface, "the rest");
       EXPECT_EQ(rest.BoundaryLoops, shape::ComputeTopology(mesh).BoundaryLoops) << name << " " << i;
       EXPECT_FALSE(cut.Bases.empty());

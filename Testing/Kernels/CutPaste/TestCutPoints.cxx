@@ -34,7 +34,7 @@ Eigen::MatrixXd BumpySphere(int level)
 }
 
 /// A circle of the sphere, at an angle from +z, counter-clockwise.
-Eigen::MatrixXd Circle(double angle, int count)
+Eigen::MatrixXd CircleAroundTop(double angle, int count)
 {
   Eigen::MatrixXd circle(count, 3);
   for (int i = 0; i < count; ++i)
@@ -85,7 +85,7 @@ TEST(CutPoints, DividesASphereAlongACircle)
 {
   const Eigen::MatrixXd points = BumpySphere(5);
   const double angle = 0.7;
-  const Clouds clouds = CutBump(points, Circle(angle, 12));
+  const Clouds clouds = CutBump(points, CircleAroundTop(angle, 12));
   const shape::PointCutter cutter(shape::ConnectSamples(points));
   // Points farther from the circle than a few spacings are on their side of it.
   std::vector<char> isFeature(points.rows(), 0);
@@ -125,7 +125,7 @@ TEST(CutPoints, DividesASphereAlongACircle)
 TEST(CutPoints, ReturnsWhenPastedInPlace)
 {
   const Eigen::MatrixXd points = BumpySphere(4);
-  const Clouds clouds = CutBump(points, Circle(0.7, 12));
+  const Clouds clouds = CutBump(points, CircleAroundTop(0.7, 12));
   const shape::FeatureFootprint& base = clouds.Cut.Bases.front();
   EXPECT_TRUE(base.ReturnsInPlace);
   const shape::FeatureToPaste feature(clouds.Feature.Surface, base);
@@ -143,7 +143,7 @@ TEST(CutPoints, ReturnsWhenPastedInPlace)
 
 TEST(CutPoints, PastesOnAnotherCloud)
 {
-  const Clouds clouds = CutBump(BumpySphere(5), Circle(0.7, 12));
+  const Clouds clouds = CutBump(BumpySphere(5), CircleAroundTop(0.7, 12));
   const shape::FeatureFootprint& base = clouds.Cut.Bases.front();
   const shape::FeatureToPaste feature(clouds.Feature.Surface, base);
   shape::PointTarget target(shape::ConnectSamples(1.5 * BumpySphere(5)));
@@ -176,7 +176,7 @@ TEST(CutPoints, FollowsRigidMotionsAndNumbers)
   std::vector<int> order(points.rows());
   std::iota(order.begin(), order.end(), 0);
   std::shuffle(order.begin(), order.end(), std::mt19937(11));
-  const Eigen::MatrixXd circle = Circle(0.7, 12);
+  const Eigen::MatrixXd circle = CircleAroundTop(0.7, 12);
   const shape::CutPointsResult cut =
     shape::PointCutter(shape::ConnectSamples(points, normals)).Cut(circle);
   const shape::CutPointsResult moved =

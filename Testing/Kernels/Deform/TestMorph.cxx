@@ -13,14 +13,10 @@
 namespace
 {
 
+using shapetest::ElementsOf;
 using shapetest::HasWords;
 using shapetest::Largest;
 using shapetest::Refusal;
-
-shape::ShapeElements ElementsOf(const shape::Mesh& mesh)
-{
-  return { mesh.Points, Eigen::MatrixXi(0, 2), mesh.Triangles, Eigen::MatrixXi(0, 4) };
-}
 
 /// A tube of radius 0.25 from x = 0 to 6.
 shape::ShapeElements Arm()

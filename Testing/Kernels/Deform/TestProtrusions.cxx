@@ -15,7 +15,7 @@ namespace
 {
 
 /// A strip along x with two bumps of height 0.8, of `cells` edges along its length of 2.
-shape::Mesh TwoBumps(int cells, double shake = 0.0)
+shape::Mesh StripWithBumps(int cells, double shake = 0.0)
 {
   shape::Mesh strip = shapetest::FlatSquare(cells, shake);
   strip.Points.col(1) *= 0.4;
@@ -130,7 +130,7 @@ TEST(Protrusions, TwoBumpsOnASheet)
 {
   for (const int cells : { 40, 60, 90, 140 })
   {
-    const shape::Mesh strip = TwoBumps(cells);
+    const shape::Mesh strip = StripWithBumps(cells);
     const Labelled found(strip, BoundaryOfStrip(strip), 0.1);
     EXPECT_EQ(found.Count(), 3) << cells;
     for (int node = 0; node < found.Labels.size(); ++node)
@@ -228,7 +228,7 @@ TEST(Protrusions, NoiseBelowTheMinimumAddsNone)
   for (unsigned seed = 0; seed < 5; ++seed)
   {
     std::mt19937 random(seed);
-    shape::Mesh strip = TwoBumps(60, 0.3);
+    shape::Mesh strip = StripWithBumps(60, 0.3);
     for (auto point : strip.Points.rowwise())
     {
       point(2) += 0.02 * static_cast<double>(random()) / 4294967296.0;
@@ -241,7 +241,7 @@ TEST(Protrusions, NoiseBelowTheMinimumAddsNone)
 
 TEST(Protrusions, ANewNumberingMovesTheLabelsOnly)
 {
-  const shape::Mesh strip = TwoBumps(50, 0.3);
+  const shape::Mesh strip = StripWithBumps(50, 0.3);
   const Labelled own(strip, BoundaryOfStrip(strip), 0.1);
   std::vector<int> order(strip.Points.rows()), number(strip.Points.rows());
   std::iota(order.begin(), order.end(), 0);
@@ -264,7 +264,7 @@ TEST(Protrusions, BumpsDoNotStickTogether)
   // The strip is bent. As in TestSegmentHierarchy, each bump ought to lean outwards with the strip
   // below it; the tips are as far apart as with labels made by hand.
   constexpr double radius = 0.8;
-  const shape::Mesh strip = TwoBumps(60);
+  const shape::Mesh strip = StripWithBumps(60);
   const shape::BoundaryHandle loop = shapetest::LoopOf(strip);
   const shape::HandlePose pose = shape::PoseHandle(loop, shapetest::Bent(loop.Positions, radius));
   const shape::PointGraph graph = shape::BuildPointGraph(strip);

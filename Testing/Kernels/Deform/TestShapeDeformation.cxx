@@ -19,6 +19,7 @@ using Options = shape::DeformOptions;
 using shapetest::Bent;
 using shapetest::Cap;
 using shapetest::DeformWithBentLoop;
+using shapetest::ElementsOf;
 using shapetest::Largest;
 using shapetest::LoopOf;
 using shapetest::Moved;
@@ -62,11 +63,6 @@ struct Case
   shape::ShapeElements Shape;
   shape::BoundaryHandle Handle;
 };
-
-shape::ShapeElements ElementsOf(const shape::Mesh& mesh)
-{
-  return { mesh.Points, {}, mesh.Triangles, {} };
-}
 
 /// A surface by its rim, an open curve, a patch of it and points; a solid by a side; a soup with
 /// pieces that nothing joins, degenerate and non-manifold triangles and loose points; points alone.

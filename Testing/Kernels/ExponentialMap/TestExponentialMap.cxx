@@ -16,13 +16,10 @@
 namespace
 {
 
+using shapetest::ReadModel;
+
 using Eigen::RowVector2d;
 using Eigen::RowVector3d;
-
-shape::Mesh Model(const std::string& name)
-{
-  return shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/" + name + ".off");
-}
 
 /// FlatSquare with each place moved: (x, y) in [-1, 1]^2 to anywhere in space.
 shape::Mesh Bent(int cells, const std::function<RowVector3d(double, double)>& bend)
@@ -174,7 +171,7 @@ TEST(ExponentialMap, OfASphereKeepsDistancesAndDirections)
 
 TEST(ExponentialMap, TurnsWithTheSurface)
 {
-  const shape::Mesh mesh = Model("elephant");
+  const shape::Mesh mesh = ReadModel("elephant");
   const RowVector3d seed = mesh.Points.row(900), direction(0.2, 1.0, -0.4);
   const Eigen::Matrix3d turn =
     Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, -1).normalized()).toRotationMatrix();
@@ -198,7 +195,7 @@ TEST(ExponentialMap, ALargerRadiusOnlyAdds)
   for (const char* name : { "bunny00", "elephant", "fandisk", "hand" })
   {
     SCOPED_TRACE(name);
-    const shape::Mesh mesh = Model(name);
+    const shape::Mesh mesh = ReadModel(name);
     const double diagonal = shape::ComputeBoxDiagonal(mesh.Points);
     shape::ExponentialMap map(mesh);
     for (const int point : { 3, 1000 })
@@ -224,7 +221,7 @@ TEST(ExponentialMap, ALargerRadiusOnlyAdds)
 
 TEST(ExponentialMap, UpwindAveragingSparesFlips)
 {
-  const shape::Mesh mesh = Model("bunny00");
+  const shape::Mesh mesh = ReadModel("bunny00");
   const double diagonal = shape::ComputeBoxDiagonal(mesh.Points);
   std::mt19937 random(1);
   const Eigen::MatrixXd seeds = shape::SampleRandomly(mesh, 60, 1);
@@ -317,7 +314,7 @@ TEST(ExponentialMap, TakesTheClosestPlaceAndSaysWhereTheRimIs)
 
 TEST(ExponentialMap, OfTrianglesThatDoNotHangTogetherIsTheSame)
 {
-  const shape::Mesh mesh = Model("elephant");
+  const shape::Mesh mesh = ReadModel("elephant");
   const Eigen::Index t = mesh.Triangles.rows();
   shape::Mesh soup{ Eigen::MatrixXd(3 * t, 3), Eigen::MatrixXi(t, 3) };
   for (int row = 0; row < t; ++row)

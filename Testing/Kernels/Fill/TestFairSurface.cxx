@@ -4,6 +4,7 @@
 #include "Geometry/VertexNormals.h"
 #include "Laplacian/Membrane.h"
 #include "Mesh/Topology.h"
+#include "Support/HoleShapes.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Geometry>
@@ -15,7 +16,7 @@
 namespace
 {
 
-constexpr double Degree = M_PI / 180.0;
+using shapetest::Degree;
 
 /// The flat disk of so many rings, its outer ring first, in order.
 shape::Mesh DiskLoopFirst(int rings, int& loop)

@@ -211,8 +211,7 @@ TEST(HoleLoops, SmallCornersOfTheSurfaceThatReachInAreNotCovered)
 
 TEST(HoleLoops, FillsOfAScanMeetNeitherItNorEachOther)
 {
-  const shape::Mesh open =
-    shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/elephant-with-holes.off");
+  const shape::Mesh open = shapetest::ReadModel("elephant-with-holes");
   const shape::FilledSurface filled = shape::FillHoles(open);
   // 106 loops, some of which touch themselves.
   EXPECT_EQ(filled.Holes.size(), 171u);

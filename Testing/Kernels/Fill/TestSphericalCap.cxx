@@ -6,6 +6,7 @@
 #include "Fill/Private/FairPatch.h"
 
 #include "Support/DeformShapes.h"
+#include "Support/HoleShapes.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@
 namespace
 {
 
-constexpr double Degree = M_PI / 180.0;
+using shapetest::Degree;
 
 /// A circle of the unit sphere at an angle from its pole, and the sphere's normals there. Its
 /// points are denser on one side where `uneven` is not 0.

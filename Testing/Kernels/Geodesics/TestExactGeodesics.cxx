@@ -16,6 +16,8 @@
 namespace
 {
 
+using shapetest::ReadModel;
+
 shape::ClosestPoints At(const shape::Mesh& mesh, const Eigen::RowVector3d& position)
 {
   return shape::SurfaceLocator(mesh).Find(position);
@@ -52,11 +54,6 @@ shape::Mesh Split(const shape::Mesh& mesh)
     split.Points.row(points + static_cast<Eigen::Index>(i)) = positions[i];
   }
   return split;
-}
-
-shape::Mesh Model(const std::string& name)
-{
-  return shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/" + name + ".off");
 }
 
 } // namespace
@@ -138,7 +135,7 @@ TEST(ExactGeodesics, DoNotDependOnHowThePolyhedronIsCutIntoTriangles)
   for (const char* name : { "elephant", "anchor", "hand" })
   {
     SCOPED_TRACE(name);
-    const shape::Mesh mesh = Model(name), split = Split(mesh);
+    const shape::Mesh mesh = ReadModel(name), split = Split(mesh);
     const Eigen::RowVector3d seed = mesh.Points.row(17);
     const Eigen::VectorXd distances = shape::ComputeExactGeodesics(mesh, At(mesh, seed)),
                           finer = shape::ComputeExactGeodesics(split, At(split, seed));
@@ -150,7 +147,7 @@ TEST(ExactGeodesics, DoNotDependOnHowThePolyhedronIsCutIntoTriangles)
 
 TEST(ExactGeodesics, AreTheSameThereAndBack)
 {
-  const shape::Mesh mesh = Model("elephant");
+  const shape::Mesh mesh = ReadModel("elephant");
   for (const auto& [a, b] : { std::pair(3, 1000), std::pair(500, 2000), std::pair(77, 1500) })
   {
     const double there = shape::ComputeExactGeodesics(mesh, At(mesh, mesh.Points.row(a)))(b),
@@ -162,10 +159,10 @@ TEST(ExactGeodesics, AreTheSameThereAndBack)
 
 TEST(ExactGeodesics, BetweenPlacesAreThoseFromThem)
 {
-  shape::Mesh half = Model("elephant"); // open, so that paths turn on a border, too
+  shape::Mesh half = ReadModel("elephant"); // open, so that paths turn on a border, too
   half.Triangles = half.Triangles.topRows(half.Triangles.rows() / 2).eval();
   half = shape::SplitComponents(half).front();
-  for (const shape::Mesh& mesh : { Model("hand"), Model("elk"), half })
+  for (const shape::Mesh& mesh : { ReadModel("hand"), ReadModel("elk"), half })
   {
     const int count = 40;
     const shape::ClosestPoints positions =
@@ -201,7 +198,7 @@ TEST(ExactGeodesics, BetweenComponentsAreInfinite)
 
 TEST(ExactGeodesics, CanBeAborted)
 {
-  const shape::Mesh mesh = Model("elephant");
+  const shape::Mesh mesh = ReadModel("elephant");
   EXPECT_THROW(shape::ComputeExactGeodesics(
                  mesh, At(mesh, mesh.Points.row(0)), shape::Progress([](double) { return false; })),
     shape::Aborted);

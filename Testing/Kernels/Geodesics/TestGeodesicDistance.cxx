@@ -12,6 +12,8 @@
 namespace
 {
 
+using shapetest::ReadModel;
+
 using Method = shape::GeodesicDistanceOptions::MethodType;
 
 Eigen::VectorXd Distances(const shape::Mesh& mesh, const Eigen::MatrixXd& seeds, Method method)
@@ -34,11 +36,6 @@ double LargestError(int level, Method method)
   return (Distances(sphere, seed, method) - Angles(sphere, seed)).cwiseAbs().maxCoeff();
 }
 
-shape::Mesh Model(const std::string& name)
-{
-  return shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/" + name + ".off");
-}
-
 } // namespace
 
 TEST(GeodesicDistance, OnASphereTendsToGreatCircles)
@@ -56,7 +53,7 @@ TEST(GeodesicDistance, MethodsAgreeOnRealSurfaces)
   for (const char* name : { "elephant", "hand", "elk" })
   {
     SCOPED_TRACE(name);
-    const shape::Mesh mesh = Model(name);
+    const shape::Mesh mesh = ReadModel(name);
     const Eigen::RowVector3d seed = mesh.Points.row(11);
     const Eigen::VectorXd exact = Distances(mesh, seed, Method::Exact),
                           edges = Distances(mesh, seed, Method::Dijkstra),
@@ -73,7 +70,7 @@ TEST(GeodesicDistance, MethodsAgreeOnRealSurfaces)
 
 TEST(GeodesicDistance, IsThatToTheNearestSeed)
 {
-  const shape::Mesh mesh = Model("elephant");
+  const shape::Mesh mesh = ReadModel("elephant");
   const Eigen::RowVector3d one = mesh.Points.row(5), other = mesh.Points.row(2000);
   Eigen::MatrixXd both(2, 3);
   both << one, other;

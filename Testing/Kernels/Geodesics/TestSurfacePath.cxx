@@ -4,6 +4,7 @@
 #include "Mesh/HalfEdges.h"
 #include "Mesh/SurfacePoints.h"
 #include "Support/SimpleSurfaces.h"
+#include "Support/SurfacePathChecks.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/Geometry>
@@ -18,10 +19,8 @@
 namespace
 {
 
-Eigen::RowVector3d PositionOf(const shape::Mesh& mesh, const shape::SurfacePoint& position)
-{
-  return position.Barycentric * shape::GetCorners(mesh, position.Triangle);
-}
+using shapetest::ExpectPath;
+using shapetest::PositionOf;
 
 /// The place at a point.
 shape::SurfacePoint AtPoint(const shape::Mesh& mesh, int point)
@@ -55,28 +54,6 @@ shape::SurfacePoint RandomPosition(const shape::Mesh& mesh, std::mt19937& random
       position.Barycentric << 1.0 - a - b, a, b;
   }
   return position;
-}
-
-/// That every stretch lies in its triangle, and that they are as long as the path together.
-void ExpectPath(const shape::Mesh& mesh, const shape::SurfacePath& path)
-{
-  ASSERT_EQ(path.Positions.size(), path.Triangles.size() + 1);
-  double length = 0.0;
-  for (std::size_t i = 0; i < path.Triangles.size(); ++i)
-  {
-    for (const shape::SurfacePoint& end : { path.Positions[i], path.Positions[i + 1] })
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        const int point = mesh.Triangles(end.Triangle, k);
-        ASSERT_TRUE(end.Barycentric(k) == 0.0 ||
-          (mesh.Triangles.row(path.Triangles[i]).array() == point).any());
-      }
-    }
-    length +=
-      (PositionOf(mesh, path.Positions[i + 1]) - PositionOf(mesh, path.Positions[i])).norm();
-  }
-  EXPECT_NEAR(path.Length, length, 1e-12 * length);
 }
 
 /// The lesser of the angles at a point between a path's places before and after it, each in a
@@ -193,7 +170,7 @@ TEST(SurfacePath, IsLocallyShortestOnModels)
 {
   for (const char* name : { "bear", "fandisk", "joint", "elephant" })
   {
-    const shape::Mesh mesh = shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/" + name + ".off");
+    const shape::Mesh mesh = shapetest::ReadModel(name);
     shape::SurfacePaths paths(mesh);
     std::mt19937 random(2);
     constexpr int count = 40;

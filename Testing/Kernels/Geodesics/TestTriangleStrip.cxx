@@ -8,6 +8,7 @@
 #include "Mesh/HalfEdges.h"
 #include "Support/DeformShapes.h"
 #include "Support/HoleShapes.h"
+#include "Support/SurfacePathChecks.h"
 
 #include <gtest/gtest.h>
 
@@ -19,10 +20,8 @@
 namespace
 {
 
-Eigen::RowVector3d PositionOf(const shape::Mesh& mesh, const shape::SurfacePoint& position)
-{
-  return position.Barycentric * shape::GetCorners(mesh, position.Triangle);
-}
+using shapetest::ExpectPath;
+using shapetest::PositionOf;
 
 /// The place at a corner of a triangle.
 shape::SurfacePoint AtCorner(const shape::Mesh& mesh, int triangle, int point)
@@ -80,24 +79,7 @@ void Shorten(shape::TriangleStrip& strip)
   FAIL();
 }
 
-/// That the path's stretches lie in their triangles and are as long as it is.
-void ExpectPath(const shape::Mesh& mesh, const shape::SurfacePath& path)
-{
-  ASSERT_EQ(path.Positions.size(), path.Triangles.size() + 1);
-  double length = 0.0;
-  for (std::size_t i = 0; i < path.Triangles.size(); ++i)
-  {
-    for (const shape::SurfacePoint& end : { path.Positions[i], path.Positions[i + 1] })
-    {
-      EXPECT_TRUE(shape::PointSupport(mesh, end).IsIn(mesh.Triangles.row(path.Triangles[i])));
-    }
-    length +=
-      (PositionOf(mesh, path.Positions[i + 1]) - PositionOf(mesh, path.Positions[i])).norm();
-  }
-  EXPECT_NEAR(path.Length, length, 1e-12 * length);
-}
-
-shape::SurfacePoint RandomPosition(const shape::Mesh& mesh, std::mt19937& random)
+shape::SurfacePoint RandomPositionInside(const shape::Mesh& mesh, std::mt19937& random)
 {
   const double a = 0.1 + 0.3 * static_cast<double>(random()) / 4294967296.0;
   return { static_cast<int>(random() % mesh.Triangles.rows()), { a, 0.3, 0.7 - a } };
@@ -154,8 +136,8 @@ TEST(TriangleStrip, StraightInAFlatConvexRegion)
   int bent = 0;
   for (int i = 0; i < 60; ++i)
   {
-    const shape::SurfacePoint from = RandomPosition(plane, random),
-                              to = RandomPosition(plane, random);
+    const shape::SurfacePoint from = RandomPositionInside(plane, random),
+                              to = RandomPositionInside(plane, random);
     const Eigen::RowVector3d begin = PositionOf(plane, from), end = PositionOf(plane, to);
     const double distance = (end - begin).norm();
     const std::vector<int> sides = SidesBetween(twins, from.Triangle, to.Triangle);
@@ -265,8 +247,8 @@ TEST(TriangleStrip, NoTurnAtAConvexPoint)
   std::mt19937 random(9);
   for (int i = 0; i < 60; ++i)
   {
-    const shape::SurfacePoint from = RandomPosition(sphere, random),
-                              to = RandomPosition(sphere, random);
+    const shape::SurfacePoint from = RandomPositionInside(sphere, random),
+                              to = RandomPositionInside(sphere, random);
     shape::TriangleStrip strip(
       sphere, twins, from, to, from.Triangle, SidesBetween(twins, from.Triangle, to.Triangle));
     Shorten(strip);

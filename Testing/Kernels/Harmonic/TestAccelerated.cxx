@@ -40,7 +40,7 @@ shape::Mesh Egg(int level)
 }
 
 /// Two coordinates of charges outside the egg, and the third as it is.
-Eigen::MatrixXd Harmonic(const Eigen::MatrixXd& points)
+Eigen::MatrixXd HarmonicInEgg(const Eigen::MatrixXd& points)
 {
   Eigen::MatrixXd positions(2, 3), charges(2, 3);
   positions << 1.6, 0.8, 0.3, -0.5, -1.4, 1.1;
@@ -48,13 +48,13 @@ Eigen::MatrixXd Harmonic(const Eigen::MatrixXd& points)
   return points + shape::SumPotentialsDirectly(positions, charges, points);
 }
 
-double InteriorError(const shape::ChargeSet& map, const shape::Mesh& boundary)
+double ErrorInEgg(const shape::ChargeSet& map, const shape::Mesh& boundary)
 {
   Eigen::MatrixXd inside(3 * boundary.Points.rows(), 3);
   inside << 0.9 * boundary.Points, 0.5 * boundary.Points, 0.1 * boundary.Points;
-  return std::sqrt((shape::Evaluate(map, inside) - Harmonic(inside)).squaredNorm() /
+  return std::sqrt((shape::Evaluate(map, inside) - HarmonicInEgg(inside)).squaredNorm() /
            static_cast<double>(inside.rows())) /
-    shape::ComputeLongestBoxEdge(Harmonic(boundary.Points));
+    shape::ComputeLongestBoxEdge(HarmonicInEgg(boundary.Points));
 }
 
 } // namespace
@@ -183,8 +183,8 @@ TEST(Accelerated, TheInteriorErrorIsOfSecondOrderInTheEdges)
   {
     const shape::Mesh boundary = Egg(level);
     const auto result =
-      shape::ComputeHarmonicVolumeMap(boundary, Harmonic(boundary.Points), {}, Accelerated());
-    errors[level - 2] = InteriorError(result.Map, boundary);
+      shape::ComputeHarmonicVolumeMap(boundary, HarmonicInEgg(boundary.Points), {}, Accelerated());
+    errors[level - 2] = ErrorInEgg(result.Map, boundary);
   }
   EXPECT_GT(errors[0] / errors[1], 3.0) << errors[0];
   EXPECT_GT(errors[1] / errors[2], 3.0) << errors[1];
@@ -226,8 +226,9 @@ TEST(Accelerated, PointsAtGapsTooNarrowForChargesAreCounted)
     (ball.Triangles.array() + static_cast<int>(n)).rowwise().reverse();
   auto options = Accelerated();
   options.MaximumLevels = 1;
-  const auto without = shape::ComputeHarmonicVolumeMap(ball, Harmonic(ball.Points), {}, options);
-  const auto with = shape::ComputeHarmonicVolumeMap(slit, Harmonic(slit.Points), {}, options);
+  const auto without =
+    shape::ComputeHarmonicVolumeMap(ball, HarmonicInEgg(ball.Points), {}, options);
+  const auto with = shape::ComputeHarmonicVolumeMap(slit, HarmonicInEgg(slit.Points), {}, options);
   EXPECT_EQ(without.PointsWithoutCharge, 0);
   EXPECT_EQ(with.PointsWithoutCharge, n);
   EXPECT_EQ(with.Levels.back().Sources, without.Levels.back().Sources);
@@ -236,7 +237,7 @@ TEST(Accelerated, PointsAtGapsTooNarrowForChargesAreCounted)
 TEST(Accelerated, TheSetupServesOtherTargets)
 {
   const shape::Mesh boundary = Egg(3), other = Egg(2);
-  const Eigen::MatrixXd first = Harmonic(boundary.Points);
+  const Eigen::MatrixXd first = HarmonicInEgg(boundary.Points);
   Eigen::MatrixXd second = first;
   second.col(0) += 0.3 * first.col(1);
   shape::AcceleratedSetup setup;
@@ -250,14 +251,14 @@ TEST(Accelerated, TheSetupServesOtherTargets)
   EXPECT_EQ(again.Points, fresh.Points);
   EXPECT_EQ(again.Charges, fresh.Charges);
   // Another boundary is not taken for the first.
-  const shape::ChargeSet smaller = solve(other, Harmonic(other.Points));
-  EXPECT_LT(InteriorError(smaller, other), 1e-2);
+  const shape::ChargeSet smaller = solve(other, HarmonicInEgg(other.Points));
+  EXPECT_LT(ErrorInEgg(smaller, other), 1e-2);
 }
 
 TEST(Accelerated, TheNumberOfThreadsHardlyMatters)
 {
   const shape::Mesh boundary = Egg(4);
-  const Eigen::MatrixXd targets = Harmonic(boundary.Points);
+  const Eigen::MatrixXd targets = HarmonicInEgg(boundary.Points);
   setenv("VTK_SMP_MAX_THREADS", "1", 1);
   const auto one = shape::ComputeHarmonicVolumeMap(boundary, targets, {}, Accelerated()).Map;
   setenv("VTK_SMP_MAX_THREADS", "3", 1);

@@ -2,6 +2,7 @@
 #include "Harmonic/Private/BoxInSolid.h"
 #include "Mesh/Surface.h"
 #include "Mesh/UsedPoints.h"
+#include "Support/RandomPoints.h"
 #include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
 
@@ -14,13 +15,9 @@
 namespace
 {
 
-using shape::Mesh;
+using shapetest::RandomPoints;
 
-Eigen::MatrixXd RandomPoints(int count, std::mt19937& random)
-{
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  return Eigen::MatrixXd::NullaryExpr(count, 3, [&] { return uniform(random); });
-}
+using shape::Mesh;
 
 } // namespace
 

@@ -6,6 +6,7 @@
 #include "Harmonic/Private/InverseSearch.h"
 #include "Harmonic/Private/TaylorExpansion.h"
 #include "Mesh/UsedPoints.h"
+#include "Support/RandomPoints.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -18,6 +19,8 @@
 
 namespace
 {
+
+using shapetest::RandomPoints;
 
 using shape::CertifyMap;
 using shape::ChargeSet;
@@ -54,12 +57,6 @@ double WorstAtPoints(const ChargeSet& map, const Eigen::MatrixXd& points)
     worst = std::min(worst, shape::GetJacobian(jacobians, i).determinant());
   }
   return worst;
-}
-
-Eigen::MatrixXd RandomPoints(int count, std::mt19937& random)
-{
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  return Eigen::MatrixXd::NullaryExpr(count, 3, [&] { return uniform(random); });
 }
 
 /// The charges as TaylorExpansion takes them.

@@ -13,10 +13,7 @@
 namespace
 {
 
-shape::Mesh Sphere(double radius, int level)
-{
-  return shapetest::Sphere(level, radius);
-}
+using shapetest::Sphere;
 
 /// A ball of radius 2 in which a ball of radius 1 has a map of its own: outside it, a charge at the
 /// origin shifts places by push / |y|, inside, by `push`. They agree on the sphere between, so on
@@ -28,7 +25,7 @@ shape::PiecewiseCharges Nested(double push, double skin)
   charges.Maps[0].Points = Eigen::RowVector3d::Zero();
   charges.Maps[0].Charges = 4.0 * M_PI * push * Eigen::RowVector3d::UnitX();
   charges.Maps[1].Affine(0, 3) = push;
-  const shape::Mesh outer = Sphere(2.0, 3), inner = Sphere(1.0, 3);
+  const shape::Mesh outer = Sphere(3, 2.0), inner = Sphere(3, 1.0);
   charges.Surface = shapetest::Joined({ outer, inner });
   charges.Regions.resize(charges.Surface.Triangles().rows());
   charges.Regions << Eigen::VectorXi::Zero(outer.Triangles.rows()),
@@ -41,7 +38,7 @@ shape::PiecewiseCharges Nested(double push, double skin)
 /// On every facet of the border, `height` above it.
 Eigen::MatrixXd OnBoundary(double height)
 {
-  const shape::Mesh inner = Sphere(1.0, 3);
+  const shape::Mesh inner = Sphere(3, 1.0);
   return shape::ComputeCentroids(inner) +
     height * shape::ComputeAreaVectors(inner).rowwise().normalized();
 }
@@ -100,7 +97,7 @@ TEST(PiecewiseHarmonicMap, TheDerivativeIsThatOfTheMapInTheSkinToo)
       }
     }
   }
-  EXPECT_EQ(inSkin, 4 * Sphere(1.0, 3).Triangles.rows());
+  EXPECT_EQ(inSkin, 4 * Sphere(3, 1.0).Triangles.rows());
 }
 
 TEST(PiecewiseHarmonicMap, TheInverseFindsPlacesInEveryRegionAndSkin)
@@ -122,7 +119,7 @@ TEST(PiecewiseHarmonicMap, TheInverseFindsPlacesInEveryRegionAndSkin)
 TEST(PiecewiseHarmonicMap, AVoidBelongsToTheRegionAroundIt)
 {
   shape::PiecewiseCharges charges = Nested(0.1, 0.0);
-  const shape::Mesh hole = Sphere(0.4, 2);
+  const shape::Mesh hole = Sphere(2, 0.4);
   charges.Surface = shapetest::Joined({ charges.Surface, hole });
   const Eigen::VectorXi before = charges.Regions;
   charges.Regions.resize(charges.Surface.Triangles().rows());
@@ -131,7 +128,7 @@ TEST(PiecewiseHarmonicMap, AVoidBelongsToTheRegionAroundIt)
   const shape::PiecewiseHarmonicMap map(charges);
   EXPECT_EQ(shape::ApplyVolumeMap(map, Eigen::RowVector3d::Zero()).OutsideDomain(0), 1);
   EXPECT_EQ(shape::ApplyVolumeMap(map, Eigen::RowVector3d(0.6, 0, 0)).OutsideDomain(0), 0);
-  const Eigen::Index sphere = Sphere(1.0, 3).Triangles.rows();
+  const Eigen::Index sphere = Sphere(3, 1.0).Triangles.rows();
   EXPECT_EQ(map.BoundaryOf(0).Triangles.rows(), 2 * sphere);
   EXPECT_EQ(map.BoundaryOf(1).Triangles.rows(), sphere + hole.Triangles.rows());
 }

@@ -14,10 +14,7 @@
 namespace
 {
 
-shape::Mesh Sphere(double radius, int level, const Eigen::RowVector3d& centre = { 0, 0, 0 })
-{
-  return shapetest::Sphere(level, radius, centre);
-}
+using shapetest::Sphere;
 
 /// A sphere whose points go to `factor` times their places.
 shape::ExactSurface Scaled(const shape::Mesh& surface, double factor)
@@ -27,7 +24,7 @@ shape::ExactSurface Scaled(const shape::Mesh& surface, double factor)
 
 shape::PiecewiseVolumeMapResult MapBall(const std::vector<shape::ExactSurface>& surfaces)
 {
-  const shape::Mesh ball = Sphere(1.0, 2);
+  const shape::Mesh ball = Sphere(2, 1.0);
   return shape::ComputePiecewiseVolumeMap(ball, ball.Points, surfaces);
 }
 
@@ -37,9 +34,9 @@ TEST(LayeredVolumeMap, NestedSpheresThatGrowDifferentlyAreMappedRadially)
 {
   // Radius 2 keeps its size, radius 1 grows by half: between, each coordinate is y_i (a + b / r^3)
   // with a + b / 8 = 1 and a + b = 1.5; inside, 1.5 y_i. Neither is the other's continuation.
-  const shape::Mesh outer = Sphere(2.0, 3);
+  const shape::Mesh outer = Sphere(3, 2.0);
   const auto result =
-    shape::ComputePiecewiseVolumeMap(outer, outer.Points, { Scaled(Sphere(1.0, 3), 1.5) });
+    shape::ComputePiecewiseVolumeMap(outer, outer.Points, { Scaled(Sphere(3, 1.0), 1.5) });
   ASSERT_EQ(result.Charges.Maps.size(), 2u);
   const shape::PiecewiseHarmonicMap map(result.Charges);
   const Eigen::MatrixXd unit = shapetest::Icosphere(2).Points;
@@ -62,7 +59,7 @@ TEST(LayeredVolumeMap, NestedSpheresThatGrowDifferentlyAreMappedRadially)
 
 TEST(LayeredVolumeMap, IsContinuousToRoundingAndMeetsTheBordersBothSides)
 {
-  const shape::Mesh outer = Sphere(2.0, 3), middle = Sphere(1.3, 3), core = Sphere(0.7, 2);
+  const shape::Mesh outer = Sphere(3, 2.0), middle = Sphere(3, 1.3), core = Sphere(2, 0.7);
   const auto result = shape::ComputePiecewiseVolumeMap(
     outer, outer.Points, { Scaled(core, 1.5), Scaled(middle, 1.2) });
   // Regions are numbered by the order given, not by what is inside what.
@@ -82,9 +79,9 @@ TEST(LayeredVolumeMap, IsContinuousToRoundingAndMeetsTheBordersBothSides)
 
 TEST(LayeredVolumeMap, PiecesThatDoNotTouchHaveMapsAndNumbersOfTheirOwn)
 {
-  const shape::Mesh ball = Sphere(1.0, 3);
+  const shape::Mesh ball = Sphere(3, 1.0);
   const shape::Mesh pair =
-    shapetest::Joined({ Sphere(0.25, 2, { 0.5, 0, 0 }), Sphere(0.2, 2, { -0.5, 0, 0 }) });
+    shapetest::Joined({ Sphere(2, 0.25, { 0.5, 0, 0 }), Sphere(2, 0.2, { -0.5, 0, 0 }) });
   const auto result = shape::ComputePiecewiseVolumeMap(ball, ball.Points, { Scaled(pair, 1.1) });
   ASSERT_EQ(result.Charges.Maps.size(), 3u);
   const shape::PiecewiseHarmonicMap map(result.Charges);
@@ -94,7 +91,7 @@ TEST(LayeredVolumeMap, PiecesThatDoNotTouchHaveMapsAndNumbersOfTheirOwn)
   EXPECT_NEAR(map.Evaluate(Eigen::RowVector3d(-0.5, 0, 0))(0), -0.55, 5e-3);
   // A shell: what is inside its inner wall is around it again, and not connected.
   const auto shell = shape::ComputePiecewiseVolumeMap(
-    ball, ball.Points, { Scaled(shapetest::Joined({ Sphere(0.8, 3), Sphere(0.4, 2) }), 1.05) });
+    ball, ball.Points, { Scaled(shapetest::Joined({ Sphere(3, 0.8), Sphere(2, 0.4) }), 1.05) });
   EXPECT_EQ(shell.Charges.Maps.size(), 3u);
   const shape::PiecewiseHarmonicMap around(shell.Charges);
   EXPECT_EQ(around.RegionsAt(Eigen::RowVector3d(0.6, 0, 0))(0), 1);
@@ -103,15 +100,15 @@ TEST(LayeredVolumeMap, PiecesThatDoNotTouchHaveMapsAndNumbersOfTheirOwn)
 
 TEST(LayeredVolumeMap, VoidsAndSoftFeaturesBelongToTheirLayers)
 {
-  const shape::Mesh ball = Sphere(1.0, 3);
-  const shape::Mesh hollow = shapetest::Joined({ ball, Sphere(0.2, 2) });
+  const shape::Mesh ball = Sphere(3, 1.0);
+  const shape::Mesh hollow = shapetest::Joined({ ball, Sphere(2, 0.2) });
   shape::VolumeFeatures features;
   features.Points = Eigen::MatrixXd(2, 3);
   features.Points << 0.4, 0, 0, 0, 0.85, 0;
   features.Targets = features.Points;
   features.Targets(0, 1) += 0.01;
   const auto result = shape::ComputePiecewiseVolumeMap(
-    hollow, hollow.Points, { { Sphere(0.7, 3), Sphere(0.7, 3).Points, "the border" } }, features);
+    hollow, hollow.Points, { { Sphere(3, 0.7), Sphere(3, 0.7).Points, "the border" } }, features);
   const shape::PiecewiseHarmonicMap map(result.Charges);
   EXPECT_EQ(shape::ApplyVolumeMap(map, Eigen::RowVector3d(0.1, 0, 0)).OutsideDomain(0), 1);
   EXPECT_GT(result.RMSEFeatures, 0.0);
@@ -120,7 +117,7 @@ TEST(LayeredVolumeMap, VoidsAndSoftFeaturesBelongToTheirLayers)
 
 TEST(LayeredVolumeMap, WithoutSurfacesItIsTheHarmonicVolumeMap)
 {
-  const shape::Mesh ball = Sphere(1.0, 2);
+  const shape::Mesh ball = Sphere(2, 1.0);
   Eigen::MatrixXd targets = ball.Points;
   targets.col(0) = targets.col(0).array() + 0.2 * targets.col(1).array().square();
   const auto layered = shape::ComputePiecewiseVolumeMap(ball, targets, {});
@@ -134,17 +131,17 @@ TEST(LayeredVolumeMap, WithoutSurfacesItIsTheHarmonicVolumeMap)
 
 TEST(LayeredVolumeMap, SaysWhatIsWrongWithABorder)
 {
-  EXPECT_REFUSED(MapBall({ Scaled(Sphere(0.5, 2, { 0.7, 0, 0 }), 1.0) }), "cross");
-  EXPECT_REFUSED(MapBall({ Scaled(Sphere(0.5, 2, { 3.0, 0, 0 }), 1.0) }), "outside");
-  const shape::Mesh open = shapetest::WithoutLast(Sphere(0.5, 2));
+  EXPECT_REFUSED(MapBall({ Scaled(Sphere(2, 0.5, { 0.7, 0, 0 }), 1.0) }), "cross");
+  EXPECT_REFUSED(MapBall({ Scaled(Sphere(2, 0.5, { 3.0, 0, 0 }), 1.0) }), "outside");
+  const shape::Mesh open = shapetest::WithoutLast(Sphere(2, 0.5));
   EXPECT_REFUSED(MapBall({ Scaled(open, 1.0) }), "the border has 1 open loop");
   EXPECT_REFUSED(
-    MapBall({ Scaled(Sphere(0.4, 2), 1.0), Scaled(Sphere(0.4, 2, { 0.2, 0, 0 }), 1.0) }), "cross");
-  shape::ExactSurface wrong = Scaled(Sphere(0.5, 2), 1.0);
+    MapBall({ Scaled(Sphere(2, 0.4), 1.0), Scaled(Sphere(2, 0.4, { 0.2, 0, 0 }), 1.0) }), "cross");
+  shape::ExactSurface wrong = Scaled(Sphere(2, 0.5), 1.0);
   wrong.Targets(5, 1) = std::nan("");
   EXPECT_REFUSED(MapBall({ wrong }), "finite");
-  const shape::Mesh ball = Sphere(1.0, 2);
-  EXPECT_THROW(shape::ComputePiecewiseVolumeMap(ball, ball.Points, { Scaled(Sphere(0.5, 2), 1.2) },
+  const shape::Mesh ball = Sphere(2, 1.0);
+  EXPECT_THROW(shape::ComputePiecewiseVolumeMap(ball, ball.Points, { Scaled(Sphere(2, 0.5), 1.2) },
                  {}, {}, {}, shape::Progress([](double) { return false; })),
     shape::Aborted);
 }

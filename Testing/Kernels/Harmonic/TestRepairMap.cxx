@@ -8,6 +8,7 @@
 #include "Harmonic/Private/RingCertificate.h"
 #include "Harmonic/Private/TetrahedronBox.h"
 #include "Harmonic/VolumeTransform.h"
+#include "Support/RandomPoints.h"
 #include "Support/TestShapes.h"
 
 #include <gtest/gtest.h>
@@ -21,6 +22,8 @@
 
 namespace
 {
+
+using shapetest::RandomPoints;
 
 using shape::ChargeSet;
 using shape::MapRepair;
@@ -77,12 +80,6 @@ Eigen::MatrixXd PositionsIn(const MapRepair& repair, int each, std::mt19937& ran
     positions.row(i) = RandomWeights(random) * repair.Elements.Points(corners, Eigen::all);
   }
   return positions;
-}
-
-Eigen::MatrixXd RandomPoints(int count, std::mt19937& random)
-{
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  return Eigen::MatrixXd::NullaryExpr(count, 3, [&] { return uniform(random); });
 }
 
 /// Expects what holds for every repaired map of the ball.

@@ -205,8 +205,7 @@ TEST(HexRemesh, ADraftIsValid)
   // None of these was used to choose what a draft leaves out.
   for (const char* name : { "joint", "hand", "elephant" })
   {
-    const shape::Mesh surface =
-      shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/" + name + ".off");
+    const shape::Mesh surface = shapetest::ReadModel(name);
     shape::HexRemeshOptions options;
     options.Draft = true;
     const shape::HexRemeshResult result = shape::RemeshHexahedra(surface, options);

@@ -98,6 +98,6 @@ TEST(IntrinsicDelaunay, OfRealSurfacesHasNoNegativeWeight)
   for (const char* name : { "elephant", "anchor", "hand", "elk" })
   {
     SCOPED_TRACE(name);
-    CheckedStiffness(shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/" + name + ".off"));
+    CheckedStiffness(shapetest::ReadModel(name));
   }
 }

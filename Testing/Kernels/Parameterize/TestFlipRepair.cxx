@@ -100,7 +100,7 @@ TEST(FlipMending, LeavesTheRimAndWhatIsLeftOut)
 
 TEST(FlipMending, MendsMostOfARoughSurface)
 {
-  shape::Mesh mesh = shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/bunny00.off");
+  shape::Mesh mesh = shapetest::ReadModel("bunny00");
   const double diagonal = shape::ComputeBoxDiagonal(mesh.Points);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(-0.0012, 0.0012);

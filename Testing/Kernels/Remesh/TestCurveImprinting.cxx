@@ -263,7 +263,7 @@ TEST(LoopInsertion, RandomLoopsOnModels)
 {
   for (const char* name : { "bear", "elephant", "fandisk", "joint", "cow" })
   {
-    const shape::Mesh mesh = shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/" + name + ".off");
+    const shape::Mesh mesh = shapetest::ReadModel(name);
     const double size = shape::ComputeBoxDiagonal(mesh.Points);
     const shape::SurfaceLocator locator(mesh);
     shape::SurfacePaths paths(mesh);

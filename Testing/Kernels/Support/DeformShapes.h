@@ -15,6 +15,11 @@
 namespace shapetest
 {
 
+inline shape::ShapeElements ElementsOf(const shape::Mesh& mesh)
+{
+  return { mesh.Points, Eigen::MatrixXi(0, 2), mesh.Triangles, Eigen::MatrixXi(0, 4) };
+}
+
 /// Returns a bumpy cap over the unit disk. Its boundary is that of the disk.
 inline shape::Mesh Cap(int rings)
 {

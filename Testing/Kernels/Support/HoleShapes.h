@@ -16,6 +16,8 @@
 namespace shapetest
 {
 
+constexpr double Degree = M_PI / 180.0;
+
 /// Returns the mesh without the triangles for whose centroid `isRemoved` is true.
 inline shape::Mesh Without(
   shape::Mesh mesh, const std::function<bool(const Eigen::RowVector3d&)>& isRemoved)

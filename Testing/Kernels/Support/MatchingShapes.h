@@ -92,6 +92,14 @@ inline shape::Mesh Mirrored(shape::Mesh mesh)
   return mesh;
 }
 
+/// The map of a surface to itself.
+inline shape::SurfacePoints IdentityMap(const shape::Mesh& mesh)
+{
+  return shape::MakeSurfacePointsAtVertices(
+    Eigen::VectorXi::LinSpaced(mesh.Points.rows(), 0, static_cast<int>(mesh.Points.rows()) - 1),
+    mesh);
+}
+
 /// Positions on a surface to which a map takes points.
 inline Eigen::MatrixXd PositionsOn(const shape::SurfacePoints& map, const shape::Mesh& target)
 {
@@ -105,6 +113,18 @@ inline Eigen::VectorXd MapErrors(
 {
   return (PositionsOn(map, other) - wanted).rowwise().norm() /
     shape::ComputeLongestBoxEdge(other.Points);
+}
+
+/// The root mean square distance from `truth`, after a rigid motion, divided by its size.
+inline double DistanceFrom(const Eigen::MatrixXd& points, const shape::Mesh& truth)
+{
+  const Eigen::MatrixXd a = points.rowwise() - points.colwise().mean(),
+                        b = truth.Points.rowwise() - truth.Points.colwise().mean();
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(
+    a.transpose() * b, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::MatrixXd turned = a * (svd.matrixU() * svd.matrixV().transpose());
+  return std::sqrt((turned - b).rowwise().squaredNorm().mean()) /
+    shape::ComputeLongestBoxEdge(truth.Points);
 }
 
 /// The part of a mesh above a height, and the original indices of its points.

@@ -20,6 +20,13 @@ inline Eigen::MatrixXd RandomPointsInCube(int count, double halfEdge, unsigned i
   return points;
 }
 
+/// In the cube [-1, 1]^3: the next of a sequence.
+inline Eigen::MatrixXd RandomPoints(int count, std::mt19937& random)
+{
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  return Eigen::MatrixXd::NullaryExpr(count, 3, [&] { return uniform(random); });
+}
+
 /// In the square [0, 1)^2.
 inline Eigen::MatrixXd RandomPointsInSquare(int count, unsigned int seed)
 {

@@ -192,4 +192,9 @@ shape::Mesh ReadOff(const std::string& path)
   return mesh;
 }
 
+shape::Mesh ReadModel(const std::string& name)
+{
+  return ReadOff(std::string(SHAPEMAP_MODELS) + "/" + name + ".off");
+}
+
 } // namespace shapetest

@@ -31,4 +31,7 @@ shape::Mesh Prism(const std::vector<Eigen::RowVector2d>& outline);
 /// Reads a triangle mesh in OFF format. Throws std::runtime_error if the file cannot be read.
 shape::Mesh ReadOff(const std::string& path);
 
+/// Reads `name`.off of build/models. Throws as ReadOff does.
+shape::Mesh ReadModel(const std::string& name);
+
 } // namespace shapetest

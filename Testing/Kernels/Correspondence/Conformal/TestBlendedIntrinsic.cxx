@@ -17,10 +17,7 @@
 namespace
 {
 
-shape::Mesh Model(const std::string& name)
-{
-  return shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/" + name + ".off");
-}
+using shapetest::ReadModel;
 
 /// The surface without the triangles of some of its points, and without those points.
 shape::Mesh Without(const shape::Mesh& mesh, const Eigen::Array<bool, Eigen::Dynamic, 1>& cut)
@@ -133,7 +130,7 @@ TEST(BlendedIntrinsic, ThreePointsMakeTheMoebiusMap)
 
 TEST(BlendedIntrinsic, ACopyIsMappedOntoItself)
 {
-  const shape::Mesh a = Model("bull");
+  const shape::Mesh a = ReadModel("bull");
   const shapetest::Renumbered copy = shapetest::Renumber(a, 4);
   shape::Mesh b = copy.Mesh;
   const Eigen::Matrix3d turn = shapetest::Rotation(2.0, { 1, 2, 3 });
@@ -216,7 +213,7 @@ TEST(BlendedIntrinsic, TheOrderOfPointsDoesNotChangeTheMapOfASheet)
 
 TEST(BlendedIntrinsic, TripletsNeedNoLandmarksAndNoOrderOfPoints)
 {
-  const shape::Mesh a = Model("bull");
+  const shape::Mesh a = ReadModel("bull");
   const Eigen::Matrix3d turn = shapetest::Rotation(2.0, { 1, 2, 3 });
   const shapetest::Renumbered copy = shapetest::Renumber(a, 4);
   shape::Mesh b = copy.Mesh;

@@ -15,10 +15,7 @@
 namespace
 {
 
-shape::Mesh Model(const std::string& name)
-{
-  return shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/" + name + ".off");
-}
+using shapetest::ReadModel;
 
 using Complex = std::complex<double>;
 
@@ -107,7 +104,7 @@ TEST(MoebiusVoting, ARenumberedCopyGetsTheVotesOfTheIdentity)
   for (const std::string name : { "pebble", "bull", "homer" })
   {
     const bool isRound = name == "pebble";
-    const shape::Mesh a = isRound ? shapetest::Pebble(shapetest::Icosphere(4)) : Model(name);
+    const shape::Mesh a = isRound ? shapetest::Pebble(shapetest::Icosphere(4)) : ReadModel(name);
     const shapetest::Renumbered copy = shapetest::Renumber(a, 5);
     shape::Mesh b = copy.Mesh;
     b.Points = 3.0 * b.Points * shapetest::Rotation(1.0, { 2, -1, 3 }).transpose();

@@ -102,7 +102,7 @@ TEST(Congruence, OfModels)
 {
   for (const char* name : { "bull", "elk", "hand", "bunny00" })
   {
-    const shape::Mesh a = shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/" + name + ".off");
+    const shape::Mesh a = shapetest::ReadModel(name);
     EXPECT_EQ(static_cast<int>(shape::FindCongruence(a, Moved(a)).Relation) & 1, 1) << name;
     EXPECT_EQ(
       static_cast<int>(shape::FindCongruence(a, Moved(shapetest::Mirrored(a))).Relation) & 2, 2)

@@ -2,6 +2,7 @@
 #include "Correspondence/Evaluate/FromOperators.h"
 #include "Correspondence/Evaluate/MapDifference.h"
 #include "Mesh/Surface.h"
+#include "Support/MatchingShapes.h"
 #include "Support/TestShapes.h"
 
 #include <Eigen/SVD>
@@ -12,31 +13,15 @@
 namespace
 {
 
-shape::SurfacePoints Same(const shape::Mesh& mesh)
-{
-  return shape::MakeSurfacePointsAtVertices(
-    Eigen::VectorXi::LinSpaced(mesh.Points.rows(), 0, static_cast<int>(mesh.Points.rows()) - 1),
-    mesh);
-}
+using shapetest::DistanceFrom;
+using shapetest::IdentityMap;
 
 shape::MapDifferenceResult Differences(const shape::Surface& first, const shape::Surface& second)
 {
   shape::MapDifferenceOptions options;
   options.NumberOfEigenpairs = 60;
   options.Products = shape::MapDifferenceOptions::ProductsType::Triangles;
-  return shape::MapDifference(first, second, Same(second), options);
-}
-
-/// The root mean square distance from `truth`, after a rigid motion, divided by its size.
-double DistanceFrom(const Eigen::MatrixXd& points, const shape::Mesh& truth)
-{
-  const Eigen::MatrixXd a = points.rowwise() - points.colwise().mean(),
-                        b = truth.Points.rowwise() - truth.Points.colwise().mean();
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(
-    a.transpose() * b, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::MatrixXd turned = a * (svd.matrixU() * svd.matrixV().transpose());
-  return std::sqrt((turned - b).rowwise().squaredNorm().mean()) /
-    shape::ComputeLongestBoxEdge(truth.Points);
+  return shape::MapDifference(first, second, IdentityMap(second), options);
 }
 
 /// A plate bent to a part of a cylinder of radius 1.5, which keeps lengths up to the chords.

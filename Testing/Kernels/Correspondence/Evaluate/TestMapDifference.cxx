@@ -1,6 +1,7 @@
 #include "Base/Errors.h"
 #include "Correspondence/Evaluate/MapDifference.h"
 #include "Search/ClosestPoint.h"
+#include "Support/MatchingShapes.h"
 #include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
 
@@ -14,14 +15,9 @@
 namespace
 {
 
-/// Each point to itself.
-shape::SurfacePoints Same(const shape::Mesh& mesh)
-{
-  return shape::MakeSurfacePointsAtVertices(
-    Eigen::VectorXi::LinSpaced(mesh.Points.rows(), 0, static_cast<int>(mesh.Points.rows()) - 1),
-    mesh);
-}
+using shapetest::IdentityMap;
 
+/// Each point to itself.
 shape::MapDifferenceOptions Pairs(int count)
 {
   shape::MapDifferenceOptions options;
@@ -64,7 +60,7 @@ TEST(MapDifference, OfTheSameShapeIsTheIdentityAndScaleShowsInAreasOnly)
     shape::Mesh scaled = torus;
     scaled.Points *= scale;
     const shape::MapDifferenceResult result =
-      shape::MapDifference(torus, scaled, Same(torus), Pairs(20));
+      shape::MapDifference(torus, scaled, IdentityMap(torus), Pairs(20));
     EXPECT_LT(FarFrom(result, scale * scale), 1e-6);
     EXPECT_LT((result.Area.Field.array() - scale * scale).abs().maxCoeff(), 1e-6);
     EXPECT_LT((result.Conformal.Field.array() - 1.0).abs().maxCoeff(), 1e-6);
@@ -78,7 +74,8 @@ TEST(MapDifference, OfAShapeWithATriangleWithoutAreaIsTheIdentity)
   {
     const shape::Mesh split =
       shapetest::WithFlatTriangle(shapetest::Torus(2.0, 0.7, 20, 10), 30, edge);
-    EXPECT_LT(FarFrom(shape::MapDifference(split, split, Same(split), Pairs(12)), 1.0), 1e-6);
+    EXPECT_LT(
+      FarFrom(shape::MapDifference(split, split, IdentityMap(split), Pairs(12)), 1.0), 1e-6);
   }
 }
 
@@ -88,7 +85,7 @@ TEST(MapDifference, OfABentPlateIsTheIdentity)
   shape::Mesh bent = flat;
   bent.Points.col(0) = flat.Points.col(0).array().sin();
   bent.Points.col(2) = flat.Points.col(0).array().cos();
-  EXPECT_LT(FarFrom(shape::MapDifference(flat, bent, Same(bent), Pairs(15)), 1.0), 1e-3);
+  EXPECT_LT(FarFrom(shape::MapDifference(flat, bent, IdentityMap(bent), Pairs(15)), 1.0), 1e-3);
 }
 
 TEST(MapDifference, OfOtherTrianglesOfTheSameShapeIsNearTheIdentity)
@@ -128,7 +125,7 @@ TEST(MapDifference, OfAStretchIsItsDistortion)
   shape::Mesh stretched = plate;
   stretched.Points.col(0) *= 2.0;
   const shape::MapDifferenceResult result =
-    shape::MapDifference(plate, stretched, Same(plate), Pairs(60));
+    shape::MapDifference(plate, stretched, IdentityMap(plate), Pairs(60));
   EXPECT_LT((result.Area.Field.array() - 2.0).abs().maxCoeff(), 0.01);
   Eigen::Index middle = 0;
   plate.Points.rowwise().squaredNorm().minCoeff(&middle);
@@ -148,7 +145,7 @@ TEST(MapDifference, ShowsWhereABumpIs)
     bumped.Points.row(i) *= 1.0 + 0.5 * std::exp(8.0 * (heights(i) - 1.0));
   }
   const shape::MapDifferenceResult result =
-    shape::MapDifference(sphere, bumped, Same(sphere), Pairs(50));
+    shape::MapDifference(sphere, bumped, IdentityMap(sphere), Pairs(50));
   Eigen::Index top = 0, side = 0;
   heights.maxCoeff(&top);
   EXPECT_GT(result.Area.Field.maxCoeff(), 1.5);
@@ -183,7 +180,7 @@ TEST(MapDifference, SaysHowMuchOfTheOtherSurfaceIsNotReached)
   }
   half.Triangles = plate.Triangles(kept, Eigen::all).eval();
   const shape::MapDifferenceResult result =
-    shape::MapDifference(half, plate, Same(plate), Pairs(30));
+    shape::MapDifference(half, plate, IdentityMap(plate), Pairs(30));
   EXPECT_GT(result.Undetermined, 15);
   EXPECT_LT(result.Undetermined, 45);
   for (const Eigen::VectorXd& field : { result.Area.Field, result.Conformal.Field })
@@ -195,9 +192,11 @@ TEST(MapDifference, SaysHowMuchOfTheOtherSurfaceIsNotReached)
 TEST(MapDifference, RefusesMoreFunctionsThanPoints)
 {
   const shape::Mesh sphere = shapetest::Icosphere(1);
-  EXPECT_THROW(shape::MapDifference(sphere, sphere, Same(sphere), Pairs(43)), shape::InvalidInput);
-  EXPECT_THROW(shape::MapDifference(sphere, sphere, Same(sphere), Pairs(1)), shape::InvalidInput);
-  EXPECT_THROW(shape::MapDifference(sphere, sphere, Same(sphere), Pairs(10),
+  EXPECT_THROW(
+    shape::MapDifference(sphere, sphere, IdentityMap(sphere), Pairs(43)), shape::InvalidInput);
+  EXPECT_THROW(
+    shape::MapDifference(sphere, sphere, IdentityMap(sphere), Pairs(1)), shape::InvalidInput);
+  EXPECT_THROW(shape::MapDifference(sphere, sphere, IdentityMap(sphere), Pairs(10),
                  shape::Progress([](double) { return false; })),
     shape::Aborted);
 }

@@ -28,7 +28,7 @@ shape::MapErrorCurveOptions InUnits()
 /// The elk, which is no symmetric shape, twice as large.
 shape::Mesh Model()
 {
-  shape::Mesh mesh = shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/elk.off");
+  shape::Mesh mesh = shapetest::ReadModel("elk");
   mesh.Points *= 2.0;
   return mesh;
 }

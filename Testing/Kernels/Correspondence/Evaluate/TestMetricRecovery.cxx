@@ -14,12 +14,8 @@
 namespace
 {
 
-shape::SurfacePoints Same(const shape::Mesh& mesh)
-{
-  return shape::MakeSurfacePointsAtVertices(
-    Eigen::VectorXi::LinSpaced(mesh.Points.rows(), 0, static_cast<int>(mesh.Points.rows()) - 1),
-    mesh);
-}
+using shapetest::DistanceFrom;
+using shapetest::IdentityMap;
 
 Eigen::MatrixXd SidesOf(const shape::Mesh& mesh)
 {
@@ -48,20 +44,8 @@ shape::RecoveredMetric Recover(const shape::Surface& first, const shape::Surface
   options.NumberOfEigenpairs = pairs;
   options.Products = shape::MapDifferenceOptions::ProductsType::Triangles;
   const shape::MapDifferenceResult difference =
-    shape::MapDifference(first, second, Same(second), options);
+    shape::MapDifference(first, second, IdentityMap(second), options);
   return shape::RecoverMetric(first, difference.Area.Matrix, difference.Conformal.Matrix);
-}
-
-/// The root mean square distance from `truth`, after a rigid motion, divided by its size.
-double DistanceFrom(const Eigen::MatrixXd& points, const shape::Mesh& truth)
-{
-  const Eigen::MatrixXd a = points.rowwise() - points.colwise().mean(),
-                        b = truth.Points.rowwise() - truth.Points.colwise().mean();
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(
-    a.transpose() * b, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::MatrixXd turned = a * (svd.matrixU() * svd.matrixV().transpose());
-  return std::sqrt((turned - b).rowwise().squaredNorm().mean()) /
-    shape::ComputeLongestBoxEdge(truth.Points);
 }
 
 } // namespace

@@ -36,7 +36,7 @@ struct Pair
   }
 };
 
-shape::CoupledBasesOptions Options()
+shape::CoupledBasesOptions SizeTwelve()
 {
   shape::CoupledBasesOptions options;
   options.Size = 12;
@@ -67,7 +67,7 @@ TEST(CoupledBasesEnergy, HasTheGradientOfItsValue)
 {
   const Pair pair;
   const shape::CoupledBasesEnergy energy(
-    pair.A, pair.FunctionsA, pair.B, pair.FunctionsB, Options());
+    pair.A, pair.FunctionsA, pair.B, pair.FunctionsB, SizeTwelve());
   std::srand(1);
   const auto random = [] {
     return shape::CoupledBases{ Eigen::MatrixXd::Random(12, 12), Eigen::MatrixXd::Random(12, 12) };
@@ -91,9 +91,9 @@ TEST(CoupledBases, AreOrthonormalAndMakeTheMapNearlyDiagonal)
 {
   const Pair pair;
   const shape::CoupledBasesEnergy energy(
-    pair.A, pair.FunctionsA, pair.B, pair.FunctionsB, Options());
+    pair.A, pair.FunctionsA, pair.B, pair.FunctionsB, SizeTwelve());
   const shape::CoupledBases bases =
-    shape::ComputeCoupledBases(pair.A, pair.FunctionsA, pair.B, pair.FunctionsB, Options());
+    shape::ComputeCoupledBases(pair.A, pair.FunctionsA, pair.B, pair.FunctionsB, SizeTwelve());
   EXPECT_LT(energy.Value(bases), energy.Value(energy.Start()));
   EXPECT_LT(
     Dot(Tangents(bases, energy.Gradient(bases)), Tangents(bases, energy.Gradient(bases))), 1e-9);
@@ -108,7 +108,7 @@ TEST(CoupledBases, AreOrthonormalAndMakeTheMapNearlyDiagonal)
   double last = 0.0;
   for (const double weight : { 0.01, 0.1, 1.0, 10.0 })
   {
-    shape::CoupledBasesOptions options = Options(), without = Options();
+    shape::CoupledBasesOptions options = SizeTwelve(), without = Options();
     options.Weight = weight;
     without.Weight = 0.0;
     const shape::CoupledBases now =
@@ -129,14 +129,14 @@ TEST(CoupledBases, DependNotOnTheSignsOfTheSecondEigenfunctions)
 {
   Pair pair;
   const shape::CoupledBases bases =
-    shape::ComputeCoupledBases(pair.A, pair.FunctionsA, pair.B, pair.FunctionsB, Options());
+    shape::ComputeCoupledBases(pair.A, pair.FunctionsA, pair.B, pair.FunctionsB, SizeTwelve());
   const Eigen::MatrixXd functions = pair.B.Eigenfunctions.leftCols(12) * bases.RotationOfB;
   for (const int k : { 1, 2, 5, 8 })
   {
     pair.B.Eigenfunctions.col(k) *= -1.0;
   }
   const shape::CoupledBases again =
-    shape::ComputeCoupledBases(pair.A, pair.FunctionsA, pair.B, pair.FunctionsB, Options());
+    shape::ComputeCoupledBases(pair.A, pair.FunctionsA, pair.B, pair.FunctionsB, SizeTwelve());
   EXPECT_LT((pair.B.Eigenfunctions.leftCols(12) * again.RotationOfB - functions).norm(),
     1e-3 * functions.norm());
 }
@@ -146,8 +146,8 @@ TEST(CoupledBases, RefuseWhatDoesNotDetermineThem)
   const Pair pair;
   const Eigen::MatrixXd none(pair.A.Masses.size(), 0);
   EXPECT_THROW(
-    shape::ComputeCoupledBases(pair.A, none, pair.B, none, Options()), shape::InvalidInput);
-  shape::CoupledBasesOptions options = Options();
+    shape::ComputeCoupledBases(pair.A, none, pair.B, none, SizeTwelve()), shape::InvalidInput);
+  shape::CoupledBasesOptions options = SizeTwelve();
   options.Size = 31;
   EXPECT_THROW(
     shape::ComputeCoupledBases(pair.A, pair.FunctionsA, pair.B, pair.FunctionsB, options),

@@ -57,7 +57,7 @@ struct Copies
 
 Copies Elk()
 {
-  return Copies(shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/elk.off"));
+  return Copies(shapetest::ReadModel("elk"));
 }
 
 shape::CorrespondenceOptions FunctionalOptions()

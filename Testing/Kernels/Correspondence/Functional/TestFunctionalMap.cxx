@@ -17,10 +17,7 @@
 namespace
 {
 
-shape::Mesh Model(const std::string& name)
-{
-  return shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/" + name + ".off");
-}
+using shapetest::ReadModel;
 
 /// A surface in another pose and size, with other numbers of points.
 shapetest::Renumbered Copied(const shape::Mesh& mesh)
@@ -50,7 +47,7 @@ Eigen::MatrixXd Wanted(const shapetest::Renumbered& copy)
 
 TEST(FunctionalMap, FindsACopyBothWaysWhateverItsPoseSizeAndNumbers)
 {
-  const shape::Mesh mesh = Model("elk");
+  const shape::Mesh mesh = ReadModel("elk");
   const shapetest::Renumbered copy = Copied(mesh);
   const shape::SurfaceMaps maps =
     shape::ComputeFunctionalMap(mesh, copy.Mesh, SomeLandmarks(copy, 3));
@@ -82,7 +79,7 @@ TEST(FunctionalMap, OfSurfacesWithBorderAndSeveralComponents)
 
 TEST(FitFunctionalMap, OfTheSameDescriptorsIsTheIdentityAndOrientationTellsTheMirrorImage)
 {
-  const shape::Mesh mesh = Model("elk");
+  const shape::Mesh mesh = ReadModel("elk");
   shape::Mesh unit = mesh;
   unit.Points /= std::sqrt(shape::ComputePointAreas(unit).sum());
   const shape::LaplaceEigenpairs spectrum = shape::SolveLaplaceEigenproblem(unit, 30);

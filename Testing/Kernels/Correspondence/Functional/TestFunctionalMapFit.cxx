@@ -40,7 +40,7 @@ struct Described
 };
 
 /// Two shapes that are not isometric.
-struct Pair
+struct DescribedPair
 {
   Described A{ shapetest::BumpySphere(3, Eigen::Matrix3d::Identity()), 5 };
   Described B{ shapetest::Pebble(shapetest::Icosphere(3)), 70 };
@@ -61,7 +61,7 @@ shape::FunctionalMaps Random(unsigned int seed)
 
 TEST(FunctionalMapEnergy, HasTheGradientAndThePolynomialOfItsValue)
 {
-  const Pair pair;
+  const DescribedPair pair;
   for (const auto mask : { shape::FunctionalMapFitOptions::MaskType::Laplacian,
          shape::FunctionalMapFitOptions::MaskType::Resolvent })
   {
@@ -99,7 +99,7 @@ TEST(FunctionalMapEnergy, HasTheGradientAndThePolynomialOfItsValue)
 // The rate of change is the limit of the quotient, so the energies converge, linearly.
 TEST(FunctionalMapEnergy, OfADisplacementConvergesToThatOfItsRate)
 {
-  const Pair pair;
+  const DescribedPair pair;
   const shape::FunctionalMaps maps = Random(1);
   const auto value = [&](double displacement)
   {
@@ -118,7 +118,7 @@ TEST(FunctionalMapEnergy, OfADisplacementConvergesToThatOfItsRate)
 // a rotation and a shift, changes no Laplacian: there is no term.
 TEST(FunctionalMapEnergy, OfGivenDisplacementsIsThatOfTheNormalsAndVanishesForAMotion)
 {
-  Pair pair;
+  DescribedPair pair;
   const shape::FunctionalMaps maps = Random(1);
   const auto value = [&](double weight)
   {
@@ -144,7 +144,7 @@ TEST(FunctionalMapEnergy, OfGivenDisplacementsIsThatOfTheNormalsAndVanishesForAM
 // weight grows.
 TEST(FunctionalMapEnergy, OfGivenDisplacementsHasItsGradientAndFalls)
 {
-  Pair pair;
+  DescribedPair pair;
   for (Described* const side : { &pair.A, &pair.B })
   {
     const Eigen::ArrayX3d at = side->Unit.Points.array();
@@ -195,7 +195,7 @@ double Off(const Eigen::MatrixXd& product)
 TEST(FitFunctionalMap, HasSmallerCommutatorsForLargerWeights)
 {
   using Options = shape::FunctionalMapFitOptions;
-  const Pair pair;
+  const DescribedPair pair;
   for (double Options::*const weight : { &Options::LaplacianWeight, &Options::DescriptorWeight,
          &Options::OrientationWeight, &Options::CurveWeight, &Options::DisplacementWeight })
   {
@@ -225,7 +225,7 @@ TEST(FitFunctionalMap, HasSmallerCommutatorsForLargerWeights)
 // A minimum of f + w g has a smaller g for a larger w.
 TEST(FitFunctionalMaps, TermsFallAsTheirWeightsGrowAndWithoutThemTheFitIsAsItWas)
 {
-  const Pair pair;
+  const DescribedPair pair;
   const auto fitted = [&](double orthonormality, double inverse)
   {
     shape::FunctionalMapFitOptions options = Options();

@@ -18,10 +18,7 @@
 namespace
 {
 
-shape::Mesh Model(const std::string& name)
-{
-  return shapetest::ReadOff(std::string(SHAPEMAP_MODELS) + "/" + name + ".off");
-}
+using shapetest::ReadModel;
 
 /// The farthest that a landmark of `a` is from its partner in `b` turned back, over the size.
 double WorstError(const shape::Mesh& a, const shape::Mesh& b, const Eigen::Matrix3d& turn,
@@ -108,7 +105,7 @@ TEST(AutomaticLandmarks, TellsAMirrorImage)
 
 TEST(AutomaticLandmarks, OrientationTellsTheSidesOfASymmetricAnimal)
 {
-  const shape::Mesh a = Model("bull");
+  const shape::Mesh a = ReadModel("bull");
   const shapetest::Renumbered copy = shapetest::Renumber(a, 7);
   shape::Mesh b = copy.Mesh;
   b.Points = b.Points * shapetest::Rotation(1.0, { 1, 1, 0 }).transpose();
@@ -132,7 +129,7 @@ TEST(AutomaticLandmarks, OrientationTellsTheSidesOfASymmetricAnimal)
 
 TEST(AutomaticLandmarks, AreThoseOfTheRankedMap)
 {
-  const shape::Mesh a = Model("bull");
+  const shape::Mesh a = ReadModel("bull");
   const shapetest::Renumbered copy = shapetest::Renumber(a, 7);
   const auto best = shape::FindLandmarks(a, copy.Mesh);
   EXPECT_LT(best.Error, 1e-3); // the same triangles
@@ -167,7 +164,7 @@ TEST(AutomaticLandmarks, WorksOnAnyTopology)
 {
   for (const char* name : { "elephant", "elk", "head" }) // of genus 3 and 1; with three borders
   {
-    const shape::Mesh a = Model(name);
+    const shape::Mesh a = ReadModel(name);
     const shapetest::Renumbered copy = shapetest::Renumber(a, 3);
     const auto found = shape::FindLandmarks(a, copy.Mesh);
     EXPECT_LT(found.Distortion, 0.035) << name; // the samples differ
@@ -251,7 +248,7 @@ TEST(AutomaticLandmarks, NamesWhatIsWrong)
 
 TEST(AutomaticLandmarks, OfAnOctahedronAreAGuess)
 {
-  const shape::Mesh whole = Model("octahedron"); // few points, each like every other
+  const shape::Mesh whole = ReadModel("octahedron"); // few points, each like every other
   const auto found = shape::FindLandmarks(whole, whole);
   EXPECT_NEAR(found.Distortion, found.RivalDistortion, 1e-9);
   EXPECT_NEAR(found.Distortion, found.MirroredDistortion, 1e-9);
