@@ -1,5 +1,6 @@
 #include "Distortion/Distortion.h"
 #include "Distortion/SimplexElements.h"
+#include "Support/Distortions.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -12,9 +13,7 @@ using shape::EvaluateDistortion;
 namespace
 {
 
-constexpr Distortion AllMeasures[] = { Distortion::SymmetricDirichlet,
-  Distortion::ExponentialSymmetricDirichlet, Distortion::AMIPS, Distortion::ConformalAMIPS,
-  Distortion::Hencky, Distortion::ARAP };
+using shapetest::AllMeasures;
 
 template <int D>
 void ExpectGradientsOfTheValues(const Eigen::Matrix<double, D, 1>& s)

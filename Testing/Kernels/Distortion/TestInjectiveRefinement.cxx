@@ -4,6 +4,7 @@
 #include "Geometry/Orientation.h"
 #include "Mesh/BoundaryLoops.h"
 #include "Parameterize/ConvexCombination.h"
+#include "Support/Distortions.h"
 #include "Support/FlatMaps.h"
 #include "Support/ProgressChecks.h"
 #include "Support/Refusals.h"
@@ -19,9 +20,7 @@ using shape::Distortion;
 namespace
 {
 
-constexpr Distortion AllMeasures[] = { Distortion::SymmetricDirichlet,
-  Distortion::ExponentialSymmetricDirichlet, Distortion::AMIPS, Distortion::ConformalAMIPS,
-  Distortion::Hencky, Distortion::ARAP };
+using shapetest::AllMeasures;
 
 /// Tutte's map onto the unit circle.
 Eigen::MatrixXd Tutte(const shape::Mesh& mesh)

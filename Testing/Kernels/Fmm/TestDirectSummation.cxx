@@ -1,5 +1,6 @@
 #include "Base/Errors.h"
 #include "Fmm/DirectSummation.h"
+#include "Support/RandomPoints.h"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
@@ -11,13 +12,7 @@
 namespace
 {
 
-Eigen::MatrixXd Random(int rows, int columns, unsigned seed)
-{
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  return Eigen::MatrixXd::NullaryExpr(
-    rows, columns, [&](Eigen::Index, Eigen::Index) { return uniform(generator); });
-}
+using shapetest::RandomMatrix;
 
 /// The largest error of the potentials and of the gradients, in units of the same sums of the
 /// terms' absolute values, against sums in long double.
@@ -65,7 +60,7 @@ Eigen::Vector2d Errors(
 
 TEST(DirectSummation, IsRightToRoundingForEveryProcessorAndNumberOfColumns)
 {
-  const Eigen::MatrixXd sources = Random(501, 3, 1), points = Random(61, 3, 2);
+  const Eigen::MatrixXd sources = RandomMatrix(501, 3, 1), points = RandomMatrix(61, 3, 2);
   const std::int64_t supported = hwy::SupportedTargets();
   int tested = 0;
   for (std::int64_t left = supported; left != 0; left &= left - 1, ++tested)
@@ -73,7 +68,7 @@ TEST(DirectSummation, IsRightToRoundingForEveryProcessorAndNumberOfColumns)
     hwy::SetSupportedTargetsForTest(left & -left);
     for (int columns = 1; columns <= 7; ++columns)
     {
-      const Eigen::Vector2d errors = Errors(sources, Random(501, columns, 3), points);
+      const Eigen::Vector2d errors = Errors(sources, RandomMatrix(501, columns, 3), points);
       EXPECT_LT(errors[0], 2e-15) << hwy::TargetName(left & -left) << ", " << columns;
       EXPECT_LT(errors[1], 4e-15) << hwy::TargetName(left & -left) << ", " << columns;
     }
@@ -84,8 +79,8 @@ TEST(DirectSummation, IsRightToRoundingForEveryProcessorAndNumberOfColumns)
 
 TEST(DirectSummation, ASmallErrorOfTheRootsIsAsSmallAsPromised)
 {
-  const Eigen::MatrixXd sources = Random(501, 3, 1), points = Random(61, 3, 2);
-  const Eigen::MatrixXd charges = Random(501, 3, 3).cwiseAbs();
+  const Eigen::MatrixXd sources = RandomMatrix(501, 3, 1), points = RandomMatrix(61, 3, 2);
+  const Eigen::MatrixXd charges = RandomMatrix(501, 3, 3).cwiseAbs();
   const std::int64_t supported = hwy::SupportedTargets();
   for (std::int64_t left = supported; left != 0; left &= left - 1)
   {
@@ -101,8 +96,8 @@ TEST(DirectSummation, ASmallErrorOfTheRootsIsAsSmallAsPromised)
 
 TEST(DirectSummation, IsRightWhateverTheUnitOfLength)
 {
-  const Eigen::MatrixXd sources = Random(100, 3, 4), charges = Random(100, 3, 5);
-  const Eigen::MatrixXd points = Random(9, 3, 6);
+  const Eigen::MatrixXd sources = RandomMatrix(100, 3, 4), charges = RandomMatrix(100, 3, 5);
+  const Eigen::MatrixXd points = RandomMatrix(9, 3, 6);
   const std::int64_t supported = hwy::SupportedTargets();
   for (std::int64_t left = supported; left != 0; left &= left - 1)
   {
@@ -125,8 +120,8 @@ TEST(DirectSummation, IsRightWhateverTheUnitOfLength)
 
 TEST(DirectSummation, APointsSumDependsOnItAlone)
 {
-  const Eigen::MatrixXd sources = Random(5000, 3, 7), charges = Random(5000, 3, 8);
-  const Eigen::MatrixXd points = Random(1001, 3, 9);
+  const Eigen::MatrixXd sources = RandomMatrix(5000, 3, 7), charges = RandomMatrix(5000, 3, 8);
+  const Eigen::MatrixXd points = RandomMatrix(1001, 3, 9);
   setenv("VTK_SMP_MAX_THREADS", "1", 1);
   const Eigen::MatrixXd one = shape::SumPotentialsDirectly(sources, charges, points);
   const Eigen::MatrixXd oneGradient = shape::SumGradientsDirectly(sources, charges, points);
@@ -142,12 +137,12 @@ TEST(DirectSummation, APointsSumDependsOnItAlone)
 
 TEST(DirectSummation, IsNotFiniteWhereAPointCoincidesWithASource)
 {
-  const Eigen::MatrixXd sources = Random(100, 3, 10), charges = Random(100, 3, 11);
+  const Eigen::MatrixXd sources = RandomMatrix(100, 3, 10), charges = RandomMatrix(100, 3, 11);
   const std::int64_t supported = hwy::SupportedTargets();
   for (std::int64_t left = supported; left != 0; left &= left - 1)
   {
     hwy::SetSupportedTargetsForTest(left & -left);
-    Eigen::MatrixXd points = Random(20, 3, 12);
+    Eigen::MatrixXd points = RandomMatrix(20, 3, 12);
     points.row(7) = sources.row(30);
     const Eigen::MatrixXd potentials = shape::SumPotentialsDirectly(sources, charges, points);
     const Eigen::MatrixXd gradients = shape::SumGradientsDirectly(sources, charges, points);
@@ -163,15 +158,16 @@ TEST(DirectSummation, IsNotFiniteWhereAPointCoincidesWithASource)
 
 TEST(DirectSummation, EmptySumsAreZeroAndWrongSizesAreRefused)
 {
-  const Eigen::MatrixXd none(0, 3), points = Random(5, 3, 13);
+  const Eigen::MatrixXd none(0, 3), points = RandomMatrix(5, 3, 13);
   EXPECT_EQ(shape::SumPotentialsDirectly(none, Eigen::MatrixXd(0, 2), points),
     Eigen::MatrixXd(Eigen::MatrixXd::Zero(5, 2)));
-  EXPECT_EQ(shape::SumPotentialsDirectly(points, Random(5, 2, 1), none).rows(), 0);
+  EXPECT_EQ(shape::SumPotentialsDirectly(points, RandomMatrix(5, 2, 1), none).rows(), 0);
   EXPECT_EQ(shape::SumGradientsDirectly(points, Eigen::MatrixXd(5, 0), points).cols(), 0);
-  EXPECT_THROW(shape::SumPotentialsDirectly(points, Random(4, 3, 1), points), shape::InvalidInput);
   EXPECT_THROW(
-    shape::SumPotentialsDirectly(points, Random(5, 3, 1), Random(5, 2, 1)), shape::InvalidInput);
-  EXPECT_THROW(shape::SumPotentialsDirectly(points, Random(5, 3, 1), points,
+    shape::SumPotentialsDirectly(points, RandomMatrix(4, 3, 1), points), shape::InvalidInput);
+  EXPECT_THROW(shape::SumPotentialsDirectly(points, RandomMatrix(5, 3, 1), RandomMatrix(5, 2, 1)),
+    shape::InvalidInput);
+  EXPECT_THROW(shape::SumPotentialsDirectly(points, RandomMatrix(5, 3, 1), points,
                  shape::RootError::Rounding, shape::Progress([](double) { return false; })),
     shape::Aborted);
 }

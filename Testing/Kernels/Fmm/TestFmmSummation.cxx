@@ -1,6 +1,7 @@
 #include "Base/Errors.h"
 #include "Fmm/DirectSummation.h"
 #include "Fmm/FmmSummation.h"
+#include "Support/RandomPoints.h"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
@@ -14,21 +15,15 @@
 namespace
 {
 
+using shapetest::RandomMatrix;
+
 using shape::FmmSummation;
 using Method = shape::FmmSummationOptions::MethodType;
-
-Eigen::MatrixXd Random(int rows, int columns, unsigned seed)
-{
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  return Eigen::MatrixXd::NullaryExpr(
-    rows, columns, [&](Eigen::Index, Eigen::Index) { return uniform(generator); });
-}
 
 /// Points on a bumpy sphere, times `scale`.
 Eigen::MatrixXd Surface(int count, double scale, unsigned seed)
 {
-  Eigen::MatrixXd points = Random(count, 3, seed).rowwise().normalized();
+  Eigen::MatrixXd points = RandomMatrix(count, 3, seed).rowwise().normalized();
   for (Eigen::Index i = 0; i < count; ++i)
   {
     points.row(i) *=
@@ -40,7 +35,7 @@ Eigen::MatrixXd Surface(int count, double scale, unsigned seed)
 /// Three columns: of both signs, of one sign, and alternating.
 Eigen::MatrixXd Charges(int count, unsigned seed)
 {
-  Eigen::MatrixXd charges = Random(count, 3, seed);
+  Eigen::MatrixXd charges = RandomMatrix(count, 3, seed);
   charges.col(1) = charges.col(1).cwiseAbs();
   for (int j = 0; j < count; ++j)
   {
@@ -59,12 +54,15 @@ std::vector<Case> Cases()
 {
   std::vector<Case> cases;
   cases.push_back({ "surface", Surface(4000, 1.02, 1), Surface(400, 1.0, 2), Charges(4000, 3) });
-  cases.push_back({ "volume", Random(4000, 3, 4), Random(400, 3, 5), Charges(4000, 6) });
   cases.push_back(
-    { "inside a surface", cases[0].Sources, 0.7 * Random(400, 3, 7), cases[0].Charges });
-  cases.push_back({ "around", Surface(4000, 1.0, 8), 4.0 * Random(400, 3, 9), Charges(4000, 10) });
+    { "volume", RandomMatrix(4000, 3, 4), RandomMatrix(400, 3, 5), Charges(4000, 6) });
+  cases.push_back(
+    { "inside a surface", cases[0].Sources, 0.7 * RandomMatrix(400, 3, 7), cases[0].Charges });
+  cases.push_back(
+    { "around", Surface(4000, 1.0, 8), 4.0 * RandomMatrix(400, 3, 9), Charges(4000, 10) });
   // Sources from one to a ten thousandth of the size apart.
-  cases.push_back({ "graded", Random(4000, 3, 11), Random(400, 3, 12), Charges(4000, 13) });
+  cases.push_back(
+    { "graded", RandomMatrix(4000, 3, 11), RandomMatrix(400, 3, 12), Charges(4000, 13) });
   for (Eigen::Index j = 0; j < 4000; ++j)
   {
     cases.back().Sources.row(j) *= std::pow(10.0, -4.0 * j / 4000);
@@ -173,8 +171,8 @@ TEST(FmmSummation, AUniformlyChargedSphereActsAsItsCentreOutsideAndNotAtAllInsid
     }
   }
   ASSERT_NEAR(charges.sum(), 1.0, 1e-12);
-  const Eigen::MatrixXd inside = 0.25 * Random(500, 3, 21);
-  const Eigen::MatrixXd outside = Random(500, 3, 22).rowwise().normalized() * 3.0;
+  const Eigen::MatrixXd inside = 0.25 * RandomMatrix(500, 3, 21);
+  const Eigen::MatrixXd outside = RandomMatrix(500, 3, 22).rowwise().normalized() * 3.0;
   for (const double tolerance : { 1e-5, 1e-8 })
   {
     const FmmSummation within(sources, inside, Multipole(tolerance));
@@ -212,8 +210,8 @@ TEST(FmmSummation, APointsSumDependsOnTheSourcesAndItAlone)
 
 TEST(FmmSummation, IsLinearAndSymmetric)
 {
-  const Eigen::MatrixXd a = Surface(5000, 1.1, 41), b = Random(4000, 3, 42);
-  const Eigen::MatrixXd q = Random(5000, 5, 43), p = Random(4000, 5, 44);
+  const Eigen::MatrixXd a = Surface(5000, 1.1, 41), b = RandomMatrix(4000, 3, 42);
+  const Eigen::MatrixXd q = RandomMatrix(5000, 5, 43), p = RandomMatrix(4000, 5, 44);
   const FmmSummation there(a, b, Multipole(1e-6)), back(b, a, Multipole(1e-6));
   const Eigen::MatrixXd values = there.Potentials(q);
   EXPECT_EQ(there.Potentials(4.0 * q), Eigen::MatrixXd(4.0 * values));
@@ -236,7 +234,7 @@ TEST(FmmSummation, EveryProcessorsInstructionsAgree)
     hwy::SupportedTargets() & (HWY_AVX3 | HWY_AVX2 | HWY_SSE4 | HWY_SCALAR);
   for (const int columns : { 1, 5 })
   {
-    const Eigen::MatrixXd charges = Random(1500, columns, 53);
+    const Eigen::MatrixXd charges = RandomMatrix(1500, columns, 53);
     const Eigen::MatrixXd exact = shape::SumPotentialsDirectly(sources, charges, points);
     const double size = shape::SumPotentialsDirectly(sources, charges.cwiseAbs(), points).norm();
     const Eigen::MatrixXd slopes = shape::SumGradientsDirectly(sources, charges, points);
@@ -259,7 +257,7 @@ TEST(FmmSummation, EveryProcessorsInstructionsAgree)
 TEST(FmmSummation, IsRightForSourcesAndPointsInOddPlaces)
 {
   const Eigen::MatrixXd charges = Charges(3000, 61);
-  Eigen::MatrixXd positions = Random(3000, 3, 62);
+  Eigen::MatrixXd positions = RandomMatrix(3000, 3, 62);
   const auto check =
     [&](const Eigen::MatrixXd& sources, const Eigen::MatrixXd& points, const char* what)
   {
@@ -271,27 +269,27 @@ TEST(FmmSummation, IsRightForSourcesAndPointsInOddPlaces)
       shape::SumPotentialsDirectly(sources, charges.topRows(sources.rows()).cwiseAbs(), points);
     EXPECT_LT(((fast - exact).array() / sizes.array()).abs().maxCoeff(), 1e-4) << what;
   };
-  Eigen::MatrixXd far = Random(300, 3, 63);
+  Eigen::MatrixXd far = RandomMatrix(300, 3, 63);
   for (Eigen::Index i = 0; i < 300; ++i)
   {
     far.row(i) = far.row(i).normalized() * std::pow(10.0, 0.05 * i);
   }
   check(positions, far, "from near to 1e15 sizes away");
-  check(positions.array() + 1e4, Random(300, 3, 64).array() + 1e4, "far from the origin");
+  check(positions.array() + 1e4, RandomMatrix(300, 3, 64).array() + 1e4, "far from the origin");
   check(positions.topRows(1), far, "one source");
   check(Eigen::MatrixXd::Constant(3000, 3, 0.3), far, "all sources in one place");
   Eigen::MatrixXd line = positions;
   line.rightCols(2).setZero();
   check(line, far, "a line");
   positions.topRows(2000) = positions.topRows(2000) * 1e-7;
-  check(positions, 1e-6 * Random(300, 3, 65), "a cluster of a ten millionth of the size");
-  check(1e-12 * positions, 1e-12 * Random(300, 3, 66), "small units");
+  check(positions, 1e-6 * RandomMatrix(300, 3, 65), "a cluster of a ten millionth of the size");
+  check(1e-12 * positions, 1e-12 * RandomMatrix(300, 3, 66), "small units");
 }
 
 TEST(FmmSummation, IsNotFiniteWhereAPointCoincidesWithASourceAndThereAlone)
 {
-  const Eigen::MatrixXd sources = Random(5000, 3, 71), charges = Charges(5000, 72);
-  Eigen::MatrixXd points = Random(500, 3, 73);
+  const Eigen::MatrixXd sources = RandomMatrix(5000, 3, 71), charges = Charges(5000, 72);
+  Eigen::MatrixXd points = RandomMatrix(500, 3, 73);
   points.row(99) = sources.row(1234);
   const FmmSummation fast(sources, points, Multipole(1e-6));
   const Eigen::MatrixXd potentials = fast.Potentials(charges), slopes = fast.Gradients(charges);
@@ -304,15 +302,15 @@ TEST(FmmSummation, IsNotFiniteWhereAPointCoincidesWithASourceAndThereAlone)
 
 TEST(FmmSummation, SmallSumsAreDirectWrongInputIsRefusedAndItCanBeStopped)
 {
-  const Eigen::MatrixXd sources = Random(300, 3, 81), charges = Charges(300, 82);
-  const Eigen::MatrixXd points = Random(200, 3, 83), none(0, 3);
+  const Eigen::MatrixXd sources = RandomMatrix(300, 3, 81), charges = Charges(300, 82);
+  const Eigen::MatrixXd points = RandomMatrix(200, 3, 83), none(0, 3);
   EXPECT_EQ(FmmSummation(sources, points).Potentials(charges),
     shape::SumPotentialsDirectly(sources, charges, points));
   EXPECT_EQ(FmmSummation(none, points, Multipole(1e-6)).Potentials(none),
     Eigen::MatrixXd(Eigen::MatrixXd::Zero(200, 3)));
   EXPECT_EQ(FmmSummation(sources, none, Multipole(1e-6)).Gradients(charges).rows(), 0);
   EXPECT_THROW(FmmSummation(sources, points).Potentials(charges.topRows(3)), shape::InvalidInput);
-  EXPECT_THROW(FmmSummation(sources, Random(5, 2, 1)), shape::InvalidInput);
+  EXPECT_THROW(FmmSummation(sources, RandomMatrix(5, 2, 1)), shape::InvalidInput);
   Eigen::MatrixXd broken = sources;
   broken(17, 1) = std::nan("");
   EXPECT_THROW(FmmSummation(broken, points), shape::InvalidInput);

@@ -2,6 +2,7 @@
 #include "Base/Errors.h"
 #include "Fmm/DirectSummation.h"
 #include "Fmm/FmmSummation.h"
+#include "Support/RandomPoints.h"
 
 #include <gtest/gtest.h>
 
@@ -13,20 +14,14 @@
 namespace
 {
 
+using shapetest::RandomMatrix;
+
 using Kind = shape::SumDevice::KindType;
 constexpr shape::RootError Rounding = shape::RootError::Rounding;
 const shape::SumDevice Processor;
 const shape::SumDevice OpenCL{ Kind::OpenCL,
   [](const std::string& warning) { ADD_FAILURE() << warning; } };
 const shape::SumDevice Automatic{ Kind::Automatic, OpenCL.Warn };
-
-Eigen::MatrixXd Random(int rows, int columns, unsigned seed)
-{
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  return Eigen::MatrixXd::NullaryExpr(
-    rows, columns, [&](Eigen::Index, Eigen::Index) { return uniform(generator); });
-}
 
 #ifdef SHAPEMAP_OPENCL
 
@@ -65,10 +60,10 @@ shape::FmmSummationOptions Multipole(double tolerance, const shape::SumDevice& d
 TEST(SumDevice, DirectSumsAgreeWithTheProcessorForEveryNumberOfColumns)
 {
   // Several passes of sources, and a last block that is not full.
-  const Eigen::MatrixXd sources = Random(40000, 3, 1), points = 1.1 * Random(333, 3, 2);
+  const Eigen::MatrixXd sources = RandomMatrix(40000, 3, 1), points = 1.1 * RandomMatrix(333, 3, 2);
   for (int columns = 1; columns <= 4; ++columns)
   {
-    const Eigen::MatrixXd charges = Random(40000, columns, 3);
+    const Eigen::MatrixXd charges = RandomMatrix(40000, columns, 3);
     const Eigen::MatrixXd potentials =
       shape::SumPotentialsDirectly(sources, charges, points, Rounding, {}, OpenCL);
     const Eigen::MatrixXd gradients =
@@ -85,8 +80,9 @@ TEST(SumDevice, DirectSumsAgreeWithTheProcessorForEveryNumberOfColumns)
 
 TEST(SumDevice, SumsAgreeWhateverTheUnitOfLength)
 {
-  const Eigen::MatrixXd sources = Random(300, 3, 4), charges = Random(300, 3, 5).cwiseAbs();
-  const Eigen::MatrixXd points = Random(70, 3, 6);
+  const Eigen::MatrixXd sources = RandomMatrix(300, 3, 4),
+                        charges = RandomMatrix(300, 3, 5).cwiseAbs();
+  const Eigen::MatrixXd points = RandomMatrix(70, 3, 6);
   for (const double unit : { 1e-30, 1e-3, 3e40 })
   {
     const Eigen::MatrixXd device =
@@ -99,8 +95,8 @@ TEST(SumDevice, SumsAgreeWhateverTheUnitOfLength)
 
 TEST(SumDevice, APointsSumDependsOnItAloneAndIsTheSameInEveryRun)
 {
-  const Eigen::MatrixXd sources = Random(20000, 3, 7), charges = Random(20000, 3, 8);
-  const Eigen::MatrixXd points = Random(3001, 3, 9);
+  const Eigen::MatrixXd sources = RandomMatrix(20000, 3, 7), charges = RandomMatrix(20000, 3, 8);
+  const Eigen::MatrixXd points = RandomMatrix(3001, 3, 9);
   const auto sum = [&](const Eigen::MatrixXd& at)
   { return shape::SumGradientsDirectly(sources, charges, at, {}, OpenCL); };
   const Eigen::MatrixXd whole = sum(points);
@@ -111,8 +107,8 @@ TEST(SumDevice, APointsSumDependsOnItAloneAndIsTheSameInEveryRun)
 TEST(SumDevice, TheMultipoleMethodAgreesWithTheProcessor)
 {
   // Points outside the sources' box, too, which have no near sources.
-  const Eigen::MatrixXd sources = Random(12000, 3, 11), charges = Random(12000, 4, 12);
-  Eigen::MatrixXd points = Random(5000, 3, 13);
+  const Eigen::MatrixXd sources = RandomMatrix(12000, 3, 11), charges = RandomMatrix(12000, 4, 12);
+  Eigen::MatrixXd points = RandomMatrix(5000, 3, 13);
   points.bottomRows(500) *= 100.0;
   // In this grade the processor's near sums, too, are accurate to rounding.
   const shape::FmmSummation device(sources, points, Multipole(1e-8, OpenCL));
@@ -126,8 +122,8 @@ TEST(SumDevice, TheMultipoleMethodAgreesWithTheProcessor)
 
 TEST(SumDevice, TheMultipoleMethodKeepsItsToleranceAndItsBits)
 {
-  const Eigen::MatrixXd sources = Random(12000, 3, 14), charges = Random(12000, 3, 15);
-  const Eigen::MatrixXd points = Random(3000, 3, 16);
+  const Eigen::MatrixXd sources = RandomMatrix(12000, 3, 14), charges = RandomMatrix(12000, 3, 15);
+  const Eigen::MatrixXd points = RandomMatrix(3000, 3, 16);
   const shape::FmmSummation fast(sources, points, Multipole(1e-4, OpenCL));
   const Eigen::MatrixXd potentials = fast.Potentials(charges);
   const Eigen::MatrixXd error = potentials - shape::SumPotentialsDirectly(sources, charges, points);
@@ -138,8 +134,8 @@ TEST(SumDevice, TheMultipoleMethodKeepsItsToleranceAndItsBits)
 
 TEST(SumDevice, SumsAreNotFiniteWhereAPointCoincidesWithASourceAndThereAlone)
 {
-  const Eigen::MatrixXd sources = Random(5000, 3, 17), charges = Random(5000, 3, 18);
-  Eigen::MatrixXd points = Random(200, 3, 19);
+  const Eigen::MatrixXd sources = RandomMatrix(5000, 3, 17), charges = RandomMatrix(5000, 3, 18);
+  Eigen::MatrixXd points = RandomMatrix(200, 3, 19);
   points.row(99) = sources.row(1234);
   const shape::FmmSummation fast(sources, points, Multipole(1e-6, OpenCL));
   for (const Eigen::MatrixXd& sums :
@@ -156,14 +152,15 @@ TEST(SumDevice, SumsAreNotFiniteWhereAPointCoincidesWithASourceAndThereAlone)
 
 TEST(SumDevice, EmptySumsAreZeroAndEverySumCanBeStopped)
 {
-  const Eigen::MatrixXd none(0, 3), points = Random(500, 3, 20), charges = Random(500, 2, 21);
+  const Eigen::MatrixXd none(0, 3), points = RandomMatrix(500, 3, 20),
+                                    charges = RandomMatrix(500, 2, 21);
   EXPECT_EQ(shape::SumPotentialsDirectly(none, Eigen::MatrixXd(0, 2), points, Rounding, {}, OpenCL),
     Eigen::MatrixXd(Eigen::MatrixXd::Zero(500, 2)));
   EXPECT_EQ(shape::SumGradientsDirectly(points, charges, none, {}, OpenCL), Eigen::MatrixXd(0, 6));
   EXPECT_EQ(
     shape::SumGradientsDirectly(points, Eigen::MatrixXd(500, 0), points, {}, OpenCL).cols(), 0);
   // Stopped at the first report, the second, ...
-  const Eigen::MatrixXd many = Random(40000, 3, 22);
+  const Eigen::MatrixXd many = RandomMatrix(40000, 3, 22);
   for (int most = 0; most < 3; ++most)
   {
     int reports = 0;
@@ -191,7 +188,7 @@ TEST(SumDeviceDeathTest, ADeviceThatFailsIsReplacedByTheProcessorWithAWarning)
   {
     // The sources take more than the largest buffer of a device of 1 GB, 256 MiB.
     setenv("POCL_MEMORY_LIMIT", "1", 1);
-    const Eigen::MatrixXd sources = Random(9000000, 3, 23), points = Random(2, 3, 24);
+    const Eigen::MatrixXd sources = RandomMatrix(9000000, 3, 23), points = RandomMatrix(2, 3, 24);
     const Eigen::MatrixXd charges = Eigen::MatrixXd::Ones(9000000, 1);
     std::vector<std::string> warnings;
     const shape::SumDevice failing{ Kind::OpenCL,
@@ -239,8 +236,8 @@ TEST(SumDeviceDeathTest, WithoutADeviceOpenCLIsRefusedAndAutomaticIsTheProcessor
 TEST(SumDevice, WithoutOpenCLItIsRefused)
 {
   EXPECT_THROW(shape::ChooseOpenCL(OpenCL, 1.0), shape::InvalidInput);
-  EXPECT_THROW(shape::SumPotentialsDirectly(
-                 Random(5, 3, 1), Random(5, 1, 2), Random(4, 3, 3), Rounding, {}, OpenCL),
+  EXPECT_THROW(shape::SumPotentialsDirectly(RandomMatrix(5, 3, 1), RandomMatrix(5, 1, 2),
+                 RandomMatrix(4, 3, 3), Rounding, {}, OpenCL),
     shape::InvalidInput);
 }
 
@@ -250,8 +247,8 @@ TEST(SumDevice, AutomaticLeavesSmallSumsToTheProcessor)
 {
   EXPECT_FALSE(shape::ChooseOpenCL(Automatic, 0.99 * shape::SumDevice::MinimumPairs));
   EXPECT_FALSE(shape::ChooseOpenCL(Processor, 1e15));
-  const Eigen::MatrixXd sources = Random(100, 3, 31), charges = Random(100, 2, 32);
-  const Eigen::MatrixXd points = Random(20, 3, 33);
+  const Eigen::MatrixXd sources = RandomMatrix(100, 3, 31), charges = RandomMatrix(100, 2, 32);
+  const Eigen::MatrixXd points = RandomMatrix(20, 3, 33);
   EXPECT_EQ(shape::SumPotentialsDirectly(sources, charges, points, Rounding, {}, Automatic),
     shape::SumPotentialsDirectly(sources, charges, points));
 }

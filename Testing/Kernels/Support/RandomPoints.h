@@ -27,6 +27,15 @@ inline Eigen::MatrixXd RandomPoints(int count, std::mt19937& random)
   return Eigen::MatrixXd::NullaryExpr(count, 3, [&] { return uniform(random); });
 }
 
+/// Entries in [-1, 1].
+inline Eigen::MatrixXd RandomMatrix(int rows, int columns, unsigned int seed)
+{
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  return Eigen::MatrixXd::NullaryExpr(
+    rows, columns, [&](Eigen::Index, Eigen::Index) { return uniform(generator); });
+}
+
 /// In the square [0, 1)^2.
 inline Eigen::MatrixXd RandomPointsInSquare(int count, unsigned int seed)
 {

@@ -108,7 +108,7 @@ TEST(CoupledBases, AreOrthonormalAndMakeTheMapNearlyDiagonal)
   double last = 0.0;
   for (const double weight : { 0.01, 0.1, 1.0, 10.0 })
   {
-    shape::CoupledBasesOptions options = SizeTwelve(), without = Options();
+    shape::CoupledBasesOptions options = SizeTwelve(), without = SizeTwelve();
     options.Weight = weight;
     without.Weight = 0.0;
     const shape::CoupledBases now =
