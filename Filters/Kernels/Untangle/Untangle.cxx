@@ -246,56 +246,70 @@ int ReduceAndExpand(
   return left;
 }
 
-/// Returns the centre of a fixed boundary that is star-shaped and far from a sphere, if all cells
-/// are tetrahedra that may be split; else a placement that is not valid.
+/// Returns the centre of a fixed boundary that is star-shaped, if all cells are tetrahedra that may
+/// be split; else a placement that is not valid.
 StarPlacement FindStar(const SolidCells& solid, const UntangleOptions& options)
 {
-  constexpr double minimumReach = 1.5;
-  if (!options.FixBoundary || !options.SplitCells || !solid.HasOnlyTetrahedra())
-  {
-    return {};
-  }
-  const StarPlacement centre = FindStarCentre(solid);
+  return options.FixBoundary && options.SplitCells && solid.HasOnlyTetrahedra()
+    ? FindStarCentre(solid, FindBoundaryFaces(solid))
+    : StarPlacement();
+}
+
+/// Whether the boundary is about as far from `centre` everywhere.
+bool IsNearSphere(const SolidCells& solid, const Eigen::RowVector3d& centre)
+{
+  constexpr double maximumReach = 1.5;
   double nearest = std::numeric_limits<double>::max(), farthest = 0.0;
   for (const std::array<int, 3>& triangle : solid.BoundaryTriangles())
   {
-    const double distance = (solid.Points.row(triangle[0]) - centre.Position).norm();
+    const double distance = (solid.Points.row(triangle[0]) - centre).norm();
     nearest = std::min(nearest, distance);
     farthest = std::max(farthest, distance);
   }
-  return farthest > minimumReach * nearest ? centre : StarPlacement();
+  return farthest <= maximumReach * nearest;
 }
 
-/// Untangles the solid in a sphere around `centre`, which is convex, and then moves the boundary
-/// outward to where it was. Returns the number of inverted cells.
+/// Untangles the solid anew where each tetrahedron meets the boundary in one simplex. Unless the
+/// boundary is near a sphere, the solid is untangled in a sphere around `centre`, which is convex,
+/// and the boundary then moves outward to where it was. Returns the number of inverted cells.
 int UntangleStar(Untangling& untangling, const UntangleOptions& options,
   const Eigen::RowVector3d& centre, const Progress& progress)
 {
   SolidCells& solid = untangling.Solid;
-  SeparateBoundary(solid);
+  SeparateBoundary(solid, progress.Part(0.0, 0.0));
   const Eigen::MatrixXd targets = solid.Points.topRows(solid.PointCount());
-  ProjectToSphere(solid, centre);
+  const bool isNearSphere = IsNearSphere(solid, centre);
+  if (!isNearSphere)
+  {
+    ProjectToSphere(solid, centre);
+  }
   solid.Points = SolveTutteEmbedding(solid, progress.Part(0.0, 0.1));
-  const int left = ReduceAndExpand(untangling, options, progress.Part(0.1, 0.8));
-  return left > 0
+  // A single expansion may take longer than all rounds, so these end only when they stall.
+  int left = ReduceInverted(
+    untangling, options, Patience, progress.Part(0.1, 0.6, "untangling the inverted cells"));
+  if (left > 0)
+  {
+    left = ReduceAndExpand(untangling, options, progress.Part(0.6, 0.8));
+  }
+  return left > 0 || isNearSphere
     ? left
     : MoveOutward(solid, centre, targets, progress.Part(0.8, 1.0, "moving the boundary outward"));
 }
 
-/// Returns the triangles of the boundary that have an area.
-std::vector<std::array<int, 3>> FindWideTriangles(const SolidCells& solid)
+/// Returns the boundary faces that have an area.
+std::vector<StarFace> FindWideFaces(const SolidCells& solid)
 {
-  std::vector<std::array<int, 3>> triangles;
-  for (const std::array<int, 3>& corners : solid.BoundaryTriangles())
-  {
-    const Eigen::Vector3d a = solid.Points.row(corners[0]), b = solid.Points.row(corners[1]),
-                          c = solid.Points.row(corners[2]);
-    if ((b - a).cross(c - a).squaredNorm() > 0.0)
-    {
-      triangles.push_back(corners);
-    }
-  }
-  return triangles;
+  std::vector<StarFace> faces = FindBoundaryFaces(solid);
+  faces.erase(std::remove_if(faces.begin(), faces.end(),
+                [&](const StarFace& face)
+                {
+                  const Eigen::Vector3d a = solid.Points.row(face[0]),
+                                        b = solid.Points.row(face[1]),
+                                        c = solid.Points.row(face[2]);
+                  return !((b - a).cross(c - a).squaredNorm() > 0.0);
+                }),
+    faces.end());
+  return faces;
 }
 
 /// Finds out whether the boundary crosses itself: cells then cannot all be positive.
@@ -303,11 +317,11 @@ void FindCrossings(const SolidCells& solid, UntangleResult& result, const Progre
 {
   constexpr int maximum = 100;
   Mesh boundary{ solid.Points.topRows(solid.PointCount()), Eigen::MatrixXi() };
-  const std::vector<std::array<int, 3>> triangles = FindWideTriangles(solid);
-  boundary.Triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
+  const std::vector<StarFace> faces = FindWideFaces(solid);
+  boundary.Triangles.resize(static_cast<Eigen::Index>(faces.size()), 3);
   for (Eigen::Index t = 0; t < boundary.Triangles.rows(); ++t)
   {
-    boundary.Triangles.row(t) << triangles[t][0], triangles[t][1], triangles[t][2];
+    boundary.Triangles.row(t) << faces[t][0], faces[t][1], faces[t][2];
   }
   const std::vector<Crossing> crossings = FindSelfIntersectionsFrom(boundary, 0, maximum, progress);
   result.BoundaryCrossings = std::min(maximum, static_cast<int>(crossings.size()));
@@ -320,18 +334,12 @@ void FindCrossings(const SolidCells& solid, UntangleResult& result, const Progre
 /// Finds out whether a position inside sees the whole boundary.
 void FindHidden(const SolidCells& solid, UntangleResult& result)
 {
-  std::vector<StarFace> faces;
-  for (const std::array<int, 3>& corners : FindWideTriangles(solid))
-  {
-    faces.push_back({ corners[0], corners[2], corners[1] }); // as positions inside see it
-  }
+  const std::vector<StarFace> faces = FindWideFaces(solid);
   if (faces.empty())
   {
     return;
   }
-  const Eigen::RowVector3d middle =
-    ComputeBox(Mesh{ solid.Points.topRows(solid.PointCount()), Eigen::MatrixXi() }).center();
-  const StarPlacement centre = FindKernelCentre(solid.Points, faces, middle);
+  const StarPlacement centre = FindStarCentre(solid, faces);
   for (const StarFace& face : faces)
   {
     if (SeesFace(solid.Points, face, centre.Position))
@@ -434,8 +442,7 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
     Untangling other = BeginUntangling(cells, rest, options);
     // Restarts with each inner point at the mean of its neighbours.
     other.Solid.Points = SolveTutteEmbedding(other.Solid, untangling.Part(0.7, 0.7));
-    if (ReduceInverted(other, options,
-          other.Solid.HasTetrahedra() ? PatienceBeforeExpansion : Patience,
+    if (ReduceInverted(other, options, Patience,
           untangling.Part(0.7, 0.95, "untangling from another start")) < left)
     {
       best = std::move(other);

@@ -75,10 +75,12 @@ struct UntangleResult
  * inverted are split later. No new point lies on an edge or face of the boundary.
  *
  * A patch ends early if its steps make no progress. If the solid then still has inverted cells and
- * consists of tetrahedra in a fixed boundary that is star-shaped, it starts anew: it is untangled
- * in a sphere, which is much easier, and the boundary moves outward from there through a collar of
- * new tetrahedra (MoveOutward). In exact arithmetic that cannot fail, but many cells are split, and
- * the collar is thin.
+ * consists of tetrahedra in a fixed boundary that is star-shaped, it starts anew. Cells are split
+ * until each meets the boundary in one simplex (SeparateBoundary), and inner points start at the
+ * means of their neighbours. Unless the boundary is near a sphere, the solid is untangled in a
+ * sphere, which is much easier. The boundary then moves outward from there through a collar of new
+ * tetrahedra (MoveOutward). In exact arithmetic that cannot fail, but many cells are split, and the
+ * collar is thin.
  *
  * Other tetrahedra that are still inverted are made positive by exact tests: their points are put
  * at one position that sees all faces around them, and leave it one by one (after Nigolian, Campen

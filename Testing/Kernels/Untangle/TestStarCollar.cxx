@@ -94,8 +94,12 @@ TEST(StarCollar, FindsACentreOnlyIfThereIsOne)
   shape::Cells cube = KuhnCube(4);
   const Eigen::MatrixXd rest = cube.Points;
   MakeSpikes(cube, 10.0, 1);
-  const shape::StarPlacement centre =
-    shape::FindStarCentre(shape::SolidCells(cube, rest, "the spikes"));
+  const auto find = [&]
+  {
+    const shape::SolidCells solid(cube, rest, "the cube");
+    return shape::FindStarCentre(solid, shape::FindBoundaryFaces(solid));
+  };
+  const shape::StarPlacement centre = find();
   ASSERT_TRUE(centre.IsValid);
   EXPECT_LT(centre.Position.cwiseAbs().maxCoeff(), 1.0);
   // A cube bent to three quarters of a ring is not star-shaped.
@@ -105,7 +109,7 @@ TEST(StarCollar, FindsACentreOnlyIfThereIsOne)
     const double angle = 2.3 * rest(i, 0), radius = 3.0 - rest(i, 1);
     cube.Points.row(i) << radius * std::sin(angle), -radius * std::cos(angle), rest(i, 2);
   }
-  EXPECT_FALSE(shape::FindStarCentre(shape::SolidCells(cube, rest, "the ring")).IsValid);
+  EXPECT_FALSE(find().IsValid);
 }
 
 TEST(StarCollar, SeparatesTheBoundary)

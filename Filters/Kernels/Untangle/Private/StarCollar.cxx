@@ -22,6 +22,9 @@ using Edge = std::pair<int, int>;
 /// How clearly a fan has to be in order (IsInOrder): before, and after its faces were split.
 constexpr double MinimumOrder = 1e-3, MinimumOrderOfSplit = 1e-10;
 
+/// Progress is reported after this many cells or splits.
+constexpr int Interval = 4096;
+
 /// The new points near the boundary, and where they are. The order of calls: SplitFacesOutOfOrder,
 /// SplitSpokes, then Place and Shrink in turn.
 class Collar
@@ -34,8 +37,8 @@ public:
   {
   }
 
-  void SplitFacesOutOfOrder();
-  void SplitSpokes();
+  void SplitFacesOutOfOrder(const Progress& progress);
+  void SplitSpokes(const Progress& progress);
   void Place();
   bool Shrink(const std::vector<int>& inverted, bool alsoFaces);
 
@@ -67,7 +70,7 @@ private:
   bool IsInOrder(int cell, double sine) const;
   std::vector<int> FindBoundaryPoints(int cell) const;
   std::vector<int> FindFan(const Edge& edge) const;
-  std::set<Edge> FindEdgesOutOfOrder() const;
+  std::set<Edge> FindEdgesOutOfOrder(const Progress& progress) const;
   void SplitAtTriangles(const std::set<Edge>& outOfOrder);
   void SplitFaces(const Edge& edge);
 
@@ -125,11 +128,15 @@ std::vector<int> Collar::FindBoundaryPoints(int cell) const
   return found;
 }
 
-std::set<Edge> Collar::FindEdgesOutOfOrder() const
+std::set<Edge> Collar::FindEdgesOutOfOrder(const Progress& progress) const
 {
   std::set<Edge> found;
   for (int cell = 0; cell < this->Solid.CellCount(); ++cell)
   {
+    if (cell % Interval == 0)
+    {
+      progress(0.0);
+    }
     const std::vector<int> ends = this->FindBoundaryPoints(cell);
     if (ends.size() == 2 && !this->IsInOrder(cell, MinimumOrder))
     {
@@ -198,19 +205,22 @@ void Collar::SplitAtTriangles(const std::set<Edge>& outOfOrder)
 }
 
 /// Splits the inner faces at boundary edges out of order.
-void Collar::SplitFacesOutOfOrder()
+void Collar::SplitFacesOutOfOrder(const Progress& progress)
 {
   std::set<Edge> edges;
-  for (std::set<Edge> found = this->FindEdgesOutOfOrder();
+  for (std::set<Edge> found = this->FindEdgesOutOfOrder(progress);
        !std::includes(edges.begin(), edges.end(), found.begin(), found.end());
-       found = this->FindEdgesOutOfOrder())
+       found = this->FindEdgesOutOfOrder(progress))
   {
     edges.insert(found.begin(), found.end());
     this->SplitAtTriangles(edges);
   }
+  double done = 0.0;
   for (const Edge& edge : edges)
   {
+    progress(done / static_cast<double>(edges.size()));
     this->SplitFaces(edge);
+    done += 1.0;
   }
 }
 
@@ -271,7 +281,7 @@ void Collar::SplitFaces(const Edge& edge)
 }
 
 /// Splits the inner edges from boundary points.
-void Collar::SplitSpokes()
+void Collar::SplitSpokes(const Progress& progress)
 {
   this->Place();
   std::vector<Edge> edges;
@@ -294,6 +304,10 @@ void Collar::SplitSpokes()
   }
   for (const auto& [from, to] : edges)
   {
+    if (this->Spokes.size() % Interval == 0)
+    {
+      progress(static_cast<double>(this->Spokes.size()) / static_cast<double>(edges.size()));
+    }
     this->Spokes.push_back({ this->Solid.Split({ from, to }), from, to });
   }
 }
@@ -357,25 +371,37 @@ bool Collar::Shrink(const std::vector<int>& inverted, bool alsoFaces)
 
 } // namespace
 
-StarPlacement FindStarCentre(const SolidCells& solid)
+std::vector<StarFace> FindBoundaryFaces(const SolidCells& solid)
 {
   std::vector<StarFace> faces;
-  Eigen::RowVector3d mean = Eigen::RowVector3d::Zero();
   for (const std::array<int, 3>& triangle : solid.BoundaryTriangles())
   {
     faces.push_back({ triangle[0], triangle[2], triangle[1] });
-    mean += solid.Points.row(triangle[0]);
   }
-  return FindKernelCentre(solid.Points, faces, mean / static_cast<double>(faces.size()));
+  return faces;
 }
 
-void SeparateBoundary(SolidCells& solid)
+StarPlacement FindStarCentre(const SolidCells& solid, const std::vector<StarFace>& faces)
+{
+  Eigen::RowVector3d mean = Eigen::RowVector3d::Zero();
+  for (const StarFace& face : faces)
+  {
+    mean += solid.Points.row(face[0]) / static_cast<double>(faces.size());
+  }
+  return FindKernelCentre(solid.Points, faces, mean);
+}
+
+void SeparateBoundary(SolidCells& solid, const Progress& progress)
 {
   for (const std::size_t size : { 2U, 3U })
   {
     std::set<std::vector<int>> simplices;
     for (int cell = 0; cell < solid.CellCount(); ++cell)
     {
+      if (cell % Interval == 0)
+      {
+        progress(0.0);
+      }
       for (unsigned int subset = 1; subset < 16U; ++subset)
       {
         std::vector<int> simplex;
@@ -393,8 +419,13 @@ void SeparateBoundary(SolidCells& solid)
         }
       }
     }
+    int splits = 0;
     for (const std::vector<int>& simplex : simplices)
     {
+      if (splits++ % Interval == 0)
+      {
+        progress(0.0);
+      }
       solid.Split(simplex);
     }
   }
@@ -425,10 +456,8 @@ int MoveOutward(SolidCells& solid, const Eigen::RowVector3d& centre, const Eigen
 {
   constexpr int rounds = 60, patience = 12;
   Collar collar(solid, centre);
-  progress(0.0);
-  collar.SplitFacesOutOfOrder();
-  progress(0.2);
-  collar.SplitSpokes();
+  collar.SplitFacesOutOfOrder(progress.Part(0.0, 0.2));
+  collar.SplitSpokes(progress.Part(0.2, 0.3));
   for (int point = 0; point < targets.rows(); ++point)
   {
     if (solid.OnBoundary(point))

@@ -6,17 +6,22 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace shape
 {
 
-/// Returns a position that sees the inner side of each boundary triangle (FindKernelCentre). The
-/// boundary is star-shaped around it. Not valid if there is none.
-StarPlacement FindStarCentre(const SolidCells& solid);
+/// Returns the boundary triangles as faces that a position inside sees.
+std::vector<StarFace> FindBoundaryFaces(const SolidCells& solid);
+
+/// Returns a position that sees boundary triangles from inside (FindKernelCentre). If these are
+/// all, the boundary is star-shaped around it. Not valid if there is none.
+StarPlacement FindStarCentre(const SolidCells& solid, const std::vector<StarFace>& faces);
 
 /// Splits inner edges, and then inner faces, with all points on the boundary. Afterwards each
 /// tetrahedron with an inner point has one edge, face or point of the boundary, or none. All cells
-/// have to be tetrahedra.
-void SeparateBoundary(SolidCells& solid);
+/// have to be tetrahedra. Throws Aborted.
+void SeparateBoundary(SolidCells& solid, const Progress& progress = {});
 
 /// Moves the boundary points along their rays from `centre` to a sphere around it. Its radius is
 /// half the least distance of a boundary point.

@@ -26,6 +26,19 @@ double MeasureStar(const Eigen::MatrixXd& points, const std::vector<StarFace>& f
   return size;
 }
 
+/// Returns the unit normal of a face, or 0 if it has no area. Differences of positions that are
+/// close to each other are exact, and so are their products in long double but for the last bits.
+Eigen::Vector3d FindNormal(const Eigen::MatrixXd& points, const StarFace& face)
+{
+  using Vector = Eigen::Matrix<long double, 3, 1>;
+  const Vector a = (points.row(face[1]) - points.row(face[0])).transpose().cast<long double>(),
+               b = (points.row(face[2]) - points.row(face[0])).transpose().cast<long double>();
+  const Vector normal = a.cross(b);
+  const long double length = normal.norm();
+  return length > 0.0L ? Eigen::Vector3d((normal / length).cast<double>())
+                       : Eigen::Vector3d::Zero();
+}
+
 } // namespace
 
 StarFace FindFaceOpposite(const std::vector<int>& tetrahedron, int point)
@@ -53,16 +66,13 @@ StarPlacement FindKernelCentre(const Eigen::MatrixXd& points, const std::vector<
   halfSpaces.reserve(faces.size());
   for (const StarFace& face : faces)
   {
-    const Eigen::Vector3d p = (points.row(face[0]) - origin).transpose() / size,
-                          q = (points.row(face[1]) - origin).transpose() / size,
-                          r = (points.row(face[2]) - origin).transpose() / size;
-    const Eigen::Vector3d normal = (q - p).cross(r - p);
-    const double length = normal.norm();
-    if (!(length > 0.0))
+    const Eigen::Vector3d normal = FindNormal(points, face);
+    if (normal.isZero(0.0))
     {
       return placement;
     }
-    halfSpaces.push_back({ normal / length, -normal.dot(p) / length });
+    const Eigen::Vector3d corner = (points.row(face[0]) - origin).transpose() / size;
+    halfSpaces.push_back({ normal, -normal.dot(corner) });
   }
   const InscribedBall ball = FindInscribedBall(halfSpaces, 1.0);
   placement.Clearance = ball.Radius;
