@@ -284,10 +284,10 @@ int UntangleStar(Untangling& untangling, const UntangleOptions& options,
     ProjectToSphere(solid, centre);
   }
   solid.Points = SolveTutteEmbedding(solid, progress.Part(0.0, 0.1));
-  // A single expansion may take longer than all rounds, so these end only when they stall.
+  // An expansion may take longer than all rounds, so these end only when they stall.
   int left = ReduceInverted(
     untangling, options, Patience, progress.Part(0.1, 0.6, "untangling the inverted cells"));
-  if (left > 0)
+  if (left > 0 && !isNearSphere)
   {
     left = ReduceAndExpand(untangling, options, progress.Part(0.6, 0.8));
   }
