@@ -112,6 +112,27 @@ TEST(StarCollar, FindsACentreOnlyIfThereIsOne)
   EXPECT_FALSE(find().IsValid);
 }
 
+TEST(StarKernel, TakesTheNormalOfATriangleOfAFewRoundings)
+{
+  // A corner of a cube, cut off by the plane x + y + z = 2.2 of a triangle of size 2^-48.
+  Eigen::MatrixXd points(7, 3);
+  points << 0, 0, 0, 3, 0, 0, 0, 3, 0, 0, 0, 3,                    //
+    1, 0.6, 0.6,                                                   //
+    1 + 0x1p-49 + 0x1p-52, 0.6 - 0x1p-49 + 0x1p-52, 0.6 - 0x1p-51, //
+    1 + 0x1p-48, 0.6 - 0x1p-48, 0.6;
+  std::vector<shape::StarFace> faces = { { 4, 5, 6 } };
+  for (int k = 0; k < 4; ++k)
+  {
+    faces.push_back(shape::FindFaceOpposite({ 0, 1, 2, 3 }, k));
+  }
+  const shape::StarPlacement centre =
+    shape::FindKernelCentre(points, faces, Eigen::RowVector3d::Constant(0.6));
+  ASSERT_TRUE(centre.IsValid);
+  // The ball that touches the planes of the axes and that one.
+  const double radius = 2.2 / (3.0 + std::sqrt(3.0));
+  EXPECT_NEAR((centre.Position.array() - radius).abs().maxCoeff(), 0.0, 1e-9);
+}
+
 TEST(StarCollar, SeparatesTheBoundary)
 {
   const shape::Cells cube = KuhnCube(2);
