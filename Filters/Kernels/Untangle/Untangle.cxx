@@ -15,6 +15,8 @@
 #include "Untangle/Private/StarKernel.h"
 #include "Untangle/Private/TutteEmbedding.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -255,14 +257,19 @@ StarPlacement FindStar(const SolidCells& solid, const UntangleOptions& options)
     : StarPlacement();
 }
 
-/// Whether the boundary is about as far from `centre` everywhere.
-bool IsNearSphere(const SolidCells& solid, const Eigen::RowVector3d& centre)
+/// Whether the boundary is about as far from the centre of its box everywhere.
+bool IsNearSphere(const SolidCells& solid)
 {
   constexpr double maximumReach = 1.5;
+  Eigen::AlignedBox3d box;
+  for (const std::array<int, 3>& triangle : solid.BoundaryTriangles())
+  {
+    box.extend(solid.Points.row(triangle[0]).transpose());
+  }
   double nearest = std::numeric_limits<double>::max(), farthest = 0.0;
   for (const std::array<int, 3>& triangle : solid.BoundaryTriangles())
   {
-    const double distance = (solid.Points.row(triangle[0]) - centre).norm();
+    const double distance = (solid.Points.row(triangle[0]).transpose() - box.center()).norm();
     nearest = std::min(nearest, distance);
     farthest = std::max(farthest, distance);
   }
@@ -278,7 +285,7 @@ int UntangleStar(Untangling& untangling, const UntangleOptions& options,
   SolidCells& solid = untangling.Solid;
   SeparateBoundary(solid, progress.Part(0.0, 0.0));
   const Eigen::MatrixXd targets = solid.Points.topRows(solid.PointCount());
-  const bool isNearSphere = IsNearSphere(solid, centre);
+  const bool isNearSphere = IsNearSphere(solid);
   if (!isNearSphere)
   {
     ProjectToSphere(solid, centre);
@@ -291,9 +298,20 @@ int UntangleStar(Untangling& untangling, const UntangleOptions& options,
   {
     left = ReduceAndExpand(untangling, options, progress.Part(0.6, 0.8));
   }
-  return left > 0 || isNearSphere
-    ? left
-    : MoveOutward(solid, centre, targets, progress.Part(0.8, 1.0, "moving the boundary outward"));
+  if (left == 0 && !isNearSphere)
+  {
+    return MoveOutward(
+      solid, centre, targets, progress.Part(0.8, 1.0, "moving the boundary outward"));
+  }
+  // Back to where the boundary was.
+  for (int point = 0; point < targets.rows(); ++point)
+  {
+    if (solid.OnBoundary(point))
+    {
+      solid.Points.row(point) = targets.row(point);
+    }
+  }
+  return static_cast<int>(FindInverted(solid).size());
 }
 
 /// Returns the boundary faces that have an area.

@@ -209,4 +209,25 @@ TEST(StarCollar, LetsUntangleEndValidInSpikes)
   }
 }
 
+TEST(StarCollar, KeepsTheBoundaryToTheBitWithFewSteps)
+{
+  shape::UntangleOptions options;
+  options.MaximumIterations = 1;
+  for (const unsigned int seed : { 7U, 8U, 9U })
+  {
+    const shape::Cells rest = KuhnCube(5);
+    shape::Cells spikes = rest;
+    MakeSpikes(spikes, 30.0, seed);
+    const shape::UntangleResult result = shape::Untangle(spikes, rest.Points, options);
+    const shape::SolidCells solid(rest, rest.Points, "the cube");
+    for (int point = 0; point < solid.PointCount(); ++point)
+    {
+      if (solid.OnBoundary(point))
+      {
+        EXPECT_EQ(result.Solid.Points.row(point), spikes.Points.row(point)) << seed;
+      }
+    }
+  }
+}
+
 } // namespace
