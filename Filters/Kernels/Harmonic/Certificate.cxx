@@ -3,7 +3,6 @@
 #include "Base/Errors.h"
 #include "Geometry/SelfIntersections.h"
 #include "Harmonic/Private/DomainCover.h"
-#include "Harmonic/Private/InverseSearch.h"
 #include "Solids/Nesting.h"
 
 #include <Eigen/LU>

@@ -89,6 +89,13 @@ Eigen::MatrixXd EvaluateJacobians(const ChargeSet& set, const Eigen::MatrixXd& p
   return values;
 }
 
+Eigen::Matrix3d GetJacobian(const Eigen::MatrixXd& jacobians, Eigen::Index i)
+{
+  Eigen::Matrix3d square;
+  square << jacobians.block<1, 3>(i, 0), jacobians.block<1, 3>(i, 3), jacobians.block<1, 3>(i, 6);
+  return square;
+}
+
 /// The coefficient matrix A_uv = K(P_u, Q_v) of Li et al. 2010, section 3.3, step 2 (K: eq. 1).
 Eigen::MatrixXd BuildPotentialMatrix(
   const Eigen::MatrixXd& points, const Eigen::MatrixXd& sources, const Progress& progress)

@@ -153,6 +153,9 @@ FiniteElements FillWithElements(const Surface& given, const Eigen::MatrixXd& giv
   // Tetrahedra have on average about half of the largest volume.
   options.MaximumVolume = 2.0 * ComputeEnclosedVolume(boundary) / tetrahedra;
   options.PreserveBoundary = preserveBoundary;
+  // More than ten times what is usual. There are about 20 tetrahedra for each triangle.
+  options.MaximumSeconds = static_cast<int>(
+    30.0 + 2.5e-4 * (tetrahedra + 20.0 * static_cast<double>(boundary.Triangles().rows())));
   TetrahedralizeResult solid = Tetrahedralize(
     boundary, {}, options, progress.Part(0.1, 0.9, "filling the solid with tetrahedra"));
   FiniteElements elements{ std::move(solid.Points), std::move(solid.Tetrahedra), {}, {}, 0 };

@@ -406,32 +406,34 @@ PiecewiseHarmonicMap::RepairPositions PiecewiseHarmonicMap::LocateInRepair(
   return at;
 }
 
-namespace
+/// The repair at some points, and f where it has a share.
+struct PiecewiseHarmonicMap::RepairedValues
 {
+  RepairPositions At;
+  std::vector<int> Outside; ///< the points outside the core
+  Eigen::MatrixXd Charges;  ///< f at these points, one in each row
+};
 
-/// Returns the points outside the core of the repair, where f has a share.
-std::vector<int> OutsideCore(const PiecewiseHarmonicMap::RepairPositions& at)
+PiecewiseHarmonicMap::RepairedValues PiecewiseHarmonicMap::LocateRepaired(
+  const Eigen::MatrixXd& points, const Progress& progress) const
 {
-  std::vector<int> rows;
-  for (int i = 0; i < at.Cells.size(); ++i)
+  RepairedValues found{ this->LocateInRepair(points, progress.Part(0.0, 0.3)), {}, {} };
+  for (int i = 0; i < found.At.Cells.size(); ++i)
   {
-    if (at.Values(i, 3) > 0.0)
+    if (found.At.Values(i, 3) > 0.0)
     {
-      rows.push_back(i);
+      found.Outside.push_back(i);
     }
   }
-  return rows;
+  found.Charges =
+    this->EvaluateRegion(0, points(found.Outside, Eigen::all), progress.Part(0.3, 1.0));
+  return found;
 }
-
-} // namespace
 
 Eigen::MatrixXd PiecewiseHarmonicMap::EvaluateRepaired(
   const Eigen::MatrixXd& points, const Progress& progress) const
 {
-  const RepairPositions at = this->LocateInRepair(points, progress.Part(0.0, 0.3));
-  const std::vector<int> rows = OutsideCore(at);
-  const Eigen::MatrixXd charges =
-    this->EvaluateRegion(0, points(rows, Eigen::all), progress.Part(0.3, 1.0));
+  const auto [at, rows, charges] = this->LocateRepaired(points, progress);
   // g = h + phi (f - h), and f itself where phi is 1.
   Eigen::MatrixXd values = at.Values.leftCols<3>();
   for (std::size_t k = 0; k < rows.size(); ++k)
@@ -447,10 +449,7 @@ Eigen::MatrixXd PiecewiseHarmonicMap::EvaluateRepaired(
 Eigen::MatrixXd PiecewiseHarmonicMap::RepairedJacobians(
   const Eigen::MatrixXd& points, const Progress& progress) const
 {
-  const RepairPositions at = this->LocateInRepair(points, progress.Part(0.0, 0.3));
-  const std::vector<int> rows = OutsideCore(at);
-  const Eigen::MatrixXd charges =
-    this->EvaluateRegion(0, points(rows, Eigen::all), progress.Part(0.3, 0.6));
+  const auto [at, rows, charges] = this->LocateRepaired(points, progress.Part(0.0, 0.6));
   const Eigen::MatrixXd derivatives = shape::EvaluateJacobians(
     this->Maps[0], points(rows, Eigen::all), progress.Part(0.6, 1.0), this->Device);
   // The derivative of g = h + phi (f - h).

@@ -121,6 +121,8 @@ public:
 
 private:
   void FindParents();
+  struct RepairedValues;
+  RepairedValues LocateRepaired(const Eigen::MatrixXd& points, const Progress& progress) const;
   Eigen::MatrixXd EvaluateRepaired(const Eigen::MatrixXd& points, const Progress& progress) const;
   Eigen::MatrixXd RepairedJacobians(const Eigen::MatrixXd& points, const Progress& progress) const;
   Eigen::MatrixXd EvaluateRegion(

@@ -40,6 +40,21 @@ bool IsPositive(const Eigen::MatrixXd& points, const Eigen::RowVector4i& ids)
            points.row(ids(0)), points.row(ids(1)), points.row(ids(2)), points.row(ids(3))) > 0;
 }
 
+/// Fills a solid with tetrahedra. TetGen fails on some surfaces only if it adds points on the
+/// triangles, and does not end on others only if it may not.
+FiniteElements Fill(const Surface& domain, const Eigen::MatrixXd& images, int tetrahedra,
+  const Progress& progress)
+{
+  try
+  {
+    return FillWithElements(domain, images, tetrahedra, false, progress.Part(0.0, 0.5));
+  }
+  catch (const SolveFailure&)
+  {
+    return FillWithElements(domain, images, tetrahedra, true, progress.Part(0.5, 1.0));
+  }
+}
+
 /// The visitor with which Eigen's tree search finds whether a tetrahedron meets a box.
 struct MeetsABox
 {
@@ -370,8 +385,8 @@ RepairMapResult RepairMap(const ChargeSet& map, const Surface& domain,
     return result;
   }
   CoreSearch search(map,
-    FillWithElements(domain, targets.size() == 0 ? Evaluate(map, domain.Points()) : targets,
-      options.Tetrahedra, true, progress.Part(0.25, 0.4)),
+    Fill(domain, targets.size() == 0 ? Evaluate(map, domain.Points()) : targets, options.Tetrahedra,
+      progress.Part(0.25, 0.4)),
     progress.Part(0.4, 0.42));
   search.AddFolds(certificate, progress.Part(0.42, 0.45, "finding the folds"));
   search.Grow();

@@ -46,6 +46,8 @@ void CheckOptions(const TetrahedralizeOptions& options)
     throw InvalidInput("MaximumVolume is " + FormatNumber(volume) +
       "; give a positive volume in the model's units cubed, or 0 for no bound");
   }
+  RequireOption(
+    options.MaximumSeconds >= 0, "MaximumSeconds", options.MaximumSeconds, "0 or more");
 }
 
 /// Orients all tetrahedra positively. Throws if their orientations differ.
@@ -235,7 +237,7 @@ TetrahedralizeResult Fill(
   const int maximumNewPoints =
     1000000 + static_cast<int>(std::min(1e9, 50.0 * static_cast<double>(given) + byVolume));
   TetGenOutput mesh = RunTetGen({ solid.Surfaces, solid.Holes, options.MaximumRadiusEdgeRatio,
-                                  maximumVolume, options.PreserveBoundary, maximumNewPoints },
+                                  maximumVolume, options.PreserveBoundary, maximumNewPoints, options.MaximumSeconds },
     progress.Part(0.0, 0.8, DescribeWork(byVolume)));
   if (mesh.Tetrahedra.rows() == 0 || mesh.Faces.rows() == 0 || mesh.Points.rows() < given ||
     mesh.Points.topRows(given) != solid.Surfaces.Points)

@@ -3,7 +3,6 @@
 #include "Base/Errors.h"
 #include "Distance/SignedDistance.h"
 #include "Harmonic/Private/DeterminantSign.h"
-#include "Harmonic/Private/InverseSearch.h"
 #include "Harmonic/Private/TaylorExpansion.h"
 #include "Mesh/UsedPoints.h"
 #include "Support/RandomPoints.h"

@@ -4,7 +4,6 @@
 #include "Geometry/Sampling.h"
 #include "Harmonic/ApplyVolumeMap.h"
 #include "Harmonic/PiecewiseInverseMap.h"
-#include "Harmonic/Private/InverseSearch.h"
 #include "Harmonic/Private/RingCertificate.h"
 #include "Harmonic/Private/TetrahedronBox.h"
 #include "Harmonic/VolumeTransform.h"

@@ -106,13 +106,6 @@ SearchedMap::SearchedMap(const PiecewiseHarmonicMap& map)
 {
 }
 
-Eigen::Matrix3d GetJacobian(const Eigen::MatrixXd& jacobians, Eigen::Index i)
-{
-  Eigen::Matrix3d square;
-  square << jacobians.block<1, 3>(i, 0), jacobians.block<1, 3>(i, 3), jacobians.block<1, 3>(i, 6);
-  return square;
-}
-
 Search StartSearch(const SearchedMap& map, const Eigen::MatrixXd& positions,
   const Eigen::MatrixXd& targets, const Progress& progress)
 {

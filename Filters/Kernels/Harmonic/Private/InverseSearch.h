@@ -76,7 +76,4 @@ void IterateNewton(const SearchedMap& map, Search& search, const Limits& limits,
 Search WalkToTargets(const SearchedMap& map, const Eigen::MatrixXd& starts,
   const Eigen::MatrixXd& targets, const Limits& limits, Steps& progress);
 
-/// Returns the derivative in row i of `jacobians` (n x 9, ordered as by EvaluateJacobians).
-Eigen::Matrix3d GetJacobian(const Eigen::MatrixXd& jacobians, Eigen::Index i);
-
 } // namespace shape

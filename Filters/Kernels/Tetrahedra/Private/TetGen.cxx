@@ -31,6 +31,7 @@ TetGenOutput RunTetGen(const TetGenInput&, const Progress&)
 #include <csignal>
 #include <cstring>
 #include <string>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace
@@ -74,6 +75,12 @@ namespace
 void RunInChild(const TetGenInput& input, int pipe)
 {
   childPipe = pipe;
+  if (input.MaximumSeconds > 0)
+  {
+    const auto seconds = static_cast<rlim_t>(input.MaximumSeconds);
+    const rlimit time{ seconds, seconds + 1 };
+    setrlimit(RLIMIT_CPU, &time);
+  }
   setlocale(LC_NUMERIC, "C"); // TetGen reads numbers
   const Mesh& mesh = input.Surfaces;
   tetgenio in, out;
@@ -172,8 +179,13 @@ void RunInChild(const TetGenInput& input, int pipe)
   }
 }
 
-[[noreturn]] void ReportEnd(int number)
+[[noreturn]] void ReportEnd(int number, int seconds)
 {
+  if (number == SIGXCPU)
+  {
+    throw SolveFailure("TetGen did not end within " + std::to_string(seconds) +
+      " seconds of processor time; remesh where triangles are thin, or change PreserveBoundary");
+  }
   if (number == SIGKILL)
   {
     throw SolveFailure("TetGen's process was killed, probably because memory ran out; use "
@@ -206,7 +218,7 @@ TetGenOutput RunTetGen(const TetGenInput& input, const Progress& progress)
   Header header{};
   if (!child.Receive(&header, sizeof(header), waiting))
   {
-    ReportEnd(child.Signal());
+    ReportEnd(child.Signal(), input.MaximumSeconds);
   }
   if (header.Code != 0)
   {
@@ -219,7 +231,7 @@ TetGenOutput RunTetGen(const TetGenInput& input, const Progress& progress)
     !child.Receive(tetrahedra.data(), sizeof(int) * tetrahedra.size(), waiting) ||
     !child.Receive(faces.data(), sizeof(int) * faces.size(), waiting))
   {
-    ReportEnd(child.Signal());
+    ReportEnd(child.Signal(), input.MaximumSeconds);
   }
   progress(1.0);
   return { points, tetrahedra, faces };

@@ -15,6 +15,7 @@ struct TetGenInput
   double MaximumVolume;          ///< upper bound on the volume of a tetrahedron; 0 for no bound
   bool PreserveBoundary;         ///< whether no points are added on the triangles
   int MaximumNewPoints;          ///< refinement stops at this number, even if a bound is not met
+  int MaximumSeconds;            ///< of processor time; 0 for no limit
 };
 
 /// The output of TetGen.
@@ -31,8 +32,8 @@ struct TetGenOutput
  * On some inputs, TetGen 1.5 fails an assertion, crashes or never ends. It therefore runs in a
  * forked copy of this process, which is connected to this process by a pipe only. A crash ends only
  * the copy, and an abort kills it. Throws InvalidInput if ShapeMap was built without TetGen, or if
- * TetGen rejects the input. Throws SolveFailure if TetGen gives up or crashes; Aborted within 0.2
- * s.
+ * TetGen rejects the input. Throws SolveFailure if TetGen gives up, crashes or needs too long;
+ * Aborted within 0.2 s.
  */
 TetGenOutput RunTetGen(const TetGenInput& input, const Progress& progress = {});
 
