@@ -86,13 +86,7 @@ void CheckBoundary(
   const ChargeSet& map, const Surface& domain, const Progress& progress, MapCertificate& result)
 {
   const Surface image = domain.WithPoints(Evaluate(map, domain.Points(), progress.Part(0.0, 0.3)));
-  const std::vector<int> degenerate = FindDegenerateTriangles(image);
-  result.BoundaryCrossings = static_cast<int>(degenerate.size());
-  if (degenerate.empty())
-  {
-    result.BoundaryCrossings =
-      static_cast<int>(FindSelfIntersections(image, progress.Part(0.3, 1.0)).size());
-  }
+  result.BoundaryCrossings = CountCrossings(image, progress.Part(0.3, 1.0));
   result.BoundaryReversed = ComputeEnclosedVolume(image) < 0.0;
   // Nested components face in and out in turn, so no position of the image is covered twice.
   result.BoundaryInjective = result.BoundaryCrossings == 0 &&
@@ -117,6 +111,13 @@ MapCertificate CertifyMap(const ChargeSet& map, const Surface& domain,
     (result.States.array() == static_cast<int>(BoxState::Certified)).all();
   progress(1.0);
   return result;
+}
+
+int CountCrossings(const Surface& image, const Progress& progress)
+{
+  const std::vector<int> degenerate = FindDegenerateTriangles(image);
+  return static_cast<int>(
+    degenerate.empty() ? FindSelfIntersections(image, progress).size() : degenerate.size());
 }
 
 } // namespace shape

@@ -38,7 +38,8 @@ Eigen::MatrixXd Evaluate(const ChargeSet& set, const Eigen::MatrixXd& points,
 Eigen::MatrixXd EvaluateJacobians(const ChargeSet& set, const Eigen::MatrixXd& points,
   const Progress& progress = {}, const SumDevice& device = {});
 
-/// Returns the derivative in row i of `jacobians`, which has the columns of EvaluateJacobians first.
+/// Returns the derivative in row i of `jacobians`, which has the columns of EvaluateJacobians
+/// first.
 Eigen::Matrix3d GetJacobian(const Eigen::MatrixXd& jacobians, Eigen::Index i);
 
 /// Returns the matrix of potentials 1 / (4 pi |y_i - x_j|): one row for each point y_i, one column

@@ -79,31 +79,6 @@ Cells ToCells(const FiniteElements& elements)
     Eigen::VectorXi::LinSpaced(count + 1, 0, static_cast<int>(4 * count)), byCell.reshaped() };
 }
 
-/// Returns the faces of only one tetrahedron, facing outwards.
-Eigen::MatrixXi FindBoundary(const FiniteElements& elements)
-{
-  const std::vector<CellFace> faces = SortFaces(ToCells(elements));
-  std::vector<std::size_t> found;
-  for (std::size_t i = 0; i < faces.size(); ++i)
-  {
-    if (IsBoundaryFace(faces, i))
-    {
-      found.push_back(i);
-    }
-  }
-  Eigen::MatrixXi boundary(found.size(), 3);
-  for (std::size_t i = 0; i < found.size(); ++i)
-  {
-    const CellFace& face = faces[found[i]];
-    const std::vector<int>& corners = GetFaces(cell_kind::Tetrahedron)[face.Face];
-    for (int k = 0; k < 3; ++k)
-    {
-      boundary(static_cast<Eigen::Index>(i), k) = elements.Tetrahedra(face.Cell, corners[k]);
-    }
-  }
-  return boundary;
-}
-
 /// Returns the points of the boundary, in ascending order.
 std::vector<int> FindFixedPoints(const FiniteElements& elements)
 {
@@ -135,6 +110,30 @@ FiniteElements RequireComplete(FiniteElements elements)
 
 } // namespace
 
+Eigen::MatrixXi FindBoundaryFaces(const FiniteElements& elements)
+{
+  const std::vector<CellFace> faces = SortFaces(ToCells(elements));
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    if (IsBoundaryFace(faces, i))
+    {
+      found.push_back(i);
+    }
+  }
+  Eigen::MatrixXi boundary(found.size(), 3);
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    const CellFace& face = faces[found[i]];
+    const std::vector<int>& corners = GetFaces(cell_kind::Tetrahedron)[face.Face];
+    for (int k = 0; k < 3; ++k)
+    {
+      boundary(static_cast<Eigen::Index>(i), k) = elements.Tetrahedra(face.Cell, corners[k]);
+    }
+  }
+  return boundary;
+}
+
 FiniteElements FillWithElements(const Surface& given, const Eigen::MatrixXd& givenValues,
   int tetrahedra, bool preserveBoundary, const Progress& progress)
 {
@@ -153,13 +152,10 @@ FiniteElements FillWithElements(const Surface& given, const Eigen::MatrixXd& giv
   // Tetrahedra have on average about half of the largest volume.
   options.MaximumVolume = 2.0 * ComputeEnclosedVolume(boundary) / tetrahedra;
   options.PreserveBoundary = preserveBoundary;
-  // More than ten times what is usual. There are about 20 tetrahedra for each triangle.
-  options.MaximumSeconds = static_cast<int>(
-    30.0 + 2.5e-4 * (tetrahedra + 20.0 * static_cast<double>(boundary.Triangles().rows())));
   TetrahedralizeResult solid = Tetrahedralize(
     boundary, {}, options, progress.Part(0.1, 0.9, "filling the solid with tetrahedra"));
   FiniteElements elements{ std::move(solid.Points), std::move(solid.Tetrahedra), {}, {}, 0 };
-  elements.Boundary = FindBoundary(elements);
+  elements.Boundary = FindBoundaryFaces(elements);
 
   // The values at the boundary: given, or linear in its triangles.
   const std::vector<int> fixed = FindFixedPoints(elements);

@@ -53,6 +53,9 @@ FiniteElements ComputeFiniteElements(const Surface& boundary, const Eigen::Matri
 FiniteElements FillWithElements(const Surface& boundary, const Eigen::MatrixXd& values,
   int tetrahedra, bool preserveBoundary, const Progress& progress = {});
 
+/// Returns the faces of only one tetrahedron, facing outwards: k x 3, sorted.
+Eigen::MatrixXi FindBoundaryFaces(const FiniteElements& elements);
+
 /// Evaluates a map of finite elements anywhere. Can be used from several threads.
 class FiniteElementMap
 {

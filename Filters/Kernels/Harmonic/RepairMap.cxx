@@ -3,10 +3,12 @@
 #include "Base/Errors.h"
 #include "Base/Parallel.h"
 #include "Geometry/Orientation.h"
+#include "Geometry/SelfIntersections.h"
 #include "Harmonic/Private/RingCertificate.h"
 #include "Harmonic/Private/TetrahedronBox.h"
 #include "Mesh/Topology.h"
 #include "Search/TriangleBoxes.h"
+#include "Solids/SurfaceComplex.h"
 #include "Untangle/Untangle.h"
 
 #include <Eigen/Geometry>
@@ -42,8 +44,8 @@ bool IsPositive(const Eigen::MatrixXd& points, const Eigen::RowVector4i& ids)
 
 /// Fills a solid with tetrahedra. TetGen fails on some surfaces only if it adds points on the
 /// triangles, and does not end on others only if it may not.
-FiniteElements Fill(const Surface& domain, const Eigen::MatrixXd& images, int tetrahedra,
-  const Progress& progress)
+FiniteElements Fill(
+  const Surface& domain, const Eigen::MatrixXd& images, int tetrahedra, const Progress& progress)
 {
   try
   {
@@ -84,22 +86,25 @@ public:
 
   /// Adds the tetrahedra that meet a box that is not certified.
   void AddFolds(const MapCertificate& certificate, const Progress& progress);
-  void Add(const std::vector<int>& tetrahedra);
-  /// Adds the tetrahedra that share a point with the core.
-  void Grow();
-  bool IsEmpty() const { return std::count(this->InCore.begin(), this->InCore.end(), 1) == 0; }
+  /// Adds layers of the tetrahedra that share a point with the core.
+  void Grow(int layers);
+  bool IsEmpty() const { return this->CoreTetrahedra.empty(); }
+  bool IsWhole() const { return this->CoreTetrahedra.size() == this->InCore.size(); }
 
-  /// Returns the tetrahedra of the ring that are not certified.
-  std::vector<int> TestRing(const Progress& progress);
-  /// Untangles the core, and returns its tetrahedra that stay inverted.
-  std::vector<int> UntangleCore(const Progress& progress);
+  /// Grows until the ring is certified, and the image of the core's boundary does not cross itself
+  /// where it has points with images by f.
+  void GrowUntilBounded(const Progress& progress);
+  /// Untangles the core, and returns whether none of its tetrahedra stays inverted.
+  bool UntangleCore(const Progress& progress);
 
-  /// Sets the repair and the shares of the result. failed: the tetrahedra of the ring that are not
-  /// certified.
-  void Finish(const std::vector<int>& failed, RepairMapResult& result) const;
+  /// Sets the repair and the shares of the result.
+  void Finish(RepairMapResult& result) const;
 
 private:
+  std::vector<int> TestRing(const Progress& progress);
+  std::vector<int> FindCrossings() const;
   void Close();
+  std::vector<char> FindPrescribed() const;
   MapRepair WholeRepair() const;
   double VolumeOf(const std::vector<int>& tetrahedra) const;
 
@@ -109,6 +114,9 @@ private:
   std::vector<char> InCore;    ///< for each tetrahedron
   std::vector<char> AtCore;    ///< for each point: whether it belongs to the core
   std::vector<char> AtSurface; ///< for each point
+  /// For each tetrahedron, its corners in the core as bits, when it was certified in the ring; or
+  /// 0. Nothing else changes.
+  std::vector<char> Certified;
   std::vector<int> CoreTetrahedra, RingTetrahedra;
   /// The core as Untangle made it.
   FiniteElements Core;
@@ -121,6 +129,7 @@ CoreSearch::CoreSearch(const ChargeSet& map, FiniteElements elements, const Prog
   , Values(Evaluate(map, this->Elements.Points, progress))
   , InCore(this->Elements.Tetrahedra.rows(), 0)
   , AtSurface(this->Elements.Points.rows(), 0)
+  , Certified(this->Elements.Tetrahedra.rows(), 0)
 {
   for (const int point : this->Elements.Boundary.reshaped())
   {
@@ -165,25 +174,16 @@ void CoreSearch::AddFolds(const MapCertificate& certificate, const Progress& pro
   this->Close();
 }
 
-void CoreSearch::Add(const std::vector<int>& tetrahedra)
+void CoreSearch::Grow(int layers)
 {
-  for (const int t : tetrahedra)
+  for (int layer = 0; layer < layers && !this->IsWhole(); ++layer)
   {
-    this->InCore[t] = 1;
-  }
-  this->Close();
-}
-
-void CoreSearch::Grow()
-{
-  for (std::size_t t = 0; t < this->InCore.size(); ++t)
-  {
-    for (const int point : this->Elements.Tetrahedra.row(static_cast<Eigen::Index>(t)))
+    for (const int t : this->RingTetrahedra)
     {
-      this->InCore[t] |= this->AtCore[point];
+      this->InCore[t] = 1;
     }
+    this->Close();
   }
-  this->Close();
 }
 
 /// Finds the points of the core, adds the tetrahedra that have no other points, and finds the ring.
@@ -215,17 +215,30 @@ void CoreSearch::Close()
   }
 }
 
+/// Returns for each point whether it has its prescribed image. The points of the ring have their
+/// images by f, also on the boundary.
+std::vector<char> CoreSearch::FindPrescribed() const
+{
+  std::vector<char> prescribed(this->AtSurface);
+  for (const int point : this->Elements.Tetrahedra(this->RingTetrahedra, Eigen::all).reshaped())
+  {
+    prescribed[point] = 0;
+  }
+  return prescribed;
+}
+
 /// Returns the repair before untangling, with the tetrahedra and points of the whole solid.
 MapRepair CoreSearch::WholeRepair() const
 {
   MapRepair repair{ this->Elements, Eigen::VectorXd::Ones(this->Elements.Points.rows()) };
+  const std::vector<char> prescribed = this->FindPrescribed();
   for (Eigen::Index i = 0; i < repair.Shares.size(); ++i)
   {
     if (this->AtCore[i] != 0)
     {
       repair.Shares(i) = 0.0;
     }
-    if (this->AtCore[i] == 0 || this->AtSurface[i] == 0)
+    if (prescribed[i] == 0)
     {
       repair.Elements.Images.row(i) = this->Values.row(i);
     }
@@ -233,12 +246,94 @@ MapRepair CoreSearch::WholeRepair() const
   return repair;
 }
 
+/// Returns the tetrahedra of the ring that are not certified.
 std::vector<int> CoreSearch::TestRing(const Progress& progress)
 {
-  return FindUncertified(this->Map, this->WholeRepair(), this->RingTetrahedra, progress);
+  std::vector<int> tested;
+  for (const int t : this->RingTetrahedra)
+  {
+    char corners = 0;
+    for (int k = 0; k < 4; ++k)
+    {
+      corners |= static_cast<char>(this->AtCore[this->Elements.Tetrahedra(t, k)] << k);
+    }
+    if (this->Certified[t] != corners)
+    {
+      this->Certified[t] = corners;
+      tested.push_back(t);
+    }
+  }
+  std::vector<int> failed = FindUncertified(this->Map, this->WholeRepair(), tested, progress);
+  for (const int t : failed)
+  {
+    this->Certified[t] = 0;
+  }
+  return failed;
 }
 
-std::vector<int> CoreSearch::UntangleCore(const Progress& progress)
+/// Returns the points of boundary triangles of the core whose images cross or have no area, unless
+/// the images of their points are all prescribed.
+std::vector<int> CoreSearch::FindCrossings() const
+{
+  const MapRepair repair = this->WholeRepair();
+  const std::vector<char> prescribed = this->FindPrescribed();
+  const FiniteElements core{ {}, this->Elements.Tetrahedra(this->CoreTetrahedra, Eigen::all) };
+  const Surface image(repair.Elements.Images, FindBoundaryFaces(core));
+  std::vector<int> triangles = FindDegenerateTriangles(image);
+  if (triangles.empty())
+  {
+    for (const Crossing& crossing : FindSelfIntersections(image))
+    {
+      triangles.insert(triangles.end(), { crossing.First, crossing.Second });
+    }
+  }
+  std::vector<int> points;
+  for (const int triangle : triangles)
+  {
+    const Eigen::RowVector3i corners = image.Triangles().row(triangle);
+    if (std::any_of(corners.begin(), corners.end(), [&](int i) { return prescribed[i] == 0; }))
+    {
+      points.insert(points.end(), corners.begin(), corners.end());
+    }
+  }
+  return points;
+}
+
+void CoreSearch::GrowUntilBounded(const Progress& progress)
+{
+  for (double done = 0.0; true;)
+  {
+    const double next = done + 0.3 * (1.0 - done);
+    const std::vector<int> failed = this->TestRing(progress.Part(done, next));
+    done = next;
+    const Eigen::MatrixXi corners = this->Elements.Tetrahedra(failed, Eigen::all);
+    std::vector<int> points(corners.data(), corners.data() + corners.size());
+    if (points.empty())
+    {
+      points = this->FindCrossings();
+    }
+    if (points.empty())
+    {
+      break;
+    }
+    std::vector<char> touched(this->AtCore.size(), 0);
+    for (const int point : points)
+    {
+      touched[point] = 1;
+    }
+    for (std::size_t t = 0; t < this->InCore.size(); ++t)
+    {
+      for (const int point : this->Elements.Tetrahedra.row(static_cast<Eigen::Index>(t)))
+      {
+        this->InCore[t] |= touched[point];
+      }
+    }
+    this->Close();
+  }
+  progress(1.0);
+}
+
+bool CoreSearch::UntangleCore(const Progress& progress)
 {
   const MapRepair repair = this->WholeRepair();
   std::vector<int> positions(this->AtCore.size(), -1);
@@ -256,21 +351,18 @@ std::vector<int> CoreSearch::UntangleCore(const Progress& progress)
                                        .unaryExpr([&](int point) { return positions[point]; });
   this->Core = { this->Elements.Points(this->CorePoints, Eigen::all), tetrahedra,
     repair.Elements.Images(this->CorePoints, Eigen::all), {}, 0 };
-  std::vector<int> inverted;
+  int inverted = 0;
   double volume = 0.0;
   for (int t = 0; t < count; ++t)
   {
     const Corners image = GetTetrahedron(this->Core.Images, tetrahedra.row(t));
     volume += (image.bottomRows<3>().rowwise() - image.row(0)).determinant();
-    if (!IsPositive(this->Core.Images, tetrahedra.row(t)))
-    {
-      inverted.push_back(this->CoreTetrahedra[t]);
-    }
+    inverted += !IsPositive(this->Core.Images, tetrahedra.row(t));
   }
   // A core whose image has no positive volume cannot be untangled.
-  if (inverted.empty() || !(volume > 0.0))
+  if (inverted == 0 || !(volume > 0.0))
   {
-    return inverted;
+    return inverted == 0;
   }
   const Eigen::MatrixXi byCell = tetrahedra.transpose();
   UntangleResult result =
@@ -281,15 +373,7 @@ std::vector<int> CoreSearch::UntangleCore(const Progress& progress)
   this->Core.Points = result.Provenance.Weights * this->Core.Points;
   this->Core.Images = result.Solid.Points;
   this->Core.Tetrahedra = result.Solid.Corners.reshaped(4, result.Inverted.size()).transpose();
-  inverted.clear();
-  for (Eigen::Index t = 0; t < result.Inverted.size(); ++t)
-  {
-    if (result.Inverted(t) != 0)
-    {
-      inverted.push_back(this->CoreTetrahedra[result.Provenance.Cells(t)]);
-    }
-  }
-  return inverted;
+  return result.InvertedAfter == 0;
 }
 
 double CoreSearch::VolumeOf(const std::vector<int>& tetrahedra) const
@@ -303,7 +387,7 @@ double CoreSearch::VolumeOf(const std::vector<int>& tetrahedra) const
   return volume;
 }
 
-void CoreSearch::Finish(const std::vector<int>& failed, RepairMapResult& result) const
+void CoreSearch::Finish(RepairMapResult& result) const
 {
   // The points of the core, then those of the ring alone.
   MapRepair& repair = result.Repair;
@@ -357,8 +441,8 @@ void CoreSearch::Finish(const std::vector<int>& failed, RepairMapResult& result)
   result.CoreShare = core / total;
   result.RingShare = this->VolumeOf(this->RingTetrahedra) / total;
   result.InvertedShare = inverted / total;
-  result.UndecidedShare = this->VolumeOf(failed) / total;
-  result.CertifiedShare = 1.0 - result.InvertedShare - result.UndecidedShare;
+  result.UndecidedShare = 0.0;
+  result.CertifiedShare = 1.0 - result.InvertedShare;
 }
 
 } // namespace
@@ -373,9 +457,11 @@ RepairMapResult RepairMap(const ChargeSet& map, const Surface& domain,
       " points and " + std::to_string(targets.rows()) +
       " images; give each point one image of three coordinates");
   }
+  RequireConformingComplex(
+    JoinSurfaces({ domain }), { "the boundary" }, 1.0, progress.Part(0.0, 0.02));
   RepairMapResult result;
   const MapCertificate certificate =
-    CertifyMap(map, domain, options.Certificate, progress.Part(0.0, 0.25));
+    CertifyMap(map, domain, options.Certificate, progress.Part(0.02, 0.25));
   result.CertifiedBefore = result.CertifiedShare = certificate.CertifiedShare;
   result.InvertedBefore = result.InvertedShare = certificate.InvertedShare;
   result.UndecidedBefore = result.UndecidedShare = certificate.UndecidedShare;
@@ -384,41 +470,41 @@ RepairMapResult RepairMap(const ChargeSet& map, const Surface& domain,
     progress(1.0);
     return result;
   }
-  CoreSearch search(map,
-    Fill(domain, targets.size() == 0 ? Evaluate(map, domain.Points()) : targets, options.Tetrahedra,
-      progress.Part(0.25, 0.4)),
+  const Eigen::MatrixXd images = targets.size() == 0 ? Evaluate(map, domain.Points()) : targets;
+  CoreSearch search(map, Fill(domain, images, options.Tetrahedra, progress.Part(0.25, 0.4)),
     progress.Part(0.4, 0.42));
   search.AddFolds(certificate, progress.Part(0.42, 0.45, "finding the folds"));
-  search.Grow();
+  search.Grow(1);
   // Rounding may leave out a box that the surface only touches.
   if (search.IsEmpty())
   {
     progress(1.0);
     return result;
   }
-  std::vector<int> failed;
+  RepairMapResult found = result;
   for (int round = 0; round < options.MaximumRounds; ++round)
   {
     const double step = 0.55 / options.MaximumRounds;
     const Progress part = progress.Part(0.45 + step * round, 0.45 + step * (round + 1));
-    ++result.Rounds;
-    const bool last = round + 1 == options.MaximumRounds;
-    failed = search.TestRing(part.Part(0.0, 0.5, "bounding the determinant in the ring"));
-    if (!failed.empty() && !last)
+    search.GrowUntilBounded(part.Part(0.0, 0.5, "bounding the determinant in the ring"));
+    const bool untangled = search.UntangleCore(part.Part(0.5, 1.0, "untangling the core"));
+    search.Finish(found);
+    ++found.Rounds;
+    if (round == 0 || found.InvertedShare < result.InvertedShare)
     {
-      search.Add(failed);
-      search.Grow();
-      continue;
+      result = found;
     }
-    const std::vector<int> inverted =
-      search.UntangleCore(part.Part(0.5, 1.0, "untangling the core"));
-    if (inverted.empty() || last)
+    if (untangled || search.IsWhole())
     {
       break;
     }
-    search.Grow();
+    search.Grow(1 << std::min(round, 20));
   }
-  search.Finish(failed, result);
+  result.Rounds = found.Rounds;
+  if (result.InvertedShare > 0.0)
+  {
+    result.ImageCrossings = CountCrossings(domain.WithPoints(images));
+  }
   progress(1.0);
   return result;
 }

@@ -15,8 +15,8 @@ struct RepairMapOptions
   /// Approximate number of tetrahedra that fill the solid; > 0. There are more if the boundary has
   /// many triangles.
   int Tetrahedra = 200000;
-  /// Maximum number of times that the core is untangled or the ring tested; >= 1. The core grows
-  /// each time, by what could not be proven and its neighbours.
+  /// Maximum number of times that the core is untangled; >= 1. In between it grows by 1, 2, 4, ...
+  /// layers of tetrahedra.
   int MaximumRounds = 8;
   MapCertificateOptions Certificate; ///< of the map before the repair
 };
@@ -30,6 +30,9 @@ struct RepairMapResult
   double CoreShare = 0.0; ///< share of the volume in which the map is replaced
   double RingShare = 0.0; ///< share of the volume in which it is blended
   int Rounds = 0;         ///< see MaximumRounds
+  /// Of the boundary's image (CountCrossings), if tetrahedra stay inverted; else 0. If there are
+  /// any, every map of the solid folds or is not one to one.
+  int ImageCrossings = 0;
 };
 
 /**
@@ -38,21 +41,25 @@ struct RepairMapResult
  * 1. CertifyMap covers the solid with boxes. The solid is filled with tetrahedra. Those that meet a
  *    box that is not certified are the core, with all that share a point with them.
  * 2. The ring are the other tetrahedra that share a point with the core. In the ring the result is
- *    g = h + phi (f - h) (MapRepair): h is linear between the images of the corners, and phi is 0
- * at the core and 1 elsewhere. det J_g > 0 is proven by bounds in cubes. Where this fails, the core
- *    grows.
+ *    g = h + phi (f - h) (MapRepair): h is linear between the values of f at the corners, and phi
+ *    is 0 at the core and 1 elsewhere. det J_g > 0 is proven by bounds in cubes. Where this fails,
+ *    the core grows, until the whole ring is certified.
  * 3. In the core g = h, and Untangle moves its inner points. Points between core and ring keep
- *    their images by f; points on the boundary get the prescribed images. Around tetrahedra that
- *    stay inverted the core grows, up to the whole solid.
+ *    their images by f; the others on the boundary get the prescribed images. If tetrahedra stay
+ *    inverted, the core grows, up to the whole solid. The best of these repairs is returned.
  *
  * A tetrahedron of the core is certified if it and its image are positive by exact predicates.
  * Outside core and ring, f is unchanged, and all boxes are certified. The images as given, with
  * rounding, are those of the repair, so the proof is about the map that is stored. If everything is
  * certified and the map is injective on the boundary, it is bijective (CertifyMap).
  *
- * domain: closed, not crossing itself, facing out of the solid. targets: n x 3, the images of its
- * points, for the core; empty: the images by f. Throws InvalidInput if an option is out of range or
- * the number of targets is wrong; the exceptions of CertifyMap, FillWithElements and Untangle.
+ * The work is bounded, and that of Tetrahedralize, too. It may add points on the triangles; only if
+ * that fails, it may not.
+ *
+ * domain: closed, facing out of the solid. targets: n x 3, the images of its points, for the core;
+ * empty: the images by f. Throws InvalidInput if an option is out of range, the number of targets
+ * is wrong or the domain crosses itself; the exceptions of CertifyMap, FillWithElements and
+ * Untangle.
  */
 RepairMapResult RepairMap(const ChargeSet& map, const Surface& domain,
   const Eigen::MatrixXd& targets = {}, const RepairMapOptions& options = {},

@@ -46,8 +46,6 @@ void CheckOptions(const TetrahedralizeOptions& options)
     throw InvalidInput("MaximumVolume is " + FormatNumber(volume) +
       "; give a positive volume in the model's units cubed, or 0 for no bound");
   }
-  RequireOption(
-    options.MaximumSeconds >= 0, "MaximumSeconds", options.MaximumSeconds, "0 or more");
 }
 
 /// Orients all tetrahedra positively. Throws if their orientations differ.
@@ -236,9 +234,12 @@ TetrahedralizeResult Fill(
   // Refinement may not end near very sharp angles, and takes long inside a thin sheet.
   const int maximumNewPoints =
     1000000 + static_cast<int>(std::min(1e9, 50.0 * static_cast<double>(given) + byVolume));
-  TetGenOutput mesh = RunTetGen({ solid.Surfaces, solid.Holes, options.MaximumRadiusEdgeRatio,
-                                  maximumVolume, options.PreserveBoundary, maximumNewPoints, options.MaximumSeconds },
-    progress.Part(0.0, 0.8, DescribeWork(byVolume)));
+  // On some surfaces TetGen never ends, without adding points. It needs 1e-4 s for a point.
+  const int maximumSeconds = 60 + static_cast<int>(3e-4 * maximumNewPoints);
+  TetGenOutput mesh =
+    RunTetGen({ solid.Surfaces, solid.Holes, options.MaximumRadiusEdgeRatio, maximumVolume,
+                options.PreserveBoundary, maximumNewPoints, maximumSeconds },
+      progress.Part(0.0, 0.8, DescribeWork(byVolume)));
   if (mesh.Tetrahedra.rows() == 0 || mesh.Faces.rows() == 0 || mesh.Points.rows() < given ||
     mesh.Points.topRows(given) != solid.Surfaces.Points)
   {

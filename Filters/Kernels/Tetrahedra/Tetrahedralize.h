@@ -24,10 +24,6 @@ struct TetrahedralizeOptions
   /// Whether every triangle of the surfaces stays unchanged. If false, points may be added on the
   /// triangles.
   bool PreserveBoundary = true;
-
-  /// Processor time in seconds after which TetGen is stopped, 1 or more; 0 for no limit. On some
-  /// surfaces it never ends.
-  int MaximumSeconds = 0;
 };
 
 struct TetrahedralizeResult

@@ -159,6 +159,12 @@ shape::VolumeMapResult vtkShapeHarmonicVolumeMap::Solve(
     vtkShapeConvert::AddFact(facts, Facts + "CertifiedBefore", repaired.CertifiedBefore);
     vtkShapeConvert::AddFact(facts, Facts + "CoreShare", repaired.CoreShare);
     vtkShapeConvert::AddFact(facts, Facts + "RingShare", repaired.RingShare);
+    if (repaired.ImageCrossings > 0)
+    {
+      this->Warn("the Map Array makes triangles of the Boundary cross or touch at " +
+        std::to_string(repaired.ImageCrossings) +
+        " pairs, so no map of the solid is one to one; some of it stays inverted");
+    }
   }
   else if (this->Certify)
   {

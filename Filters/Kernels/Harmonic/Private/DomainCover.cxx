@@ -20,10 +20,6 @@ namespace
 
 using BoxState = MapCertificate::BoxState;
 
-/// Charges at this many radii of a cube or more become part of the polynomial of its children.
-constexpr double FarRatio = 4.0;
-/// Fewer charges are not worth a polynomial of the full degree.
-constexpr int WorthExpanding = 32;
 /// A near charge at most this many radii away has a polynomial of this degree. The polynomials of
 /// near charges are used for one box only.
 struct NearClass
@@ -82,7 +78,6 @@ DomainCover::DomainCover(
   this->Boxes.push_back(root);
   auto field = std::make_shared<ChargeField>();
   field->Centre = root.Place.Centre;
-  field->HighTerms.setZero();
   field->Far.Coefficients.middleRows<3>(1) = this->Linear.transpose();
   field->Near.resize(map.Points.rows());
   std::iota(field->Near.begin(), field->Near.end(), 0);
@@ -204,34 +199,11 @@ void DomainCover::Finish(const OpenBox& open)
   }
 }
 
-/// Returns the field for the children of a box.
-std::shared_ptr<const DomainCover::ChargeField> DomainCover::Descend(const OpenBox& open) const
-{
-  const BoxCube& cube = this->Boxes[open.Id].Place;
-  const double radius = cube.Radius();
-  std::vector<int> far, near;
-  for (const int i : open.Field->Near)
-  {
-    const double distance = (this->Charges.col(i).head<3>() - cube.Centre).norm();
-    (distance > FarRatio * radius ? far : near).push_back(i);
-  }
-  if (static_cast<int>(far.size()) < WorthExpanding)
-  {
-    return open.Field;
-  }
-  auto field =
-    std::make_shared<ChargeField>(ChargeField{ open.Field->Far, cube.Centre, {}, std::move(near) });
-  field->Far.Shift(cube.Centre - open.Field->Centre);
-  field->Far.Add(this->Charges, far, cube.Centre, radius, TaylorExpansion::Degree);
-  field->HighTerms = (1.0 + 1e-12) * field->Far.BoundHighTerms(cube.Half);
-  return field;
-}
-
 /// Returns the children that meet the domain; Id is their octant.
 std::vector<DomainCover::OpenBox> DomainCover::Divide(const OpenBox& open) const
 {
   const BoxCube& cube = this->Boxes[open.Id].Place;
-  const std::shared_ptr<const ChargeField> field = this->Descend(open);
+  const std::shared_ptr<const ChargeField> field = Descend(open.Field, this->Charges, cube);
   std::vector<OpenBox> children;
   for (int octant = 0; octant < 8; ++octant)
   {

@@ -5,6 +5,7 @@
 #include "Harmonic/CertificateTypes.h"
 #include "Harmonic/ChargeSet.h"
 #include "Harmonic/Private/BoxInSolid.h"
+#include "Harmonic/Private/ChargeField.h"
 #include "Harmonic/Private/TaylorExpansion.h"
 
 #include <Eigen/Core>
@@ -49,15 +50,6 @@ public:
   bool IsComplete() const { return this->Complete; }
 
 private:
-  /// The far charges of a cube as a polynomial, and the others.
-  struct ChargeField
-  {
-    TaylorExpansion Far;
-    Eigen::Vector3d Centre;
-    Eigen::Matrix3d HighTerms; ///< bounds for Far in the cube (TaylorExpansion::BoundHighTerms)
-    std::vector<int> Near;
-  };
-
   /// A box without a state.
   struct OpenBox
   {
@@ -78,7 +70,6 @@ private:
   void Finish(const OpenBox& open);
   bool IsInside(const Eigen::Vector3d& position) const;
   bool IsDivisible(const OpenBox& open) const;
-  std::shared_ptr<const ChargeField> Descend(const OpenBox& open) const;
   std::vector<OpenBox> Divide(const OpenBox& open) const;
   std::vector<OpenBox> TakeLargest(std::vector<OpenBox>& open) const;
 

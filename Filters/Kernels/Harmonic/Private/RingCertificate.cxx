@@ -2,6 +2,7 @@
 
 #include "Base/Parallel.h"
 #include "Harmonic/Private/BoxInSolid.h"
+#include "Harmonic/Private/ChargeField.h"
 #include "Harmonic/Private/DeterminantSign.h"
 #include "Harmonic/Private/TaylorExpansion.h"
 #include "Harmonic/Private/TetrahedronBox.h"
@@ -21,31 +22,16 @@ namespace shape
 namespace
 {
 
-/// Charges at this many radii of a cube or more become part of the polynomial of its children.
-constexpr double RingFarRatio = 4.0;
-/// Fewer charges are not worth a polynomial of the full degree.
-constexpr int RingWorthExpanding = 32;
 /// A cube with a charge nearer than 1 / this many radii is divided at once.
 constexpr double RingNearestRatio = 0.6;
 /// The smallest cubes / the longest edge of a tetrahedron's box.
 constexpr double RingSmallest = 1.0 / 16.0;
 
-/// The far charges of a cube as a polynomial, and the others.
-struct RingField
-{
-  TaylorExpansion Far;
-  Eigen::Vector3d Centre = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d HighTerms = Eigen::Matrix3d::Zero(); ///< TaylorExpansion::BoundHighTerms
-  /// For each component, a bound of the polynomial's error in the cube.
-  Eigen::Vector3d ValueError = Eigen::Vector3d::Zero();
-  std::vector<int> Near;
-};
-
 /// A cube, and the tetrahedra that it has not decided.
 struct RingCube
 {
   BoxCube Place;
-  std::shared_ptr<const RingField> Field;
+  std::shared_ptr<const ChargeField> Field;
   std::vector<int> Tetrahedra; ///< indices into the ring
 };
 
@@ -78,7 +64,6 @@ public:
 private:
   bool Decide(const RingElement& element, const RingCube& cube, const TaylorExpansion& expansion,
     const Eigen::Vector3d& valueError) const;
-  std::shared_ptr<const RingField> Descend(const RingCube& cube) const;
   std::vector<RingCube> Examine(const RingCube& cube, std::vector<int>& failed) const;
 
   ChargeColumns Charges;
@@ -105,7 +90,7 @@ RingCover::RingCover(
   {
     this->Reach += this->Charges.topRows<3>().colwise().norm().maxCoeff();
   }
-  auto field = std::make_shared<RingField>();
+  auto field = std::make_shared<ChargeField>();
   field->Far.Coefficients.row(0) =
     scale * (map.Affine * origin.transpose().homogeneous() - imageOrigin.transpose()).transpose();
   field->Far.Coefficients.middleRows<3>(1) = map.Affine.leftCols<3>().transpose();
@@ -182,30 +167,6 @@ bool RingCover::Decide(const RingElement& element, const RingCube& cube,
            .Sign > 0;
 }
 
-/// Returns the field for the children of a cube.
-std::shared_ptr<const RingField> RingCover::Descend(const RingCube& cube) const
-{
-  const double radius = cube.Place.Radius();
-  std::vector<int> far, near;
-  for (const int i : cube.Field->Near)
-  {
-    const double distance = (this->Charges.col(i).head<3>() - cube.Place.Centre).norm();
-    (distance > RingFarRatio * radius ? far : near).push_back(i);
-  }
-  if (static_cast<int>(far.size()) < RingWorthExpanding)
-  {
-    return cube.Field;
-  }
-  auto field = std::make_shared<RingField>(*cube.Field);
-  field->Near = std::move(near);
-  field->Far.Shift(cube.Place.Centre - field->Centre);
-  field->Centre = cube.Place.Centre;
-  field->Far.Add(this->Charges, far, field->Centre, radius, TaylorExpansion::Degree);
-  field->ValueError += radius * (field->Far.Remainder - cube.Field->Far.Remainder);
-  field->HighTerms = (1.0 + 1e-12) * field->Far.BoundHighTerms(cube.Place.Half);
-  return field;
-}
-
 /// Decides the tetrahedra of a cube, appends those that fail, and returns its children with those
 /// that are left.
 std::vector<RingCube> RingCover::Examine(const RingCube& cube, std::vector<int>& failed) const
@@ -243,7 +204,7 @@ std::vector<RingCube> RingCover::Examine(const RingCube& cube, std::vector<int>&
   {
     return children;
   }
-  const std::shared_ptr<const RingField> field = this->Descend(cube);
+  const std::shared_ptr<const ChargeField> field = Descend(cube.Field, this->Charges, cube.Place);
   for (int octant = 0; octant < 8; ++octant)
   {
     RingCube child{ cube.Place.Child(octant), field, {} };

@@ -75,12 +75,9 @@ namespace
 void RunInChild(const TetGenInput& input, int pipe)
 {
   childPipe = pipe;
-  if (input.MaximumSeconds > 0)
-  {
-    const auto seconds = static_cast<rlim_t>(input.MaximumSeconds);
-    const rlimit time{ seconds, seconds + 1 };
-    setrlimit(RLIMIT_CPU, &time);
-  }
+  const auto seconds = static_cast<rlim_t>(input.MaximumSeconds);
+  const rlimit time{ seconds, seconds + 1 };
+  setrlimit(RLIMIT_CPU, &time);
   setlocale(LC_NUMERIC, "C"); // TetGen reads numbers
   const Mesh& mesh = input.Surfaces;
   tetgenio in, out;

@@ -15,7 +15,7 @@ struct TetGenInput
   double MaximumVolume;          ///< upper bound on the volume of a tetrahedron; 0 for no bound
   bool PreserveBoundary;         ///< whether no points are added on the triangles
   int MaximumNewPoints;          ///< refinement stops at this number, even if a bound is not met
-  int MaximumSeconds;            ///< of processor time; 0 for no limit
+  int MaximumSeconds;            ///< of processor time
 };
 
 /// The output of TetGen.
