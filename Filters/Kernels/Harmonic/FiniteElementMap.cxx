@@ -175,18 +175,26 @@ FiniteElements FillWithElements(const Surface& given, const Eigen::MatrixXd& giv
   return elements;
 }
 
+void SolveLaplace(FiniteElements& elements, const Progress& progress)
+{
+  const Eigen::SparseMatrix<double> stiffness =
+    BuildStiffness(elements.Points, elements.Tetrahedra);
+  const std::vector<int> fixed = FindFixedPoints(elements);
+  const DirichletProblem problem(stiffness, fixed, progress.Part(0.0, 0.9));
+  Eigen::MatrixXd images = Eigen::MatrixXd::Zero(elements.Points.rows(), elements.Images.cols());
+  images(fixed, Eigen::all) = elements.Images(fixed, Eigen::all);
+  problem.Solve(
+    images, Eigen::MatrixXd::Zero(images.rows(), images.cols()), progress.Part(0.9, 1.0));
+  elements.Images = std::move(images);
+}
+
 FiniteElements ComputeFiniteElements(
   const Surface& boundary, const Eigen::MatrixXd& values, int tetrahedra, const Progress& progress)
 {
   // Large triangles would have large tetrahedra if no points could be added on them.
   FiniteElements elements =
     FillWithElements(boundary, values, tetrahedra, false, progress.Part(0.0, 0.65));
-  const Eigen::SparseMatrix<double> stiffness =
-    BuildStiffness(elements.Points, elements.Tetrahedra);
-  const DirichletProblem problem(
-    stiffness, FindFixedPoints(elements), progress.Part(0.65, 0.95, "solving Laplace's equation"));
-  problem.Solve(elements.Images, Eigen::MatrixXd::Zero(elements.Points.rows(), values.cols()),
-    progress.Part(0.95, 1.0));
+  SolveLaplace(elements, progress.Part(0.65, 1.0, "solving Laplace's equation"));
   progress(1.0);
   return elements;
 }

@@ -18,7 +18,8 @@ struct RepairMapOptions
   /// Maximum number of times that the core is untangled; >= 1. In between it grows by 1, 2, 4, ...
   /// layers of tetrahedra.
   int MaximumRounds = 8;
-  MapCertificateOptions Certificate; ///< of the map before the repair
+  /// Of the map before the repair. A few boxes find the folds.
+  MapCertificateOptions Certificate = { MapCertificateOptions().Tolerance, 200000 };
 };
 
 struct RepairMapResult
@@ -44,8 +45,10 @@ struct RepairMapResult
  *    g = h + phi (f - h) (MapRepair): h is linear between the values of f at the corners, and phi
  *    is 0 at the core and 1 elsewhere. det J_g > 0 is proven by bounds in cubes. Where this fails,
  *    the core grows, until the whole ring is certified.
- * 3. In the core g = h, and Untangle moves its inner points. Points between core and ring keep
- *    their images by f; the others on the boundary get the prescribed images. If tetrahedra stay
+ *    It also grows where the image of its boundary crosses itself, if that may help.
+ * 3. In the core g = h. Points between core and ring keep their images by f; the others on the
+ *    boundary get the prescribed images. Inner points start at f or at the linear finite elements'
+ *    harmonic map of the core, whichever inverts less, and Untangle moves them. If tetrahedra stay
  *    inverted, the core grows, up to the whole solid. The best of these repairs is returned.
  *
  * A tetrahedron of the core is certified if it and its image are positive by exact predicates.
