@@ -76,7 +76,7 @@ RepairMapResult RepairMap(const ChargeSet& map, const Surface& domain,
     {
       result = found;
     }
-    if (untangled || core.IsWhole())
+    if (untangled || core.IsWhole() || core.Crosses())
     {
       break;
     }

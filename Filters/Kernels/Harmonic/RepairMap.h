@@ -49,7 +49,8 @@ struct RepairMapResult
  * 3. In the core g = h. Points between core and ring keep their images by f; the others on the
  *    boundary get the prescribed images. Inner points start at f or at the linear finite elements'
  *    harmonic map of the core, whichever inverts less, and Untangle moves them. If tetrahedra stay
- *    inverted, the core grows, up to the whole solid. The best of these repairs is returned.
+ *    inverted, the core grows, up to the whole solid, unless the prescribed image of its boundary
+ *    crosses itself. The best of these repairs is returned.
  *
  * A tetrahedron of the core is certified if it and its image are positive by exact predicates.
  * Outside core and ring, f is unchanged, and all boxes are certified. The images as given, with

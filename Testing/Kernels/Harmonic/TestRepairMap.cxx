@@ -180,6 +180,41 @@ TEST(RepairMap, RepairsAFoldAtTheSurface)
   EXPECT_LT((repaired.Evaluate(pole) - pole).norm(), 1e-12);
 }
 
+// Around the charge, f errs by much more than the thickness of the image. Only few of the points
+// that lie outside of it by f are moved one by one.
+TEST(RepairMap, RepairsAThinImage)
+{
+  const shape::Surface ball = Ball();
+  ChargeSet map = OneFold({ 0.21, -0.13, 0.34 }, { 0.3, -0.5, 0.8 }, 2e-2);
+  map.Affine.leftCols<3>() = Eigen::Vector3d(1.0, 1.0, 1e-3).asDiagonal();
+  Eigen::MatrixXd targets = ball.Points();
+  targets.col(2) *= 1e-3;
+  shape::RepairMapOptions options;
+  options.Tetrahedra = 20000;
+  const RepairMapResult result = RepairMap(map, ball, targets, options);
+  EXPECT_LT(result.CertifiedBefore, 0.99);
+  EXPECT_EQ(result.CertifiedShare, 1.0);
+  EXPECT_EQ(result.UndecidedShare, 0.0);
+  EXPECT_EQ(result.ImageCrossings, 0);
+}
+
+// No map without folds has images that cross. The repair says so, and inverts little.
+TEST(RepairMap, CountsCrossingImages)
+{
+  const shape::Surface ball = Ball();
+  const Eigen::RowVector3d pole = ball.Points().row(77);
+  Eigen::MatrixXd targets = ball.Points();
+  targets.row(77) *= -1.5;
+  shape::RepairMapOptions options;
+  options.Tetrahedra = 20000;
+  const RepairMapResult result =
+    RepairMap(OneFold(1.005 * pole, pole, 1e-2), ball, targets, options);
+  EXPECT_GT(result.ImageCrossings, 0);
+  EXPECT_GT(result.InvertedShare, 0.0);
+  EXPECT_LT(result.InvertedShare, 0.01);
+  EXPECT_EQ(result.UndecidedShare, 0.0);
+}
+
 // A map without folds gets no repair.
 TEST(RepairMap, LeavesAMapWithoutFolds)
 {
@@ -322,6 +357,10 @@ TEST(RepairMap, RejectsWhatItCannotUse)
   shape::RepairMapOptions options;
   options.MaximumRounds = 0;
   EXPECT_THROW(RepairMap(map, Ball(), {}, options), shape::InvalidInput);
+  // A boundary that crosses itself.
+  shape::Mesh crossing = Ball();
+  crossing.Points.row(77) *= -1.5;
+  EXPECT_THROW(RepairMap(map, shape::Surface(crossing)), shape::InvalidInput);
   // A repair of the wrong shape, or of a map of several regions.
   MapRepair repair;
   repair.Elements.Points = RandomPoints(4, *std::make_unique<std::mt19937>(1));

@@ -5,6 +5,7 @@
 #include "Support/SimpleSurfaces.h"
 #include "Support/TestShapes.h"
 #include "Support/TetrahedralSolids.h"
+#include "Tetrahedra/Private/TetGen.h"
 #include "Tetrahedra/Tetrahedralize.h"
 
 #include <gtest/gtest.h>
@@ -316,6 +317,22 @@ TEST(Tetrahedralize, AnAbortEndsTetGenAndLeavesNoProcess)
     shape::Aborted);
   EXPECT_EQ(calls, 20);
   EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1) << "a child is left";
+}
+
+// Ten million tetrahedra need more than a second.
+TEST(Tetrahedralize, TheTimeOfTetGenIsLimited)
+{
+  const shape::Mesh ball = Icosphere(3);
+  const Eigen::MatrixXd none(0, 3);
+  try
+  {
+    shape::RunTetGen({ ball, none, 2.0, MinutesOfWork().MaximumVolume, true, 100000000, 1 });
+    FAIL();
+  }
+  catch (const shape::SolveFailure& failure)
+  {
+    EXPECT_NE(std::string(failure.what()).find("within 1 seconds"), std::string::npos);
+  }
 }
 
 TEST(Tetrahedralize, ACrashOfTetGenIsAnError)

@@ -222,7 +222,7 @@ std::vector<int> RepairCore::TestRing(const Progress& progress)
 
 /// Returns the points of boundary triangles of the core whose images cross or have no area, unless
 /// the images of their points are all prescribed.
-std::vector<int> RepairCore::FindCrossings() const
+std::vector<int> RepairCore::FindCrossings()
 {
   const MapRepair repair = this->WholeRepair();
   const std::vector<char> prescribed = this->FindPrescribed();
@@ -236,6 +236,7 @@ std::vector<int> RepairCore::FindCrossings() const
       triangles.insert(triangles.end(), { crossing.First, crossing.Second });
     }
   }
+  this->HasCrossing = !triangles.empty();
   std::vector<int> points;
   for (const int triangle : triangles)
   {
@@ -322,10 +323,12 @@ bool RepairCore::UntangleCore(const Progress& progress)
     this->Core.Images = harmonic.Images;
   }
   const Eigen::MatrixXi byCell = tetrahedra.transpose();
+  UntangleOptions options;
+  options.SplitCells = !this->HasCrossing; // splitting takes long, and cannot help
   UntangleResult result =
     Untangle({ this->Core.Images, Eigen::VectorXi::Constant(count, cell_kind::Tetrahedron),
                Eigen::VectorXi::LinSpaced(count + 1, 0, 4 * count), byCell.reshaped() },
-      this->Core.Points, {}, progress.Part(0.2, 1.0));
+      this->Core.Points, options, progress.Part(0.2, 1.0));
   // New points divide tetrahedra in the solid as in the image.
   this->Core.Points = result.Provenance.Weights * this->Core.Points;
   this->Core.Images = result.Solid.Points;

@@ -28,6 +28,9 @@ public:
   /// Grows until the ring is certified, and the image of the core's boundary does not cross itself
   /// where it has points with images by f.
   void GrowUntilBounded(const Progress& progress);
+  /// Whether that image crosses itself elsewhere. Then no inner points make all tetrahedra
+  /// positive.
+  bool Crosses() const { return this->HasCrossing; }
   /// Untangles the core, and returns whether none of its tetrahedra stays inverted.
   bool UntangleCore(const Progress& progress);
 
@@ -36,7 +39,7 @@ public:
 
 private:
   std::vector<int> TestRing(const Progress& progress);
-  std::vector<int> FindCrossings() const;
+  std::vector<int> FindCrossings();
   void Close();
   std::vector<char> FindPrescribed() const;
   MapRepair WholeRepair() const;
@@ -52,6 +55,7 @@ private:
   /// 0. Nothing else changes.
   std::vector<char> Certified;
   std::vector<int> CoreTetrahedra, RingTetrahedra;
+  bool HasCrossing = false;
   /// The core as Untangle made it.
   FiniteElements Core;
   std::vector<int> CorePoints; ///< of Elements; these are the first points of Core
