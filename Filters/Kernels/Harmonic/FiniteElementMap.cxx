@@ -175,11 +175,10 @@ FiniteElements FillWithElements(const Surface& given, const Eigen::MatrixXd& giv
   return elements;
 }
 
-void SolveLaplace(FiniteElements& elements, const Progress& progress)
+void SolveLaplace(FiniteElements& elements, const std::vector<int>& fixed, const Progress& progress)
 {
   const Eigen::SparseMatrix<double> stiffness =
     BuildStiffness(elements.Points, elements.Tetrahedra);
-  const std::vector<int> fixed = FindFixedPoints(elements);
   const DirichletProblem problem(stiffness, fixed, progress.Part(0.0, 0.9));
   Eigen::MatrixXd images = Eigen::MatrixXd::Zero(elements.Points.rows(), elements.Images.cols());
   images(fixed, Eigen::all) = elements.Images(fixed, Eigen::all);
@@ -194,7 +193,8 @@ FiniteElements ComputeFiniteElements(
   // Large triangles would have large tetrahedra if no points could be added on them.
   FiniteElements elements =
     FillWithElements(boundary, values, tetrahedra, false, progress.Part(0.0, 0.65));
-  SolveLaplace(elements, progress.Part(0.65, 1.0, "solving Laplace's equation"));
+  SolveLaplace(
+    elements, FindFixedPoints(elements), progress.Part(0.65, 1.0, "solving Laplace's equation"));
   progress(1.0);
   return elements;
 }

@@ -53,9 +53,10 @@ FiniteElements ComputeFiniteElements(const Surface& boundary, const Eigen::Matri
 FiniteElements FillWithElements(const Surface& boundary, const Eigen::MatrixXd& values,
   int tetrahedra, bool preserveBoundary, const Progress& progress = {});
 
-/// Sets the images of the points that are not on the Boundary as ComputeFiniteElements does. Throws
-/// SolveFailure of SparseCholesky, and Aborted.
-void SolveLaplace(FiniteElements& elements, const Progress& progress = {});
+/// Sets the images of the points that are not `fixed` (ascending) such that the Dirichlet energy is
+/// least. Throws SolveFailure of SparseCholesky, and Aborted.
+void SolveLaplace(
+  FiniteElements& elements, const std::vector<int>& fixed, const Progress& progress = {});
 
 /// Returns the faces of only one tetrahedron, facing outwards: k x 3, sorted.
 Eigen::MatrixXi FindBoundaryFaces(const FiniteElements& elements);

@@ -38,15 +38,56 @@ bool IsPositive(const Eigen::MatrixXd& points, const Eigen::RowVector4i& ids)
            points.row(ids(0)), points.row(ids(1)), points.row(ids(2)), points.row(ids(3))) > 0;
 }
 
-/// Returns the number of tetrahedra whose images are not positive.
-int CountInverted(const FiniteElements& elements)
+/// Returns the tetrahedra whose images are not positive.
+std::vector<int> FindInverted(const FiniteElements& elements)
 {
-  int count = 0;
-  for (Eigen::Index t = 0; t < elements.Tetrahedra.rows(); ++t)
+  std::vector<int> found;
+  for (int t = 0; t < static_cast<int>(elements.Tetrahedra.rows()); ++t)
   {
-    count += !IsPositive(elements.Images, elements.Tetrahedra.row(t));
+    if (!IsPositive(elements.Images, elements.Tetrahedra.row(t)))
+    {
+      found.push_back(t);
+    }
   }
-  return count;
+  return found;
+}
+
+/// Returns the points at the boundary or more than some layers away from some tetrahedra.
+std::vector<int> FindFixed(const FiniteElements& elements, const std::vector<int>& tetrahedra)
+{
+  constexpr int layers = 3;
+  std::vector<char> near(elements.Points.rows(), 0);
+  for (const int point : elements.Tetrahedra(tetrahedra, Eigen::all).reshaped())
+  {
+    near[point] = 1;
+  }
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    const std::vector<char> inner = near;
+    for (Eigen::Index t = 0; t < elements.Tetrahedra.rows(); ++t)
+    {
+      const Eigen::RowVector4i ids = elements.Tetrahedra.row(t);
+      const bool touches =
+        std::any_of(ids.begin(), ids.end(), [&](int i) { return inner[i] != 0; });
+      for (const int point : ids)
+      {
+        near[point] |= static_cast<char>(touches);
+      }
+    }
+  }
+  for (const int point : FindBoundaryFaces(elements).reshaped())
+  {
+    near[point] = 0;
+  }
+  std::vector<int> fixed;
+  for (std::size_t i = 0; i < near.size(); ++i)
+  {
+    if (near[i] == 0)
+    {
+      fixed.push_back(static_cast<int>(i));
+    }
+  }
+  return fixed;
 }
 
 /// The visitor with which Eigen's tree search finds whether a tetrahedron meets a box.
@@ -307,18 +348,17 @@ bool RepairCore::UntangleCore(const Progress& progress)
     const Corners image = GetTetrahedron(this->Core.Images, tetrahedra.row(t));
     volume += (image.bottomRows<3>().rowwise() - image.row(0)).determinant();
   }
-  const int inverted = CountInverted(this->Core);
+  const std::vector<int> inverted = FindInverted(this->Core);
   // A core whose image has no positive volume cannot be untangled.
-  if (inverted == 0 || !(volume > 0.0))
+  if (inverted.empty() || !(volume > 0.0))
   {
-    return inverted == 0;
+    return inverted.empty();
   }
-  // Where the image is thinner than the error of f, the harmonic map of the core's own boundary is
+  // Where the image is thinner than the error of f, a harmonic map between the points around is
   // much nearer to a map without folds than f.
   FiniteElements harmonic = this->Core;
-  harmonic.Boundary = FindBoundaryFaces(harmonic);
-  SolveLaplace(harmonic, progress.Part(0.0, 0.2));
-  if (CountInverted(harmonic) < inverted)
+  SolveLaplace(harmonic, FindFixed(harmonic, inverted), progress.Part(0.0, 0.2));
+  if (FindInverted(harmonic).size() < inverted.size())
   {
     this->Core.Images = harmonic.Images;
   }
