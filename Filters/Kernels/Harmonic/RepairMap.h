@@ -44,13 +44,13 @@ struct RepairMapResult
  * 2. The ring are the other tetrahedra that share a point with the core. In the ring the result is
  *    g = h + phi (f - h) (MapRepair): h is linear between the values of f at the corners, and phi
  *    is 0 at the core and 1 elsewhere. det J_g > 0 is proven by bounds in cubes. Where this fails,
- *    the core grows, until the whole ring is certified.
- *    It also grows where the image of its boundary crosses itself, if that may help.
+ *    the core grows, until the whole ring is certified. It also grows where the image of its
+ *    boundary crosses itself, if that may help.
  * 3. In the core g = h. Points between core and ring keep their images by f; the others on the
- *    boundary get the prescribed images. Inner points start at f or at the linear finite elements'
- *    harmonic map of the core, whichever inverts less, and Untangle moves them. If tetrahedra stay
- *    inverted, the core grows, up to the whole solid, unless the prescribed image of its boundary
- *    crosses itself. The best of these repairs is returned.
+ *    boundary get the prescribed images. Inner points near inverted tetrahedra start at a harmonic
+ *    map between those around, if it inverts fewer, and Untangle moves the points. If tetrahedra
+ *    stay inverted, the core grows, up to the whole solid, unless the prescribed image of its
+ *    boundary crosses itself. The best of these repairs is returned.
  *
  * A tetrahedron of the core is certified if it and its image are positive by exact predicates.
  * Outside core and ring, f is unchanged, and all boxes are certified. The images as given, with

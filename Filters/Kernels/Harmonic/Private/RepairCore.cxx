@@ -75,7 +75,8 @@ std::vector<int> FindFixed(const FiniteElements& elements, const std::vector<int
       }
     }
   }
-  for (const int point : FindBoundaryFaces(elements).reshaped())
+  const Eigen::MatrixXi faces = FindBoundaryFaces(elements);
+  for (const int point : faces.reshaped())
   {
     near[point] = 0;
   }
