@@ -48,9 +48,9 @@ struct RepairMapResult
  *    boundary crosses itself, if that may help.
  * 3. In the core g = h. Points between core and ring keep their images by f; the others on the
  *    boundary get the prescribed images. Inner points near inverted tetrahedra start at a harmonic
- *    map between those around, if it inverts fewer, and Untangle moves the points. If tetrahedra
- *    stay inverted, the core grows, up to the whole solid, unless the prescribed image of its
- *    boundary crosses itself. The best of these repairs is returned.
+ *    map between those around, if it inverts only a few, and Untangle moves the points. If
+ * tetrahedra stay inverted, the core grows, up to the whole solid, unless the prescribed image of
+ * its boundary crosses itself. The best of these repairs is returned.
  *
  * A tetrahedron of the core is certified if it and its image are positive by exact predicates.
  * Outside core and ring, f is unchanged, and all boxes are certified. The images as given, with

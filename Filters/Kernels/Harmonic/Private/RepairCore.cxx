@@ -355,11 +355,12 @@ bool RepairCore::UntangleCore(const Progress& progress)
   {
     return inverted.empty();
   }
-  // Where the image is thinner than the error of f, a harmonic map between the points around is
-  // much nearer to a map without folds than f.
+  // Where the image is thinner than the error of f, a harmonic map between the points around may
+  // be much nearer to a map without folds. If many tetrahedra stay inverted, they hold each other.
+  constexpr std::size_t few = 30;
   FiniteElements harmonic = this->Core;
   SolveLaplace(harmonic, FindFixed(harmonic, inverted), progress.Part(0.0, 0.2));
-  if (FindInverted(harmonic).size() < inverted.size())
+  if (FindInverted(harmonic).size() < std::min(few, inverted.size()))
   {
     this->Core.Images = harmonic.Images;
   }
