@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace shape
 {
@@ -63,18 +64,22 @@ RepairMapResult RepairMap(const ChargeSet& map, const Surface& domain,
     progress(1.0);
     return result;
   }
-  RepairMapResult found = result;
   for (int round = 0; round < options.MaximumRounds; ++round)
   {
     const double step = 0.55 / options.MaximumRounds;
     const Progress part = progress.Part(0.45 + step * round, 0.45 + step * (round + 1));
     core.GrowUntilBounded(part.Part(0.0, 0.5, "bounding the determinant in the ring"));
     const bool untangled = core.UntangleCore(part.Part(0.5, 1.0, "untangling the core"));
-    core.Finish(found);
-    ++found.Rounds;
+    RepairShares found = core.Finish();
+    ++result.Rounds;
     if (round == 0 || found.InvertedShare < result.InvertedShare)
     {
-      result = found;
+      result.Repair = std::move(found.Repair);
+      result.InvertedShare = found.InvertedShare;
+      result.UndecidedShare = 0.0; // the whole ring is certified
+      result.CertifiedShare = 1.0 - found.InvertedShare;
+      result.CoreShare = found.CoreShare;
+      result.RingShare = found.RingShare;
     }
     if (untangled || core.IsWhole() || core.Crosses())
     {
@@ -82,7 +87,6 @@ RepairMapResult RepairMap(const ChargeSet& map, const Surface& domain,
     }
     core.Grow(1 << std::min(round, 20));
   }
-  result.Rounds = found.Rounds;
   if (result.InvertedShare > 0.0)
   {
     result.ImageCrossings = CountCrossings(domain.WithPoints(images));

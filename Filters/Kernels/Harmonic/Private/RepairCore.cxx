@@ -389,11 +389,11 @@ double RepairCore::VolumeOf(const std::vector<int>& tetrahedra) const
   return volume;
 }
 
-void RepairCore::Finish(RepairMapResult& result) const
+RepairShares RepairCore::Finish() const
 {
+  RepairShares result;
   // The points of the core, then those of the ring alone.
   MapRepair& repair = result.Repair;
-  repair = {};
   std::vector<int> positions(this->AtCore.size(), -1), outer;
   for (std::size_t i = 0; i < this->CorePoints.size(); ++i)
   {
@@ -443,8 +443,7 @@ void RepairCore::Finish(RepairMapResult& result) const
   result.CoreShare = core / total;
   result.RingShare = this->VolumeOf(this->RingTetrahedra) / total;
   result.InvertedShare = inverted / total;
-  result.UndecidedShare = 0.0;
-  result.CertifiedShare = 1.0 - result.InvertedShare;
+  return result;
 }
 
 } // namespace shape

@@ -3,7 +3,7 @@
 #include "Base/Progress.h"
 #include "Harmonic/CertificateTypes.h"
 #include "Harmonic/ChargeSet.h"
-#include "Harmonic/RepairMap.h"
+#include "Harmonic/PiecewiseHarmonicMap.h"
 
 #include <Eigen/Core>
 
@@ -11,6 +11,13 @@
 
 namespace shape
 {
+
+/// A repair and the shares of the solid's volume that RepairMapResult describes.
+struct RepairShares
+{
+  MapRepair Repair;
+  double InvertedShare = 0.0, CoreShare = 0.0, RingShare = 0.0;
+};
 
 /// The tetrahedra of a solid, and which of them are the core.
 class RepairCore
@@ -34,8 +41,7 @@ public:
   /// Untangles the core, and returns whether none of its tetrahedra stays inverted.
   bool UntangleCore(const Progress& progress);
 
-  /// Sets the repair and the shares of the result.
-  void Finish(RepairMapResult& result) const;
+  RepairShares Finish() const;
 
 private:
   std::vector<int> TestRing(const Progress& progress);
