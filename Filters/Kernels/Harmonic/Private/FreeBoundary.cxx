@@ -102,7 +102,7 @@ FreeBoundaryResult SlideBoundary(const Surface& boundary, const Eigen::MatrixXd&
     before.Folded, 0.0 };
 
   // Step 2.
-  SlidingSolid solid{ size * tetrahedra.Points, tetrahedra.Tetrahedra, {} };
+  FilledSolid solid{ size * tetrahedra.Points, tetrahedra.Tetrahedra, {} };
   std::vector<int> origins; // of the boundary points of the solid
   for (int i = 0; i < tetrahedra.Provenance.Points.size(); ++i)
   {
