@@ -39,8 +39,9 @@ int Descend(const RegistrationEnergy& energy, double weight, int maximumSteps, R
   const Progress& progress)
 {
   // No point moves farther than `reach` in one step, because closest points change. The descent
-  // ends after `patience` steps in a row that hardly lower the energy.
-  constexpr double reach = 0.1, enough = 1e-4, shortest = 1e-6, leastGain = 1e-3;
+  // ends after `patience` steps in a row that hardly lower the energy, or when a step would lower
+  // it by less than `rounding`: it is the square of a distance relative to the target's size.
+  constexpr double reach = 0.1, enough = 1e-4, shortest = 1e-6, leastGain = 1e-3, rounding = 1e-12;
   constexpr int patience = 3;
   const BoundaryHessian hessian = energy.ApproximateHessian(weight, progress.Part(0.0, 0.1));
   LimitedMemoryBfgs history([&](const Eigen::MatrixXd& vector) { return hessian.Solve(vector); });
@@ -55,7 +56,7 @@ int Descend(const RegistrationEnergy& energy, double weight, int maximumSteps, R
     const double farthest = direction.rowwise().norm().maxCoeff();
     const double before = at.Terms.Value(weight);
     Registered next;
-    double factor = slope < 0.0 ? std::min(1.0, reach * energy.Size() / farthest) : 0.0;
+    double factor = slope < -rounding ? std::min(1.0, reach * energy.Size() / farthest) : 0.0;
     for (; factor > shortest; factor *= 0.5)
     {
       next.Images = at.Images + factor * direction;
@@ -83,10 +84,10 @@ RegistrationQuality Judge(const RegistrationEnergy& energy, const Registered& at
   const Surface& target, const Progress& progress)
 {
   const Surface image = energy.Image(at.Images);
-  const Eigen::VectorXd there = ComputeDistancesToSurface(
-    image, SurfaceLocator(target), progress.Part(0.0, 0.5)).Distances;
-  const Eigen::VectorXd back = ComputeDistancesToSurface(
-    target, SurfaceLocator(image), progress.Part(0.5, 1.0)).Distances;
+  const Eigen::VectorXd there =
+    ComputeDistancesToSurface(image, SurfaceLocator(target), progress.Part(0.0, 0.5)).Distances;
+  const Eigen::VectorXd back =
+    ComputeDistancesToSurface(target, SurfaceLocator(image), progress.Part(0.5, 1.0)).Distances;
   return { 0.5 * (there.mean() + back.mean()) / energy.Size(),
     std::max(there.maxCoeff(), back.maxCoeff()) / energy.Size(), at.Terms.Distortion };
 }
@@ -114,8 +115,8 @@ RegisterVolumeResult RegisterVolume(const Surface& boundary, const Surface& targ
   RegisterVolumeResult result;
   TetrahedralizeOptions fill;
   fill.MaximumVolume = std::abs(ComputeEnclosedVolume(boundary)) / Parts;
-  result.Solid = Tetrahedralize(
-    boundary, {}, fill, progress.Part(0.0, 0.1, "tetrahedralizing the solid"));
+  result.Solid =
+    Tetrahedralize(boundary, {}, fill, progress.Part(0.0, 0.1, "tetrahedralizing the solid"));
   Eigen::Affine3d motion = Eigen::Affine3d::Identity();
   if (options.Align)
   {
@@ -124,8 +125,8 @@ RegisterVolumeResult RegisterVolume(const Surface& boundary, const Surface& targ
   }
   const auto moved = [&](const Eigen::MatrixXd& points)
   {
-    return Eigen::MatrixXd((points * motion.linear().transpose()).rowwise() +
-      motion.translation().transpose());
+    return Eigen::MatrixXd(
+      (points * motion.linear().transpose()).rowwise() + motion.translation().transpose());
   };
   FilledSolid solid{ moved(result.Solid.Points), result.Solid.Tetrahedra, {} };
   std::vector<int> origins; // of the boundary points of the solid
@@ -140,8 +141,8 @@ RegisterVolumeResult RegisterVolume(const Surface& boundary, const Surface& targ
   // Points at the same position are one point of the solid.
   const Eigen::MatrixXd positions = boundary.Points()(origins, Eigen::all);
   const std::vector<int> number = RowFinder(positions).Find(boundary.Points());
-  const Eigen::MatrixXi triangles = boundary.Triangles().unaryExpr(
-    [&](int point) { return number[point]; });
+  const Eigen::MatrixXi triangles =
+    boundary.Triangles().unaryExpr([&](int point) { return number[point]; });
   // Step 2.
   const RegistrationEnergy energy(
     std::move(solid), triangles, target, progress.Part(0.15, 0.2, "preparing the solid"));
@@ -153,8 +154,8 @@ RegisterVolumeResult RegisterVolume(const Surface& boundary, const Surface& targ
   {
     result.Iterations +=
       Descend(energy, Stages[k] * options.DistortionWeight, options.MaximumIterations, at,
-        progress.Part(0.25 + 0.7 * k / StageCount, 0.25 + 0.7 * (k + 1) / StageCount,
-          "registering the solid"));
+        progress.Part(
+          0.25 + 0.7 * k / StageCount, 0.25 + 0.7 * (k + 1) / StageCount, "registering the solid"));
   }
   result.After = Judge(energy, at, target, progress.Part(0.95, 1.0));
   // Step 3.

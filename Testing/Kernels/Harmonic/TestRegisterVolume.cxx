@@ -48,8 +48,7 @@ double SmallestVolume(const shape::RegisterVolumeResult& result)
     Eigen::Matrix3d edges;
     for (int k = 0; k < 3; ++k)
     {
-      edges.row(k) =
-        result.SolidTargets.row(corners(k + 1)) - result.SolidTargets.row(corners(0));
+      edges.row(k) = result.SolidTargets.row(corners(k + 1)) - result.SolidTargets.row(corners(0));
     }
     smallest = std::min(smallest, edges.determinant() / 6.0);
   }
@@ -85,7 +84,7 @@ TEST(RegisterVolume, GradientAgreesWithFiniteDifferences)
   for (int trial = 0; trial < 5; ++trial)
   {
     const Eigen::MatrixXd direction = Eigen::MatrixXd::Random(images.rows(), 3);
-    constexpr double h = 1e-4;
+    constexpr double h = 1e-5; // distances have a kink in their second derivative
     const auto at = [&](double step) { return energy.Evaluate(images + step * direction); };
     const auto more = at(h), less = at(-h), most = at(2.0 * h), least = at(-2.0 * h);
     const auto expectSlope =
@@ -132,8 +131,7 @@ TEST(RegisterVolume, FindsTheStretchOfABox)
   {
     shape::BisectLongestEdges(box, std::vector<char>(box.Triangles.rows(), 1));
   }
-  const Eigen::MatrixXd truth =
-    box.Points * Eigen::RowVector3d(1.2, 1.0, 0.9).asDiagonal();
+  const Eigen::MatrixXd truth = box.Points * Eigen::RowVector3d(1.2, 1.0, 0.9).asDiagonal();
   const shape::RegisterVolumeResult result =
     shape::RegisterVolume(box, shape::Mesh{ truth, box.Triangles }, InPlace());
   EXPECT_LT((result.Targets - truth).rowwise().norm().maxCoeff(), 0.01 * 1.2);
@@ -148,8 +146,7 @@ TEST(RegisterVolume, DistortsAnEllipsoidLessThanTheAffineMap)
     shape::RegisterVolume(ball, { ball.Points * axes.asDiagonal(), ball.Triangles }, InPlace());
   EXPECT_LT(result.After.MeanDistance, 1e-3);
   EXPECT_LT(result.After.MaximumDistance, 5e-3);
-  EXPECT_LT(
-    result.After.Distortion, axes.squaredNorm() + axes.cwiseInverse().squaredNorm());
+  EXPECT_LT(result.After.Distortion, axes.squaredNorm() + axes.cwiseInverse().squaredNorm());
 }
 
 TEST(RegisterVolume, MapsABallOntoADentedBallWithoutInvertedTetrahedra)
@@ -184,11 +181,12 @@ TEST(RegisterVolume, WeighsDistanceAgainstDistortion)
 TEST(RegisterVolume, KeepsPointsThatNoTriangleUses)
 {
   shape::Mesh ball = shapetest::Icosphere(2);
-  const Eigen::MatrixXd targets =
-    shape::RegisterVolume(ball, DentedBall(2), InPlace()).Targets;
+  shape::RegisterVolumeOptions options = InPlace();
+  options.MaximumIterations = 3;
+  const Eigen::MatrixXd targets = shape::RegisterVolume(ball, DentedBall(2), options).Targets;
   ball.Points.conservativeResize(ball.Points.rows() + 1, 3);
   ball.Points.bottomRows(1) << 5.0, 6.0, 7.0;
-  const Eigen::MatrixXd more = shape::RegisterVolume(ball, DentedBall(2), InPlace()).Targets;
+  const Eigen::MatrixXd more = shape::RegisterVolume(ball, DentedBall(2), options).Targets;
   EXPECT_EQ(more.topRows(targets.rows()), targets);
   EXPECT_EQ(more.bottomRows(1), ball.Points.bottomRows(1));
 }
@@ -212,9 +210,13 @@ TEST(RegisterVolume, RefusesWhatItCannotUse)
 
 TEST(RegisterVolume, ReportsAndCanBeAborted)
 {
-  const shape::Mesh ball = shapetest::Icosphere(2), target = DentedBall(2);
+  const shape::Mesh ball = DentedBall(2);
+  const shape::Mesh target{ ball.Points * Eigen::RowVector3d(1.1, 1.0, 0.9).asDiagonal(),
+    ball.Triangles };
+  shape::RegisterVolumeOptions options;
+  options.MaximumIterations = 3;
   const auto call = [&](const shape::Progress& progress)
-  { shape::RegisterVolume(ball, target, {}, progress); };
+  { shape::RegisterVolume(ball, target, options, progress); };
   shapetest::ExpectProgressRises(call);
   for (const double until : { 0.05, 0.12, 0.18, 0.5, 0.97 })
   {

@@ -8,8 +8,8 @@
 namespace shape
 {
 
-RegistrationEnergy::RegistrationEnergy(FilledSolid solid, Eigen::MatrixXi triangles,
-  const Surface& target, const Progress& progress)
+RegistrationEnergy::RegistrationEnergy(
+  FilledSolid solid, Eigen::MatrixXi triangles, const Surface& target, const Progress& progress)
   : Harmonic(std::move(solid), progress.Part(0.0, 0.5))
   , Boundary(this->Harmonic.Solid().Points(this->Harmonic.Solid().Boundary, Eigen::all),
       std::move(triangles))
