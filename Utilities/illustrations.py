@@ -362,6 +362,19 @@ def MeshMotion():
 
 
 @drawing
+def RegisterVolume():
+    """A head, the one that it is mapped onto, and the tetrahedra at their images, cut in the middle."""
+    head = PassArrays(Input=shape('PhantomHeadSmall.vtp'))
+    other = Calculator(Input=head, CoordinateResults=1, Function=(
+        'iHat*1.2*coordsX + jHat*(coordsY+0.15*coordsX*coordsX) + kHat*coordsZ*(1+0.2*coordsX)'))
+    solid = OutputPort(ShapeRegisterVolume(Input=head, Target=other), 1)
+    show(head, (-2.6, 0, 0))
+    show(other, colour=ACCENT)
+    show(cut(solid, (0, 0, 0), (0, -1, 0)), (2.8, 0, 0), edges=True)
+    return FRONT
+
+
+@drawing
 def Untangle():
     ball = shape('BallSmall.vtu')
     folded = Calculator(Input=ball, CoordinateResults=1,

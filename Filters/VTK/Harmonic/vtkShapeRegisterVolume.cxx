@@ -79,7 +79,7 @@ void vtkShapeRegisterVolume::Execute(const shape::Progress& progress)
   {
     std::ostringstream words;
     words << "the image is up to " << result.After.MaximumDistance
-          << " of the Target's size away from it; place the Input nearer to the Target, or lower "
+          << " of the Target's size away from it; move the Input nearer to the Target, or lower "
              "Distortion Weight";
     this->Warn(words.str());
   }

@@ -22,7 +22,7 @@ namespace shape
 class RegistrationEnergy
 {
 public:
-  /// solid: at its place before the registration. triangles: its boundary's, as indices into
+  /// solid: where it is before the registration. triangles: its boundary's, as indices into
   /// FilledSolid::Boundary. target: with an area. Throws the exceptions of HarmonicDistortion.
   RegistrationEnergy(FilledSolid solid, Eigen::MatrixXi triangles, const Surface& target,
     const Progress& progress = {});
