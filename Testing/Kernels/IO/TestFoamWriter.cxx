@@ -38,7 +38,7 @@ std::map<std::string, std::vector<std::string>> ReadFoam(const shape::PolyMesh& 
   return files;
 }
 
-std::vector<std::string> Words(const std::string& text)
+std::vector<std::string> SplitWords(const std::string& text)
 {
   std::stringstream stream(text);
   return { std::istream_iterator<std::string>(stream), {} };
@@ -56,24 +56,25 @@ TEST(FoamWriter, WritesTheListsOfTwoCubes)
 {
   auto files = ReadFoam(shape::MakePolyMesh(TwoCubes()));
   ASSERT_EQ(files.size(), 7u);
-  EXPECT_EQ(files["neighbour"], Words("1 ( 1 )"));
+  EXPECT_EQ(files["neighbour"], SplitWords("1 ( 1 )"));
   const std::vector<std::string>& owner = files["owner"];
   EXPECT_EQ(owner.size(), 14u);
   EXPECT_EQ(owner.front(), "11");
   const std::vector<std::string>& faces = files["faces"];
   ASSERT_EQ(faces.size(), 3u + 11u * 7u);
-  EXPECT_EQ(std::vector<std::string>(faces.begin() + 2, faces.begin() + 9), Words("4 ( 1 4 10 7 )"))
+  EXPECT_EQ(
+    std::vector<std::string>(faces.begin() + 2, faces.begin() + 9), SplitWords("4 ( 1 4 10 7 )"))
     << "the face between the cubes faces towards +x";
   EXPECT_EQ(files["cellZones"],
-    Words("2 ( Region2 { type cellZone ; cellLabels List<label> 1 ( 1 ) ; } "
-          "Region6 { type cellZone ; cellLabels List<label> 1 ( 0 ) ; } )"));
+    SplitWords("2 ( Region2 { type cellZone ; cellLabels List<label> 1 ( 1 ) ; } "
+               "Region6 { type cellZone ; cellLabels List<label> 1 ( 0 ) ; } )"));
   EXPECT_EQ(files["faceZones"],
-    Words("1 ( Interface2_6 { type faceZone ; faceLabels List<label> 1 ( 0 ) ; "
-          "flipMap List<bool> 1 ( 1 ) ; } )"))
+    SplitWords("1 ( Interface2_6 { type faceZone ; faceLabels List<label> 1 ( 0 ) ; "
+               "flipMap List<bool> 1 ( 1 ) ; } )"))
     << "cube 0, which the face leaves, is in the upper region";
   const std::vector<std::string>& boundary = files["boundary"];
   const std::vector<std::string> first(boundary.begin(), boundary.begin() + 13);
-  EXPECT_EQ(first, Words("6 ( Patch0 { type patch ; nFaces 1 ; startFace 1 ;"));
+  EXPECT_EQ(first, SplitWords("6 ( Patch0 { type patch ; nFaces 1 ; startFace 1 ;"));
 }
 
 TEST(FoamWriter, KeepsTheBitsOfCoordinates)
@@ -101,5 +102,5 @@ TEST(FoamWriter, EmptiesTheZonesOfAnOlderMesh)
 {
   const shape::Cells cells = shapetest::Cubes({ 2, 2, 1 }, shapetest::Everywhere);
   auto files = ReadFoam(shape::MakePolyMesh(shape::FindMeshSets(cells, {}, 40.0)));
-  EXPECT_EQ(files["faceZones"], Words("0 ( )"));
+  EXPECT_EQ(files["faceZones"], SplitWords("0 ( )"));
 }

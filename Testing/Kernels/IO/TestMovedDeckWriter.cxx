@@ -15,7 +15,7 @@
 namespace
 {
 
-shape::Deck Read(const std::string& name, const std::string& content)
+shape::Deck ReadAlone(const std::string& name, const std::string& content)
 {
   return shape::ReadDeck(name, content, [](const std::string&) { return ""; });
 }
@@ -60,7 +60,7 @@ TEST(MovedDeckWriter, TheIdentityWritesTheSameBytes)
   for (const auto& [name, content] :
     { std::pair("a.inp", Abaqus), { "a.k", Dyna }, { "a.feb", Febio } })
   {
-    const shape::Deck deck = Read(name, content);
+    const shape::Deck deck = ReadAlone(name, content);
     EXPECT_EQ(Write(deck, deck.Mesh.Points), content);
   }
 }
@@ -72,7 +72,7 @@ TEST(MovedDeckWriter, OnlyCoordinatesChangeAndAreReadBack)
   for (const auto& [name, content] :
     { std::pair("a.inp", Abaqus), { "a.k", Dyna }, { "a.feb", Febio } })
   {
-    const shape::Deck deck = Read(name, content);
+    const shape::Deck deck = ReadAlone(name, content);
     for (int repeat = 0; repeat < 50; ++repeat)
     {
       Eigen::MatrixXd positions = deck.Mesh.Points;
@@ -80,7 +80,7 @@ TEST(MovedDeckWriter, OnlyCoordinatesChangeAndAreReadBack)
       {
         x = normal(generator) * std::pow(10.0, 30.0 * normal(generator));
       }
-      const shape::Deck written = Read(name, Write(deck, positions));
+      const shape::Deck written = ReadAlone(name, Write(deck, positions));
       EXPECT_EQ(Rest(written), Rest(deck));
       const double bound = deck.Nodes[0].Columns == 0 ? 0.0
         : deck.Nodes[0].Columns == 16                 ? 1e-8
@@ -93,7 +93,7 @@ TEST(MovedDeckWriter, OnlyCoordinatesChangeAndAreReadBack)
 
 TEST(MovedDeckWriter, UnmovedCoordinatesKeepTheirBytes)
 {
-  const shape::Deck deck = Read("a.inp", Abaqus);
+  const shape::Deck deck = ReadAlone("a.inp", Abaqus);
   Eigen::MatrixXd positions = deck.Mesh.Points;
   positions(1, 1) = 7.5;
   std::string expected = Abaqus;
@@ -102,7 +102,7 @@ TEST(MovedDeckWriter, UnmovedCoordinatesKeepTheirBytes)
 
 TEST(MovedDeckWriter, ColumnsAreFilledFromTheRight)
 {
-  const shape::Deck deck = Read("a.k", Dyna);
+  const shape::Deck deck = ReadAlone("a.k", Dyna);
   Eigen::MatrixXd positions = deck.Mesh.Points;
   positions(0, 1) = -0.25;
   std::string expected = Dyna;
@@ -135,7 +135,7 @@ TEST(MovedDeckWriter, TheTextInColumnsIsTheNearestOfItsLength)
 
 TEST(MovedDeckWriter, NodesAreFoundByTheirNumbers)
 {
-  const shape::Deck deck = Read("a.inp", "*NODE\n40, 0, 0, 0\n7, 1, 0, 0\n900000, 2, 0, 0\n");
+  const shape::Deck deck = ReadAlone("a.inp", "*NODE\n40, 0, 0, 0\n7, 1, 0, 0\n900000, 2, 0, 0\n");
   shape::NumberedPoints moved;
   moved.Points = (Eigen::MatrixXd(4, 3) << 7, 7, 7, 9, 9, 9, 4, 4, 4, 7, 7, 7).finished();
   moved.Numbers = { 7, 900000, 40, 7 };
@@ -160,7 +160,7 @@ TEST(MovedDeckWriter, NodesAreFoundByTheirNumbers)
 
 TEST(MovedDeckWriter, RefusesToMoveCoordinatesThatTheDeckLeavesOut)
 {
-  const shape::Deck deck = Read("a.inp", "*NODE\n1, 0, 0\n2, 1, 0\n");
+  const shape::Deck deck = ReadAlone("a.inp", "*NODE\n1, 0, 0\n2, 1, 0\n");
   shape::NumberedPoints moved{ deck.Mesh.Points, { 1, 2 }, {} };
   moved.Points(1, 1) = 5;
   EXPECT_EQ(Write(deck, shape::FindMovedNodes(deck, moved)), "*NODE\n1, 0, 0\n2, 1, 5.\n");

@@ -74,7 +74,7 @@ shape::PolyMesh Make(const shape::Cells& cells, const Eigen::VectorXi& regions =
   return shape::MakePolyMesh(shape::FindMeshSets(cells, regions, 40.0));
 }
 
-int Size(const shape::PolyMesh& mesh, Eigen::Index face)
+int CountCorners(const shape::PolyMesh& mesh, Eigen::Index face)
 {
   return mesh.Faces(face, 3) < 0 ? 3 : 4;
 }
@@ -85,14 +85,14 @@ std::pair<Eigen::RowVector3d, double> Flux(const shape::PolyMesh& mesh, Eigen::I
   const auto point = [&](int k) -> Eigen::RowVector3d
   { return mesh.Points.row(mesh.Faces(face, k)); };
   Eigen::RowVector3d area = Eigen::RowVector3d::Zero(), mean = Eigen::RowVector3d::Zero();
-  for (int k = 0; k < Size(mesh, face); ++k)
+  for (int k = 0; k < CountCorners(mesh, face); ++k)
   {
-    mean += point(k) / Size(mesh, face);
+    mean += point(k) / CountCorners(mesh, face);
   }
   double flux = 0.0;
-  for (int k = 0; k < Size(mesh, face); ++k)
+  for (int k = 0; k < CountCorners(mesh, face); ++k)
   {
-    const Eigen::RowVector3d a = point(k), b = point((k + 1) % Size(mesh, face));
+    const Eigen::RowVector3d a = point(k), b = point((k + 1) % CountCorners(mesh, face));
     const Eigen::RowVector3d part = 0.5 * (a - mean).cross(b - mean);
     area += part;
     flux += part.dot(a + b + mean) / 3.0;
@@ -157,7 +157,7 @@ FaceSets FacesOf(const shape::PolyMesh& mesh)
   for (Eigen::Index face = 0; face < mesh.Faces.rows(); ++face)
   {
     std::set<Position> positions;
-    for (int k = 0; k < Size(mesh, face); ++k)
+    for (int k = 0; k < CountCorners(mesh, face); ++k)
     {
       positions.insert(At(mesh.Points, mesh.Faces(face, k)));
     }
@@ -177,7 +177,7 @@ void CheckFaces(const shape::PolyMesh& mesh, const shape::Cells& cells)
   std::set<std::set<int>> once;
   for (Eigen::Index face = 0; face < mesh.Faces.rows(); ++face)
   {
-    const Eigen::RowVectorXi corners = mesh.Faces.row(face).head(Size(mesh, face));
+    const Eigen::RowVectorXi corners = mesh.Faces.row(face).head(CountCorners(mesh, face));
     EXPECT_TRUE(once.insert({ corners.begin(), corners.end() }).second) << face;
   }
   for (Eigen::Index face = 0; face < mesh.Neighbours.size(); ++face)

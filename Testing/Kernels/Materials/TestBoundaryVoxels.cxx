@@ -13,7 +13,7 @@ namespace
 {
 
 /// A box that is one hexahedron, between positions in units of voxels.
-shape::Cells Box(const Eigen::Array3d& low, const Eigen::Array3d& high)
+shape::Cells BoxCell(const Eigen::Array3d& low, const Eigen::Array3d& high)
 {
   shape::Cells cells;
   cells.Points.resize(8, 3);
@@ -66,13 +66,13 @@ TEST(BoundaryVoxels, TheSharesSumUpToTheVolume)
 {
   const shape::VoxelImage image = MakePhantom(Low, High);
   std::vector<double> shares;
-  shape::AddVoxelShares(Box(Low, High), {}, image, shares);
+  shape::AddVoxelShares(BoxCell(Low, High), {}, image, shares);
   EXPECT_NEAR(std::accumulate(shares.begin(), shares.end(), 0.0), (High - Low).prod(), 1e-6);
   EXPECT_NEAR(shares[image.IndexOf(8, 8, 8)], 1.0, 0.05);
   EXPECT_EQ(shares[image.IndexOf(1, 8, 8)], 0.0);
   // A ghost has no share.
   std::vector<double> none;
-  shape::AddVoxelShares(Box(Low, High), Eigen::VectorXi::Zero(1), image, none);
+  shape::AddVoxelShares(BoxCell(Low, High), Eigen::VectorXi::Zero(1), image, none);
   EXPECT_EQ(*std::max_element(none.begin(), none.end()), 0.0);
 }
 
@@ -81,10 +81,10 @@ TEST(BoundaryVoxels, ALinearFieldIsRestoredAtTheBoundary)
 {
   const shape::VoxelImage image = MakePhantom(Low, High);
   const Eigen::Array3d thin(High(0), High(1), Low(2) + 1.0);
-  for (const shape::Cells& cell : { Box(Low, High), Box(Low, thin) })
+  for (const shape::Cells& cell : { BoxCell(Low, High), BoxCell(Low, thin) })
   {
     std::vector<double> shares;
-    shape::AddVoxelShares(Box(Low, High), {}, image, shares);
+    shape::AddVoxelShares(BoxCell(Low, High), {}, image, shares);
     std::vector<double> values = image.Channels[0];
     const shape::BoundaryVoxels found = shape::ExtrapolateToBoundary(image, shares, 1, values);
     EXPECT_EQ(found.Unresolved, 0);
@@ -104,7 +104,7 @@ TEST(BoundaryVoxels, NoValueIsLoweredAndNoLayerChangesNothing)
 {
   const shape::VoxelImage image = MakePhantom(Low, High);
   std::vector<double> shares;
-  shape::AddVoxelShares(Box(Low, High), {}, image, shares);
+  shape::AddVoxelShares(BoxCell(Low, High), {}, image, shares);
   for (const int layers : { 0, 1, 2, 40 })
   {
     std::vector<double> values = image.Channels[0];
@@ -128,9 +128,9 @@ TEST(BoundaryVoxels, TheEndOfTheImageIsNoBoundary)
   shape::VoxelImage image;
   image.Size = { 6, 6, 6 };
   std::vector<double> shares, values(image.Count(), 1.0);
-  shape::AddVoxelShares(Box({ -9.0, -9.0, -9.0 }, { 20.0, 20.0, 20.0 }), {}, image, shares);
+  shape::AddVoxelShares(BoxCell({ -9.0, -9.0, -9.0 }, { 20.0, 20.0, 20.0 }), {}, image, shares);
   EXPECT_EQ(shape::ExtrapolateToBoundary(image, shares, 1, values).Boundary, 0);
   shares.clear();
-  shape::AddVoxelShares(Box({ 0.0, -9.0, -9.0 }, { 20.0, 20.0, 20.0 }), {}, image, shares);
+  shape::AddVoxelShares(BoxCell({ 0.0, -9.0, -9.0 }, { 20.0, 20.0, 20.0 }), {}, image, shares);
   EXPECT_EQ(shape::ExtrapolateToBoundary(image, shares, 1, values).Boundary, 36);
 }

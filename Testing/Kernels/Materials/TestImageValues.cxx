@@ -70,7 +70,7 @@ shape::Cells OneCell(const shape::VoxelImage& image, int kind, const Eigen::Matr
   return cells;
 }
 
-Eigen::MatrixXd Box(const Eigen::RowVector3d& low, const Eigen::RowVector3d& high)
+Eigen::MatrixXd BoxCorners(const Eigen::RowVector3d& low, const Eigen::RowVector3d& high)
 {
   Eigen::MatrixXd corners(8, 3);
   const int order[8] = { 0, 1, 3, 2, 4, 5, 7, 6 };
@@ -150,7 +150,7 @@ Eigen::RowVector4d Integrate(const Eigen::MatrixXd& corners)
     0.8611363115940526 };
   const double weights[4] = { 0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
     0.3478548451374538 };
-  const Eigen::MatrixXd signs = Box({ -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 });
+  const Eigen::MatrixXd signs = BoxCorners({ -1.0, -1.0, -1.0 }, { 1.0, 1.0, 1.0 });
   Eigen::RowVector4d sums = Eigen::RowVector4d::Zero();
   for (int point = 0; point < 64; ++point)
   {
@@ -193,7 +193,7 @@ TEST(ImageValues, LinearFieldsAreExactInCellsOfEveryKind)
     {
       Eigen::MatrixXd tetrahedron(4, 3);
       std::generate_n(tetrahedron.data(), 12, [&] { return range(random); });
-      Eigen::MatrixXd hexahedron = Box({ 2.0, 2.0, 2.0 }, { 7.0, 6.0, 5.0 });
+      Eigen::MatrixXd hexahedron = BoxCorners({ 2.0, 2.0, 2.0 }, { 7.0, 6.0, 5.0 });
       std::for_each(
         hexahedron.data(), hexahedron.data() + 24, [&](double& value) { value += small(random); });
       Eigen::MatrixXd wedge(6, 3), pyramid(5, 3);
@@ -311,8 +311,8 @@ TEST(ImageValues, CellsMuchSmallerThanAVoxelAreExact)
     expected += weight * v[corner];
   }
   const Eigen::RowVector3d half(0.05, 0.01, 0.03);
-  const shape::ImageValuesResult found =
-    shape::ComputeImageValues(OneCell(image, Hexahedron, Box(centre - half, centre + half)), image);
+  const shape::ImageValuesResult found = shape::ComputeImageValues(
+    OneCell(image, Hexahedron, BoxCorners(centre - half, centre + half)), image);
   EXPECT_NEAR(found.Means(0, 0), expected, 1e-13);
 }
 
@@ -322,7 +322,7 @@ TEST(ImageValues, CoverageIsTheShareInTheImage)
   AddChannel(image, Linear);
   // 5 of 8, 4 of 6 and 3 of 4 voxels along the axes.
   const shape::ImageValuesResult part = shape::ComputeImageValues(
-    OneCell(image, Hexahedron, Box({ 3.0, -2.0, 5.0 }, { 11.0, 4.0, 9.0 })), image);
+    OneCell(image, Hexahedron, BoxCorners({ 3.0, -2.0, 5.0 }, { 11.0, 4.0, 9.0 })), image);
   const double share = 5.0 / 8.0 * 4.0 / 6.0 * 3.0 / 4.0;
   EXPECT_NEAR(part.Coverage(0), share, 0.02 * share);
   EXPECT_NEAR(part.Means(0, 0), Linear(PositionOf(image, 5.5, 2.0, 6.5)), 0.05);
@@ -348,7 +348,7 @@ TEST(ImageValues, ALawIsAveragedNotEvaluatedAtTheMean)
   const shape::MaterialLaws laws = { image.Channels[0], [](double v) { return 0.5 * v; },
     [](double d) { return d * d; } };
   const shape::ImageValuesResult found = shape::ComputeImageValues(
-    OneCell(image, Hexahedron, Box({ 1.0, 0.5, 0.5 }, { 7.0, 1.5, 1.5 })), image, laws);
+    OneCell(image, Hexahedron, BoxCorners({ 1.0, 0.5, 0.5 }, { 7.0, 1.5, 1.5 })), image, laws);
   EXPECT_NEAR(found.Density(0), 2.0, 1e-12);
   // The mean of x^2 / 4 over [1, 7].
   EXPECT_NEAR(found.Modulus(0), (343.0 - 1.0) / 3.0 / 6.0 / 4.0, 1e-8);
@@ -376,7 +376,8 @@ TEST(ImageValues, RefusesWhatHasNoMeaning)
 {
   shape::VoxelImage image = MakeImage({ 9, 9, 9 });
   AddChannel(image, [](const auto&) { return -1.0; });
-  const shape::Cells cell = OneCell(image, Hexahedron, Box({ 1.0, 1.0, 1.0 }, { 4.0, 4.0, 4.0 }));
+  const shape::Cells cell =
+    OneCell(image, Hexahedron, BoxCorners({ 1.0, 1.0, 1.0 }, { 4.0, 4.0, 4.0 }));
   const auto run = [&](const shape::Cells& cells, const shape::VoxelImage& given,
                      const shape::MaterialLaws& laws = {}, double step = 1.0)
   {
@@ -398,13 +399,15 @@ TEST(ImageValues, RefusesWhatHasNoMeaning)
   EXPECT_NE(run(cell, image, { image.Channels[0], same, [](double) { return 0.0; } })
               .find("the modulus is 0"),
     std::string::npos);
-  const shape::Cells away = OneCell(image, Hexahedron, Box({ 11.0, 1.0, 1.0 }, { 14.0, 4.0, 4.0 }));
+  const shape::Cells away =
+    OneCell(image, Hexahedron, BoxCorners({ 11.0, 1.0, 1.0 }, { 14.0, 4.0, 4.0 }));
   EXPECT_NE(run(away, image, { image.Channels[0], same, [](double) { return 1.0; } })
               .find("does not contain any part of 1 cell"),
     std::string::npos);
   EXPECT_NE(run(cell, image, {}, 0.0).find("SamplingStep"), std::string::npos);
 
-  const shape::Cells flat = OneCell(image, Hexahedron, Box({ 1.0, 1.0, 2.0 }, { 4.0, 4.0, 2.0 }));
+  const shape::Cells flat =
+    OneCell(image, Hexahedron, BoxCorners({ 1.0, 1.0, 2.0 }, { 4.0, 4.0, 2.0 }));
   EXPECT_NE(run(flat, image).find("no volume in 1 cell"), std::string::npos);
   shape::Cells triangle = OneCell(image, Triangle, Eigen::MatrixXd::Identity(3, 3));
   EXPECT_NE(run(triangle, image).find("other types"), std::string::npos);
@@ -428,7 +431,7 @@ TEST(ImageValues, ALargeCellIsDividedAmongTasksAndCanBeStopped)
   shape::VoxelImage image = MakeImage({ 70, 60, 20 });
   AddChannel(image, Linear);
   const shape::Cells cell =
-    OneCell(image, Hexahedron, Box({ 1.0, 1.0, 1.0 }, { 68.0, 58.0, 18.0 }));
+    OneCell(image, Hexahedron, BoxCorners({ 1.0, 1.0, 1.0 }, { 68.0, 58.0, 18.0 }));
   const shape::ImageValuesResult found = shape::ComputeImageValues(cell, image);
   const double expected = Linear(PositionOf(image, 34.5, 29.5, 9.5));
   EXPECT_NEAR(found.Means(0, 0), expected, 1e-11 * std::abs(expected));
