@@ -46,8 +46,8 @@ namespace shape
 MapCertificate CertifyMap(const ChargeSet& map, const Surface& domain,
   const MapCertificateOptions& options = {}, const Progress& progress = {});
 
-/// Returns the number of pairs of triangles that cross or touch in the image of a boundary. If there
-/// are triangles without area, returns their number. Throws Aborted.
+/// Returns the number of pairs of triangles that cross or touch in the image of a boundary. If
+/// there are triangles without area, returns their number. Throws Aborted.
 int CountCrossings(const Surface& image, const Progress& progress = {});
 
 } // namespace shape
