@@ -31,7 +31,7 @@ shape::Cells BoxCell(const Eigen::Array3d& low, const Eigen::Array3d& high)
   return cells;
 }
 
-double Linear(const Eigen::Array3d& x)
+double LinearDensity(const Eigen::Array3d& x)
 {
   return 1.0 + 0.02 * x(0) + 0.01 * x(1) - 0.015 * x(2);
 }
@@ -51,7 +51,7 @@ shape::VoxelImage MakePhantom(const Eigen::Array3d& low, const Eigen::Array3d& h
         const Eigen::Array3d at(i, j, k);
         const Eigen::Array3d from = low.max(at - 0.5), to = high.min(at + 0.5);
         const Eigen::Array3d lengths = (to - from).max(0.0);
-        image.Channels[0].push_back(lengths.prod() * Linear(0.5 * (from + to)));
+        image.Channels[0].push_back(lengths.prod() * LinearDensity(0.5 * (from + to)));
       }
     }
   }
@@ -95,8 +95,8 @@ TEST(BoundaryVoxels, ALinearFieldIsRestoredAtTheBoundary)
     };
     const Eigen::Array3d centre =
       0.5 * (cell.Points.row(0) + cell.Points.row(6)).transpose().array();
-    EXPECT_NEAR(density(values), Linear(centre), 1e-12);
-    EXPECT_LT(density(image.Channels[0]), 0.97 * Linear(centre));
+    EXPECT_NEAR(density(values), LinearDensity(centre), 1e-12);
+    EXPECT_LT(density(image.Channels[0]), 0.97 * LinearDensity(centre));
   }
 }
 
