@@ -28,9 +28,8 @@ std::shared_ptr<const ChargeField> Descend(const std::shared_ptr<const ChargeFie
   {
     return field;
   }
-  auto inner = std::make_shared<ChargeField>(*field);
-  inner->Near = std::move(near);
-  inner->Centre = cube.Centre;
+  auto inner = std::make_shared<ChargeField>(
+    ChargeField{ field->Far, cube.Centre, {}, field->ValueError, std::move(near) });
   inner->Far.Shift(cube.Centre - field->Centre);
   inner->Far.Add(charges, far, cube.Centre, radius, TaylorExpansion::Degree);
   inner->ValueError += radius * (inner->Far.Remainder - field->Far.Remainder);

@@ -38,7 +38,7 @@ bool IsPositive(const Eigen::MatrixXd& points, const Eigen::RowVector4i& ids)
            points.row(ids(0)), points.row(ids(1)), points.row(ids(2)), points.row(ids(3))) > 0;
 }
 
-/// Returns the tetrahedra whose images are not positive.
+/// Returns the tetrahedra whose images are inverted or have no volume.
 std::vector<int> FindInverted(const FiniteElements& elements)
 {
   std::vector<int> found;
