@@ -12,7 +12,8 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray,
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_POLY_LINE, vtkCellArray, vtkPolyData, vtkSelection, vtkSelectionNode)
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkExtractCells, vtkFeatureEdges
+from vtkmodules.vtkFiltersCore import (
+    vtkAppendPolyData, vtkExtractCells, vtkFeatureEdges, vtkImplicitPolyDataDistance)
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridReader
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
@@ -136,6 +137,15 @@ def places_on(surface, count, random):
     shares = random.dirichlet([1.0, 1.0, 1.0], count)
     return numpy.einsum('ik,ikc->ic', shares, corners[chosen]), (
         normals[chosen] / areas[chosen, None])
+
+
+def nearest_positions(positions, surface):
+    """The nearest positions on a surface."""
+    distance, found = vtkImplicitPolyDataDistance(), numpy.empty((len(positions), 3))
+    distance.SetInput(surface)
+    for i, position in enumerate(positions):
+        distance.EvaluateFunctionAndGetClosestPoint(position, found[i])
+    return found
 
 
 def set_points(data, coordinates):

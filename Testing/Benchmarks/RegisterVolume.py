@@ -3,67 +3,52 @@
 A model is bent, twisted and swollen smoothly, so that the true image of each point is known. The baseline aligns the
 model by iterative closest points (vtkIterativeClosestPointTransform) and takes the nearest positions on the target.
 Both boundary maps then move the same tetrahedra (Shape Mesh Motion), whose inverted cells are counted. Distances and
-errors are divided by the longest side of the target. --models FOLDER: where the models lie."""
-import argparse
+errors are divided by the longest side of the target.
+
+    Utilities/pvpython.sh Testing/Benchmarks/RegisterVolume.py
+"""
 import os
 import time
 
-import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkIterativeClosestPointTransform, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkImplicitPolyDataDistance
-import shapemap
+import sweep
 
-parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-parser.add_argument('--models', default=os.path.join(os.path.dirname(__file__), '..', '..', 'build', 'models'))
-folder = parser.parse_args().models
+import numpy
+import shapemap
+import shapetesting
+from shapetesting import array, fact, nearest_positions, points
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkIterativeClosestPointTransform
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData
 
 
 def read(name):
     reader, clean = shapemap.vtkShapeOFFReader(), vtkCleanPolyData()
-    reader.SetFileName(os.path.join(folder, name))
+    reader.SetFileName(os.path.join(sweep.BUILD, 'models', name))
     clean.SetInputConnection(reader.GetOutputPort())
     clean.Update()
     return clean.GetOutput()
 
 
-def points(data):
-    return vtk_to_numpy(data.GetPoints().GetData()).astype(float)
-
-
-def with_points(surface, places, name=None):
-    """The surface at other places, or with them as an array."""
-    moved, values = vtkPolyData(), numpy_to_vtk(numpy.ascontiguousarray(places), deep=True)
-    moved.DeepCopy(surface)
-    if name:
-        values.SetName(name)
-        moved.GetPointData().AddArray(values)
-    else:
-        moved.GetPoints().SetData(values)
-    return moved
+def moved(data, positions):
+    """The data set at other positions."""
+    result = shapetesting.copy(data)
+    shapetesting.set_points(result, positions)
+    return result
 
 
 def posed(surface, angle):
     """The surface twisted by this angle over its length, bent and swollen."""
-    places = points(surface)
-    low, high = places.min(axis=0), places.max(axis=0)
+    positions = points(surface)
+    low, high = positions.min(axis=0), positions.max(axis=0)
     axis, size = (high - low).argmax(), (high - low).max()
     u, v = (axis + 1) % 3, (axis + 2) % 3
-    rest = places - (low + high) / 2.0
+    rest = positions - (low + high) / 2.0
     z = rest[:, axis] / size
     c, s = numpy.cos(angle * z), numpy.sin(angle * z)
-    places[:, u] += (c * rest[:, u] - s * rest[:, v]) * (1.0 + 0.2 * numpy.sin(4.0 * z)) - rest[:, u] \
+    positions[:, u] += (c * rest[:, u] - s * rest[:, v]) * (1.0 + 0.2 * numpy.sin(4.0 * z)) - rest[:, u] \
         + 0.3 * angle * size * z * z
-    places[:, v] += (s * rest[:, u] + c * rest[:, v]) * (1.0 + 0.15 * numpy.cos(3.0 * z)) - rest[:, v]
-    return with_points(surface, places)
-
-
-def nearest(places, surface):
-    distance, found = vtkImplicitPolyDataDistance(), numpy.empty_like(places)
-    distance.SetInput(surface)
-    for i, place in enumerate(places):
-        distance.EvaluateFunctionAndGetClosestPoint(place, found[i])
-    return found
+    positions[:, v] += (s * rest[:, u] + c * rest[:, v]) * (1.0 + 0.15 * numpy.cos(3.0 * z)) - rest[:, v]
+    return moved(surface, positions)
 
 
 def aligned(surface, target):
@@ -75,60 +60,62 @@ def aligned(surface, target):
     transform.SetMaximumNumberOfIterations(100)
     transform.SetMaximumNumberOfLandmarks(2000)
     transform.Update()
-    return numpy.array([transform.TransformPoint(place) for place in points(surface)])
+    return numpy.array([transform.TransformPoint(position) for position in points(surface)])
 
 
-def hausdorff(image, target, size):
-    return max(numpy.linalg.norm(nearest(points(a), b) - points(a), axis=1).max()
-               for a, b in ((image, target), (target, image))) / size
+def hausdorff(a, b):
+    return max(numpy.linalg.norm(nearest_positions(points(one), other) - points(one), axis=1).max()
+               for one, other in ((a, b), (b, a)))
 
 
-def inverted(solid, surface, images):
-    """How many tetrahedra the motion of their boundary inverts."""
-    motion = shapemap.vtkShapeMeshMotion()
-    motion.SetInputDataObject(0, solid)
-    motion.SetInputDataObject(1, with_points(surface, images, 'TargetPosition'))
-    motion.Update()
-    return facts(motion, 1)['MeshMotion.InvertedAfter']
+def count_inverted_by_motion(solid, surface, images):
+    """The tetrahedra that the motion of their boundary inverts."""
+    boundary = shapetesting.copy(surface)
+    shapetesting.add_array(boundary, images, 'TargetPosition')
+    motion = shapetesting.new(shapemap.vtkShapeMeshMotion, solid, boundary)
+    return fact(shapetesting.outputs(motion)[0], 'MeshMotion.InvertedAfter')
 
 
-def facts(algorithm, port):
-    row = algorithm.GetOutputDataObject(port).GetRowData()
-    return {row.GetArrayName(i): row.GetAbstractArray(i).GetValue(0) for i in range(row.GetNumberOfArrays())}
+def count_inverted(solid):
+    """The tetrahedra without a positive volume."""
+    corners = points(solid)[vtk_to_numpy(solid.GetCells().GetConnectivityArray()).reshape(-1, 4)]
+    return int((numpy.linalg.det(corners[:, 1:] - corners[:, :1]) <= 0.0).sum())
 
 
-bear, other, man = read('bear.off'), read('bear_bis.off'), read('homer.off')
-print('%-18s %-10s %7s %9s %9s %9s %9s %9s' % (
-    'pair', 'map', 'CPU s', 'error', 'largest', 'Hausdorff', 'distortion', 'inverted'))
-failed = []
-for name, source, target, align in (
-        ('bear_bis, pose 0.5', other, posed(other, 0.5), 0), ('bear_bis, pose 1', other, posed(other, 1.0), 0),
-        ('homer, pose 1', man, posed(man, 1.0), 0), ('bear, bear_bis', bear, other, 1)):
-    size = numpy.ptp(points(target), axis=0).max()
+def rows(source, target, align):
+    """The measures of the registration and of nearest positions, and the images of each."""
     start = time.process_time()
-    register = shapemap.vtkShapeRegisterVolume()
-    register.SetInputDataObject(0, source)
-    register.SetInputDataObject(1, target)
-    register.SetAlign(align)
-    register.Update()
+    surface, solid = shapetesting.outputs(
+        shapetesting.new(shapemap.vtkShapeRegisterVolume, source, target, Align=align))[:2]
+    yield dict(map='registered', cpu=time.process_time() - start, inverted=count_inverted(solid),
+               distortion=fact(surface, 'RegisterVolume.DistortionAfter')), array(surface, 'TargetPosition')
+    start = time.process_time()
+    images = nearest_positions(aligned(source, target), target)
     seconds = time.process_time() - start
-    images = vtk_to_numpy(register.GetOutputDataObject(0).GetPointData().GetArray('TargetPosition'))
-    solid = register.GetOutputDataObject(1).NewInstance()
-    solid.DeepCopy(register.GetOutputDataObject(1))
-    solid.GetPoints().SetData(solid.GetPointData().GetArray('SourcePosition'))
-    start = time.process_time()
-    near = nearest(aligned(source, target), target)
-    rows = [('registered', seconds, images, facts(register, 2)['RegisterVolume.DistortionAfter'], 0),
-            ('nearest', time.process_time() - start, near, numpy.nan, inverted(solid, source, near))]
-    errors = []
-    for kind, seconds, found, distortion, count in rows:
-        error = numpy.linalg.norm(found - points(target), axis=1) / size if len(found) == len(points(target)) \
-            else numpy.full(1, numpy.nan)
-        errors.append(error.mean())
-        print('%-18s %-10s %7.1f %9.5f %9.5f %9.5f %9.4f %9d' % (
-            name, kind, seconds, error.mean(), error.max(), hausdorff(with_points(source, found), target, size),
-            distortion, count), flush=True)
-    if errors[0] > errors[1]:
-        failed.append('%s: the error is not below that of nearest positions' % name)
-if failed:
-    raise SystemExit('; '.join(failed))
+    rest = moved(solid, array(solid, 'SourcePosition'))
+    yield dict(map='nearest', cpu=seconds, inverted=count_inverted_by_motion(rest, source, images)), images
+
+
+def main():
+    sweep.parser(__doc__, models=False).parse_args()
+    bear, other, man = read('bear.off'), read('bear_bis.off'), read('homer.off')
+    claims = sweep.Claims()
+    table = sweep.Table('pair:<18', 'map:<10', 'cpu:7.1f', 'error:9.5f', 'largest:9.5f', 'hausdorff:9.5f',
+                        'distortion:10.4f', 'inverted:9d')
+    for pair, source, target, align in (
+            ('bear_bis, pose 0.5', other, posed(other, 0.5), 0), ('bear_bis, pose 1', other, posed(other, 1.0), 0),
+            ('homer, pose 1', man, posed(man, 1.0), 0), ('bear, bear_bis', bear, other, 1)):
+        size, errors = numpy.ptp(points(target), axis=0).max(), []
+        for row, images in rows(source, target, align):
+            if source.GetNumberOfPoints() == target.GetNumberOfPoints():
+                error = numpy.linalg.norm(images - points(target), axis=1) / size
+                row.update(error=error.mean(), largest=error.max())
+                errors.append(error.mean())
+            table.print(dict(row, pair=pair, hausdorff=hausdorff(moved(source, images), target) / size))
+        if errors:
+            claims.at_most(pair, 'mean error beside that of nearest positions', errors[0], errors[1])
+    claims.finish()
+
+
+if __name__ == '__main__':
+    main()

@@ -4,22 +4,10 @@ As an example: a head and a wider, longer one. No pairs of points are given; the
 tells how far the images are from the true ones, beside the nearest positions on the other head."""
 import numpy
 from paraview import simple
-from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
 import shapemap
 
 import shapetesting
-from shapetesting import array, check_refused, fact, points
-
-
-def nearest(positions, surface):
-    """The nearest positions on a surface."""
-    distance = vtkImplicitPolyDataDistance()
-    distance.SetInput(surface)
-    found = numpy.empty((len(positions), 3))
-    for i, position in enumerate(positions):
-        distance.EvaluateFunctionAndGetClosestPoint(position, found[i])
-    return found
-
+from shapetesting import array, check_refused, fact, nearest_positions, points
 
 # The example.
 head = simple.PassArrays(Input=simple.OpenDataFile(shapetesting.data_file('PhantomHeadSmall.vtp')))
@@ -32,7 +20,7 @@ surface, solid = shapetesting.output(registered), shapetesting.output(registered
 size = numpy.ptp(points(target), axis=0).max()
 truth, images = points(target), array(surface, 'TargetPosition')
 error = numpy.linalg.norm(images - truth, axis=1).mean() / size
-plain = numpy.linalg.norm(nearest(points(source), target) - truth, axis=1).mean() / size
+plain = numpy.linalg.norm(nearest_positions(points(source), target) - truth, axis=1).mean() / size
 print('mean error: %.4f of the size; nearest positions: %.4f' % (error, plain))
 assert error < plain
 assert (points(surface) == points(source)).all(), 'the input moved'
