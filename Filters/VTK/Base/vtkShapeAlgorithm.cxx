@@ -11,6 +11,7 @@
 #include "vtkShapeRepair.h"
 #include "vtkShapeRequests.h"
 #include "vtkShapeSurfaces.h"
+#include "vtkShapeTexts.h"
 #include "vtkShapeTurn.h"
 
 #include "vtkDataObjectTypes.h"
@@ -371,8 +372,10 @@ std::vector<vtkDataObject*> vtkShapeAlgorithm::GetInputs()
   return inputs;
 }
 
+/// Called after the processes have agreed on success, because gathering is a collective call.
 void vtkShapeAlgorithm::WriteWarnings(vtkInformationVector* outputs)
 {
+  this->Warnings = vtkShapeTexts::GatherOnce(this->Controller, this->Warnings);
   if (this->Warnings.empty() || (this->Controller && this->Controller->GetLocalProcessId() != 0))
   {
     return;

@@ -194,8 +194,8 @@ protected:
   void DeclareMemoryRemedy(const std::string& remedy);
 
   /// Tells the user in one line about a doubtful input or result. `text` names the fact and the
-  /// remedy. The fact `Warning` has all warnings of a run. In parallel, only those of the first
-  /// process are shown.
+  /// remedy. The fact `Warning` has all warnings of a run. In parallel, the first process shows
+  /// those of all processes, each text once.
   void Warn(const std::string& text);
 
   /// Declares the names of the measures that Execute computes for the outputs. If the points of an
