@@ -2,15 +2,13 @@
 
 #include "Base/Errors.h"
 #include "Base/Parallel.h"
+#include "Harmonic/Private/HatFunctions.h"
 #include "Harmonic/Private/ScaledBoundary.h"
 #include "Linear/DirichletProblem.h"
 #include "Mesh/CellFaces.h"
 #include "Search/ClosestPoint.h"
 #include "Solids/Nesting.h"
 #include "Tetrahedra/Tetrahedralize.h"
-
-#include <Eigen/Geometry>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <string>
@@ -21,55 +19,6 @@ namespace shape
 {
 namespace
 {
-
-/// The gradients of the hat functions of a tetrahedron's four corners, in rows.
-struct Hats
-{
-  Eigen::Matrix<double, 4, 3> Gradients;
-  double Volume = 0.0;
-};
-
-Hats ComputeHats(const Eigen::MatrixXd& points, const Eigen::RowVector4i& corners)
-{
-  Eigen::Matrix3d edges;
-  for (int k = 0; k < 3; ++k)
-  {
-    edges.row(k) = points.row(corners(k + 1)) - points.row(corners(0));
-  }
-  Hats hats;
-  hats.Volume = edges.determinant() / 6.0;
-  hats.Gradients.bottomRows<3>() = edges.inverse().transpose();
-  hats.Gradients.row(0) = -hats.Gradients.bottomRows<3>().colwise().sum();
-  return hats;
-}
-
-/// The stiffness matrix: the integrals of the products of the hat functions' gradients. Off the
-/// diagonal these are the negative cotangent weights.
-Eigen::SparseMatrix<double> BuildStiffness(
-  const Eigen::MatrixXd& points, const Eigen::MatrixXi& tetrahedra)
-{
-  std::vector<Eigen::Triplet<double>> entries(16 * tetrahedra.rows());
-  ParallelFor(static_cast<int>(tetrahedra.rows()), 10000,
-    [&](int begin, int end)
-    {
-      for (int t = begin; t < end; ++t)
-      {
-        const Hats hats = ComputeHats(points, tetrahedra.row(t));
-        const Eigen::Matrix4d products = hats.Volume * hats.Gradients * hats.Gradients.transpose();
-        for (int i = 0; i < 4; ++i)
-        {
-          for (int k = 0; k < 4; ++k)
-          {
-            entries[16 * static_cast<std::size_t>(t) + 4 * i + k] = { tetrahedra(t, i),
-              tetrahedra(t, k), products(i, k) };
-          }
-        }
-      }
-    });
-  Eigen::SparseMatrix<double> stiffness(points.rows(), points.rows());
-  stiffness.setFromTriplets(entries.begin(), entries.end());
-  return stiffness;
-}
 
 Cells ToCells(const FiniteElements& elements)
 {
@@ -110,7 +59,7 @@ FiniteElements RequireComplete(FiniteElements elements)
 
 } // namespace
 
-Eigen::MatrixXi FindBoundaryFaces(const FiniteElements& elements)
+Eigen::MatrixXi FindBoundaryTriangles(const FiniteElements& elements)
 {
   const std::vector<CellFace> faces = SortFaces(ToCells(elements));
   std::vector<std::size_t> found;
@@ -155,7 +104,7 @@ FiniteElements FillWithElements(const Surface& given, const Eigen::MatrixXd& giv
   TetrahedralizeResult solid = Tetrahedralize(
     boundary, {}, options, progress.Part(0.1, 0.9, "filling the solid with tetrahedra"));
   FiniteElements elements{ std::move(solid.Points), std::move(solid.Tetrahedra), {}, {}, 0 };
-  elements.Boundary = FindBoundaryFaces(elements);
+  elements.Boundary = FindBoundaryTriangles(elements);
 
   // The values at the boundary: given, or linear in its triangles.
   const std::vector<int> fixed = FindFixedPoints(elements);
@@ -224,7 +173,7 @@ Eigen::MatrixXd FiniteElementMap::Jacobians(
       for (int i = begin; i < end; ++i)
       {
         const Eigen::RowVector4i corners = this->Data.Tetrahedra.row(cells(i));
-        const Hats hats = ComputeHats(this->Data.Points, corners);
+        const HatFunctions hats = ComputeHats(this->Data.Points, corners);
         for (Eigen::Index r = 0; r < dimensions; ++r)
         {
           Eigen::RowVector3d gradient = Eigen::RowVector3d::Zero();

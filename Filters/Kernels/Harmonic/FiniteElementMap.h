@@ -59,7 +59,7 @@ void SolveLaplace(
   FiniteElements& elements, const std::vector<int>& fixed, const Progress& progress = {});
 
 /// Returns the faces of only one tetrahedron, facing outwards: k x 3, sorted.
-Eigen::MatrixXi FindBoundaryFaces(const FiniteElements& elements);
+Eigen::MatrixXi FindBoundaryTriangles(const FiniteElements& elements);
 
 /// Evaluates a map of finite elements anywhere. Can be used from several threads.
 class FiniteElementMap

@@ -1,9 +1,7 @@
 #include "Harmonic/Private/HarmonicDistortion.h"
 
 #include "Base/Parallel.h"
-#include "Untangle/EllipticEnergy.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <limits>
@@ -23,11 +21,25 @@ JacobianEnergy SymmetricDirichlet(const Eigen::Matrix3d& jacobian)
     2.0 * (jacobian - inverse.transpose() * inverse * inverse.transpose()) };
 }
 
+namespace
+{
+
+std::vector<HatFunctions> ComputeAllHats(const FilledSolid& solid)
+{
+  std::vector<HatFunctions> hats(solid.Tetrahedra.rows());
+  for (Eigen::Index t = 0; t < solid.Tetrahedra.rows(); ++t)
+  {
+    hats[t] = ComputeHats(solid.Points, solid.Tetrahedra.row(t));
+  }
+  return hats;
+}
+
+} // namespace
+
 HarmonicDistortion::HarmonicDistortion(FilledSolid solid, const Progress& progress)
   : Filled(std::move(solid))
-  , Hats(this->Filled.Tetrahedra.rows())
-  , Volumes(this->Filled.Tetrahedra.rows())
-  , Matrix(Assemble())
+  , Hats(ComputeAllHats(this->Filled))
+  , Matrix(BuildStiffness(this->Filled.Points, this->Filled.Tetrahedra))
   , Inner(this->Matrix, this->Filled.Boundary, progress)
 {
 }
@@ -42,7 +54,7 @@ Eigen::MatrixXd HarmonicDistortion::Map(const Eigen::MatrixXd& images) const
 int HarmonicDistortion::CountInverted(const Eigen::MatrixXd& map) const
 {
   int inverted = 0;
-  for (Eigen::Index t = 0; t < this->Volumes.size(); ++t)
+  for (Eigen::Index t = 0; t < this->Filled.Tetrahedra.rows(); ++t)
   {
     inverted += this->Jacobian(t, map).determinant() > 0.0 ? 0 : 1;
   }
@@ -54,17 +66,18 @@ double HarmonicDistortion::Evaluate(
 {
   const Eigen::MatrixXd map = this->Map(images);
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(map.rows(), 3);
-  const Eigen::VectorXd shares = this->Volumes / this->Volume();
-  Eigen::VectorXd energies(shares.size());
-  std::vector<Eigen::Matrix<double, 4, 3>> slopes(shares.size());
+  const double volume = this->Volume();
+  Eigen::VectorXd energies(this->Filled.Tetrahedra.rows());
+  std::vector<Eigen::Matrix<double, 4, 3>> slopes(energies.size());
   ParallelFor(static_cast<int>(energies.size()), 2000,
     [&](int begin, int end)
     {
       for (int t = begin; t < end; ++t)
       {
         const JacobianEnergy energy = function(this->Jacobian(t, map));
-        energies(t) = shares(t) * energy.Value;
-        slopes[t] = shares(t) * this->Hats[t] * energy.Gradient.transpose();
+        const double share = this->Hats[t].Volume / volume;
+        energies(t) = share * energy.Value;
+        slopes[t] = share * this->Hats[t].Gradients * energy.Gradient.transpose();
       }
     });
   Eigen::MatrixXd slope = none;
@@ -83,14 +96,24 @@ double HarmonicDistortion::Evaluate(
   return energies.sum();
 }
 
+double HarmonicDistortion::Volume() const
+{
+  double volume = 0.0;
+  for (const HatFunctions& hats : this->Hats)
+  {
+    volume += hats.Volume;
+  }
+  return volume;
+}
+
 Eigen::VectorXd HarmonicDistortion::PointVolumes() const
 {
   Eigen::VectorXd volumes = Eigen::VectorXd::Zero(this->Filled.Points.rows());
-  for (Eigen::Index t = 0; t < this->Volumes.size(); ++t)
+  for (Eigen::Index t = 0; t < this->Filled.Tetrahedra.rows(); ++t)
   {
     for (int k = 0; k < 4; ++k)
     {
-      volumes(this->Filled.Tetrahedra(t, k)) += 0.25 * this->Volumes(t);
+      volumes(this->Filled.Tetrahedra(t, k)) += 0.25 * this->Hats[t].Volume;
     }
   }
   return volumes;
@@ -101,38 +124,9 @@ Eigen::Matrix3d HarmonicDistortion::Jacobian(Eigen::Index t, const Eigen::Matrix
   Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();
   for (int k = 0; k < 4; ++k)
   {
-    jacobian += map.row(this->Filled.Tetrahedra(t, k)).transpose() * this->Hats[t].row(k);
+    jacobian += map.row(this->Filled.Tetrahedra(t, k)).transpose() * this->Hats[t].Gradients.row(k);
   }
   return jacobian;
-}
-
-Eigen::SparseMatrix<double> HarmonicDistortion::Assemble()
-{
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(16 * this->Hats.size());
-  for (Eigen::Index t = 0; t < this->Filled.Tetrahedra.rows(); ++t)
-  {
-    const Eigen::RowVector4i corners = this->Filled.Tetrahedra.row(t);
-    Eigen::Matrix3d edges;
-    for (int k = 0; k < 3; ++k)
-    {
-      edges.col(k) =
-        (this->Filled.Points.row(corners(k + 1)) - this->Filled.Points.row(corners(0))).transpose();
-    }
-    this->Hats[t] = ComputeHatGradients(edges);
-    this->Volumes(t) = edges.determinant() / 6.0;
-    for (int i = 0; i < 4; ++i)
-    {
-      for (int k = 0; k < 4; ++k)
-      {
-        entries.emplace_back(corners(i), corners(k),
-          this->Volumes(t) * this->Hats[t].row(i).dot(this->Hats[t].row(k)));
-      }
-    }
-  }
-  Eigen::SparseMatrix<double> stiffness(this->Filled.Points.rows(), this->Filled.Points.rows());
-  stiffness.setFromTriplets(entries.begin(), entries.end());
-  return stiffness;
 }
 
 Eigen::MatrixXd HarmonicDistortion::Spread(const Eigen::MatrixXd& values) const

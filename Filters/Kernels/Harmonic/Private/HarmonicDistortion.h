@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Base/Progress.h"
+#include "Harmonic/Private/HatFunctions.h"
 #include "Linear/DirichletProblem.h"
 #include "Linear/SparseSolve.h"
 
@@ -64,18 +65,16 @@ public:
   const FilledSolid& Solid() const { return this->Filled; }
   const Eigen::SparseMatrix<double>& Stiffness() const { return this->Matrix; } ///< K
   Eigen::VectorXd PointVolumes() const; ///< n: a quarter of the tetrahedra's volumes around a point
-  double Volume() const { return this->Volumes.sum(); }
+  double Volume() const;                ///< of the solid
 
   /// Returns values at the boundary points (k x d), and 0 at the others (n x d).
   Eigen::MatrixXd Spread(const Eigen::MatrixXd& values) const;
 
 private:
-  Eigen::SparseMatrix<double> Assemble(); ///< also sets Hats and Volumes
   Eigen::Matrix3d Jacobian(Eigen::Index t, const Eigen::MatrixXd& map) const;
 
   FilledSolid Filled;
-  std::vector<Eigen::Matrix<double, 4, 3>> Hats; ///< the gradients of the hat functions
-  Eigen::VectorXd Volumes;
+  std::vector<HatFunctions> Hats; ///< of each tetrahedron
   Eigen::SparseMatrix<double> Matrix;
   DirichletProblem Inner;
 };

@@ -75,7 +75,7 @@ std::vector<int> FindFixed(const FiniteElements& elements, const std::vector<int
       }
     }
   }
-  const Eigen::MatrixXi faces = FindBoundaryFaces(elements);
+  const Eigen::MatrixXi faces = FindBoundaryTriangles(elements);
   for (const int point : faces.reshaped())
   {
     near[point] = 0;
@@ -269,7 +269,7 @@ std::vector<int> RepairCore::FindCrossings()
   const MapRepair repair = this->WholeRepair();
   const std::vector<char> prescribed = this->FindPrescribed();
   const FiniteElements core{ {}, this->Elements.Tetrahedra(this->CoreTetrahedra, Eigen::all) };
-  const Surface image(repair.Elements.Images, FindBoundaryFaces(core));
+  const Surface image(repair.Elements.Images, FindBoundaryTriangles(core));
   std::vector<int> triangles = FindDegenerateTriangles(image);
   if (triangles.empty())
   {
