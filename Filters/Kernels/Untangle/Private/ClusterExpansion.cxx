@@ -224,7 +224,7 @@ void ClusterExpansion::RelaxAll(const Progress& progress)
   std::set<int> around;
   for (const int point : this->Cluster.Points())
   {
-    const std::set<int> neighbours = this->Cluster.FindNeighbours(point);
+    const std::vector<int> neighbours = this->Cluster.FindNeighbours(point);
     around.insert(neighbours.begin(), neighbours.end());
   }
   for (int sweep = 0; sweep < sweeps; ++sweep)

@@ -1,6 +1,7 @@
 #include "Untangle/Private/ClusterGrowth.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <utility>
 
@@ -77,12 +78,42 @@ bool AddUnseen(
   return isGrown;
 }
 
-/// Returns the edges outside the cluster that are opposite to its points, and whether it runs
-/// around each of them.
-std::map<std::pair<int, int>, bool> FindEdgesOutside(const PointCluster& cluster)
+/// The points of a growing cluster that have neighbours outside, in the order in which they joined.
+class Rim
+{
+public:
+  explicit Rim(const PointCluster& cluster)
+    : Cluster(cluster)
+  {
+  }
+
+  /// Brings the rim up to date and returns it. Points that have left it do not come back, since the
+  /// cluster only grows, and new points in its surroundings belong to it.
+  const std::vector<int>& Update()
+  {
+    const std::vector<int>& all = this->Cluster.Points();
+    this->Points.insert(
+      this->Points.end(), all.begin() + static_cast<std::ptrdiff_t>(this->Joined), all.end());
+    this->Joined = all.size();
+    this->Points.erase(std::remove_if(this->Points.begin(), this->Points.end(),
+                         [&](int point) { return this->Cluster.IsSurrounded(point); }),
+      this->Points.end());
+    return this->Points;
+  }
+
+private:
+  const PointCluster& Cluster;
+  std::vector<int> Points;
+  std::size_t Joined = 0; ///< number of the cluster's points that are known
+};
+
+/// Returns the edges outside the cluster that are opposite to points of its rim, and whether it
+/// runs around each of them.
+std::map<std::pair<int, int>, bool> FindEdgesOutside(
+  const PointCluster& cluster, const std::vector<int>& rim)
 {
   std::map<std::pair<int, int>, bool> edges;
-  for (const int point : cluster.Points())
+  for (const int point : rim)
   {
     for (const StarFace& face : cluster.FindFacesAround(point))
     {
@@ -102,10 +133,10 @@ std::map<std::pair<int, int>, bool> FindEdgesOutside(const PointCluster& cluster
 
 /// Closes holes of the cluster that run around a single edge: one of its ends, or a new point in
 /// it, joins the cluster. Returns whether there are any.
-bool CloseHoles(PointCluster& cluster)
+bool CloseHoles(PointCluster& cluster, const std::vector<int>& rim)
 {
   bool isAny = false;
-  for (const auto& [edge, isAround] : FindEdgesOutside(cluster))
+  for (const auto& [edge, isAround] : FindEdgesOutside(cluster, rim))
   {
     const auto [a, b] = edge;
     if (!isAround || cluster.IsIn(a) || cluster.IsIn(b))
@@ -126,19 +157,39 @@ bool CloseHoles(PointCluster& cluster)
   return isAny;
 }
 
+/// Adds the movable points around the points of the rim. Returns whether there are any.
+bool AddAround(PointCluster& cluster, const std::vector<int>& rim)
+{
+  bool isAny = false;
+  for (const int point : rim)
+  {
+    for (const int other : cluster.FindNeighbours(point))
+    {
+      if (!cluster.IsIn(other) && cluster.IsMovable(other))
+      {
+        cluster.Add(other);
+        isAny = true;
+      }
+    }
+  }
+  return isAny;
+}
+
 } // namespace
 
 bool GrowCluster(PointCluster& cluster, const Progress& progress)
 {
   constexpr int slowSteps = 12;
+  Rim rim(cluster);
   for (int step = 0;; ++step)
   {
     progress(0.0);
     if (step > slowSteps)
     {
-      AddRing(cluster);
+      AddAround(cluster, rim.Update());
     }
-    const std::vector<StarFace> faces = cluster.FindOuterFaces();
+    const std::vector<int>& outermost = rim.Update();
+    const std::vector<StarFace> faces = cluster.FindOuterFaces(outermost);
     const StarPlacement found = cluster.FindPlacement(faces, cluster.ComputeCentroid());
     if (!found.IsValid)
     {
@@ -148,7 +199,8 @@ bool GrowCluster(PointCluster& cluster, const Progress& progress)
       }
       continue;
     }
-    if (cluster.IsCollapsible(progress) || !(CloseHoles(cluster) || AddRing(cluster)))
+    if (cluster.IsCollapsible(progress) ||
+      !(CloseHoles(cluster, outermost) || AddAround(cluster, outermost)))
     {
       cluster.MoveTo(found.Position);
       return true;
@@ -156,20 +208,9 @@ bool GrowCluster(PointCluster& cluster, const Progress& progress)
   }
 }
 
-bool AddRing(PointCluster& cluster)
+void AddRing(PointCluster& cluster)
 {
-  const std::vector<int> members = cluster.Points();
-  for (const int point : members)
-  {
-    for (const int other : cluster.FindNeighbours(point))
-    {
-      if (!cluster.IsIn(other) && cluster.IsMovable(other))
-      {
-        cluster.Add(other);
-      }
-    }
-  }
-  return cluster.Points().size() > members.size();
+  AddAround(cluster, Rim(cluster).Update());
 }
 
 } // namespace shape

@@ -19,7 +19,7 @@ namespace shape
  */
 bool GrowCluster(PointCluster& cluster, const Progress& progress);
 
-/// Adds the movable points around a cluster. Returns whether there are any.
-bool AddRing(PointCluster& cluster);
+/// Adds the movable points around a cluster.
+void AddRing(PointCluster& cluster);
 
 } // namespace shape

@@ -119,15 +119,16 @@ void PointCluster::ForgetMoves(int point)
   }
 }
 
-std::set<int> PointCluster::FindNeighbours(int point) const
+bool PointCluster::IsSurrounded(int point) const
 {
-  std::set<int> found;
-  for (const int cell : this->Solid.CellsOf(point))
-  {
-    found.insert(this->Solid.PointsOf(cell).begin(), this->Solid.PointsOf(cell).end());
-  }
-  found.erase(point);
-  return found;
+  const std::vector<int>& cells = this->Solid.CellsOf(point);
+  return std::all_of(cells.begin(), cells.end(),
+    [&](int cell)
+    {
+      const std::vector<int>& corners = this->Solid.PointsOf(cell);
+      return std::all_of(
+        corners.begin(), corners.end(), [&](int corner) { return this->IsIn(corner); });
+    });
 }
 
 bool PointCluster::IsWide(const StarFace& face) const
@@ -169,10 +170,10 @@ std::vector<StarFace> PointCluster::FindOuterFacesAround(int point) const
   return faces;
 }
 
-std::vector<StarFace> PointCluster::FindOuterFaces() const
+std::vector<StarFace> PointCluster::FindOuterFaces(const std::vector<int>& points) const
 {
   std::vector<StarFace> faces;
-  for (const int point : this->Members)
+  for (const int point : points)
   {
     const std::vector<StarFace> around = this->FindOuterFacesAround(point);
     faces.insert(faces.end(), around.begin(), around.end());

@@ -61,14 +61,18 @@ public:
   /// Resets where the points around a point can move.
   void ForgetMoves(int point);
 
-  /// Returns the points that share a cell with a point.
-  std::set<int> FindNeighbours(int point) const;
+  /// Returns the points that share a cell with a point, ascending.
+  std::vector<int> FindNeighbours(int point) const { return this->Solid.NeighboursOf(point); }
+  /// Whether all of them are in the cluster.
+  bool IsSurrounded(int point) const;
   /// Returns the faces opposite to a point that it sees if it moves alone.
   std::vector<StarFace> FindFacesAround(int point) const;
   /// Returns those of them without a point of the cluster.
   std::vector<StarFace> FindOuterFacesAround(int point) const;
   /// Returns the faces that the cluster has to see.
-  std::vector<StarFace> FindOuterFaces() const;
+  std::vector<StarFace> FindOuterFaces() const { return this->FindOuterFaces(this->Members); }
+  /// Returns those of them that are opposite to some points of the cluster.
+  std::vector<StarFace> FindOuterFaces(const std::vector<int>& points) const;
   /// Returns the faces that a part of the cluster has to see if it moves as one.
   std::vector<StarFace> FindFacesAroundPart(const std::vector<int>& part);
   /// Whether no corner of a face is in the cluster.
