@@ -93,6 +93,114 @@ TEST(InscribedBall, IsThatOfATetrahedronAndTellsAnEmptyIntersection)
   EXPECT_NEAR(none.Centre(0), 0.5, 1e-14);
 }
 
+/// Splits random inner edges of tetrahedra, and moves the new points.
+void SplitAtRandom(shape::SolidCells& solid, int count, std::mt19937& random)
+{
+  for (int split = 0; split < count;)
+  {
+    const int cell = static_cast<int>(random() % static_cast<unsigned int>(solid.CellCount()));
+    std::vector<int> edge = solid.PointsOf(cell);
+    std::shuffle(edge.begin(), edge.end(), random);
+    edge.resize(2);
+    if (solid.CanSplit(edge))
+    {
+      solid.Points.row(solid.Split(edge)).setConstant(0.1 * split++);
+    }
+  }
+}
+
+void ExpectEqual(const shape::SolidCells& solid, const shape::SolidCells& kept)
+{
+  const shape::Cells cells = solid.Result(), expected = kept.Result();
+  EXPECT_EQ(cells.Points, expected.Points);
+  EXPECT_EQ(cells.Corners, expected.Corners);
+  EXPECT_EQ(solid.OriginalCells, kept.OriginalCells);
+  EXPECT_EQ(solid.Parents, kept.Parents);
+  for (int point = 0; point < kept.PointCount(); ++point)
+  {
+    EXPECT_EQ(solid.CellsOf(point), kept.CellsOf(point)) << point;
+  }
+}
+
+TEST(SolidCells, RestoresTheStateThatWasKept)
+{
+  const shape::Cells cube = TetrahedralCube(3);
+  shape::SolidCells solid(cube, cube.Points, "the cube");
+  std::mt19937 random(31);
+  SplitAtRandom(solid, 20, random);
+  const shape::SolidCells kept = solid;
+  solid.KeepState();
+  for (int trial = 0; trial < 2; ++trial)
+  {
+    solid.KeepPositions({ 21, 22 });
+    solid.Points.row(22).setConstant(7.0);
+    SplitAtRandom(solid, 100, random);
+    ASSERT_EQ(solid.PointCount(), kept.PointCount() + 100);
+    solid.RestoreState();
+    ExpectEqual(solid, kept);
+  }
+}
+
+/// Expands the inverted tetrahedra with a limit of the work.
+shape::SolidCells ExpandWithin(
+  double work, const shape::Cells& cells, const shape::Progress& progress = {})
+{
+  shape::SolidCells solid(cells, {}, "the cube");
+  shape::ConeExpansionOptions options;
+  options.MaximumWork = work;
+  shape::ExpandInverted(solid, options, progress);
+  return solid;
+}
+
+TEST(ConeExpansion, RestoresTheSolidIfTheWorkExceedsItsLimit)
+{
+  shape::Cells cells = TetrahedralCube(4);
+  MakeStar(cells, 11);
+  const shape::SolidCells untouched = ExpandWithin(0.0, cells);
+  bool isDone = false;
+  for (double work = 1e4; !isDone; work *= 2.0)
+  {
+    ASSERT_LT(work, 1e9);
+    double reports = 0.0;
+    shape::SolidCells solid = ExpandWithin(work, cells,
+      shape::Progress(
+        [&](double)
+        {
+          ++reports;
+          return true;
+        }));
+    isDone = CountInverted(solid) == 0;
+    if (!isDone)
+    {
+      ExpectEqual(solid, untouched);
+      EXPECT_GT(reports, work / 2000.0);
+    }
+  }
+}
+
+TEST(ConeExpansion, WorksAroundTheInvertedTetrahedraAlone)
+{
+  double works[2] = { 0.0, 0.0 };
+  for (const int n : { 6, 12 })
+  {
+    // Cubes of the same size. One inner point is pushed through the tetrahedra around it.
+    shape::Cells cells = TetrahedralCube(n);
+    cells.Points = (0.5 * n * (cells.Points.array() + 1.0)).round();
+    cells.Points.row(3 * (n + 1) * (n + 1) + 3 * (n + 1) + 3) << 4.5, 3.25, 3.5;
+    // The work is the least limit that is sufficient.
+    double least = 0.0, most = 1e6;
+    while (most - least > 1.0)
+    {
+      const double middle = std::floor((least + most) / 2.0);
+      shape::SolidCells solid = ExpandWithin(middle, cells);
+      (CountInverted(solid) > 0 ? least : most) = middle;
+    }
+    works[n / 12] = most;
+  }
+  EXPECT_GT(works[0], 1.0);
+  EXPECT_EQ(works[0], works[1]);
+}
+
 TEST(ConeExpansion, MakesEveryTetrahedronOfAStarPositive)
 {
   for (const int n : { 2, 3, 4 })

@@ -45,7 +45,7 @@ bool ClusterExpansion::Expand(
 {
   const auto start = static_cast<double>(this->Cluster.Points().size());
   const int given = this->Cluster.Solid.PointCount();
-  while (this->Cluster.GetWork() < options.MaximumWork)
+  for (;;)
   {
     const int inserted = this->Cluster.Solid.PointCount() - given;
     if (this->Cluster.Points().size() <= 1)
@@ -57,13 +57,13 @@ bool ClusterExpansion::Expand(
       continue;
     }
     progress(std::min(1.0, result.Expansions / (start + inserted)));
-    if (this->ReleaseClearest(progress))
+    if (this->ReleaseClearest())
     {
       ++result.Expansions;
     }
     else if (!this->IsRelaxed)
     {
-      this->RelaxAll(progress);
+      this->RelaxAll();
     }
     else if (!this->Divide(progress))
     {
@@ -74,7 +74,6 @@ bool ClusterExpansion::Expand(
       ++result.Expansions;
     }
   }
-  return false;
 }
 
 /// Goes on with a part that was divided off. Returns whether there is any.
@@ -96,9 +95,9 @@ bool ClusterExpansion::SelectNext()
 
 /// Releases the point that can leave the cluster best. Returns false if there is none, or if there
 /// is little space and other points may still move to make more.
-bool ClusterExpansion::ReleaseClearest(const Progress& progress)
+bool ClusterExpansion::ReleaseClearest()
 {
-  const int best = this->FindClearest(progress);
+  const int best = this->FindClearest();
   if (best < 0 || !(this->Cluster.Moves[best]->IsComfortable() || this->IsRelaxed))
   {
     return false;
@@ -139,7 +138,7 @@ bool ClusterExpansion::ReleaseAfterSplits(const Progress& progress)
 
 /// Returns the point that can leave the cluster best, or -1. Points that most of their faces are
 /// outside for come first, so that the cluster stays round.
-int ClusterExpansion::FindClearest(const Progress& progress)
+int ClusterExpansion::FindClearest()
 {
   const auto rank = [](const StarPlacement& placement)
   { return std::make_tuple(placement.IsComfortable(), placement.Rank, placement.Clearance); };
@@ -149,7 +148,6 @@ int ClusterExpansion::FindClearest(const Progress& progress)
     std::optional<StarPlacement>& move = this->Cluster.Moves[point];
     if (!move)
     {
-      progress(0.0);
       move = this->FindMove(point);
     }
     if (move->IsValid && (best < 0 || rank(*move) > rank(*this->Cluster.Moves[best])))
@@ -218,7 +216,7 @@ bool ClusterExpansion::Relax(int point)
 }
 
 /// Moves the points around the cluster, and the cluster itself, to the centres of their kernels.
-void ClusterExpansion::RelaxAll(const Progress& progress)
+void ClusterExpansion::RelaxAll()
 {
   constexpr int sweeps = 3;
   std::set<int> around;
@@ -231,7 +229,6 @@ void ClusterExpansion::RelaxAll(const Progress& progress)
   {
     for (const int point : around)
     {
-      progress(0.0);
       this->Relax(point);
     }
     const Eigen::RowVector3d position = this->Cluster.GetPosition();

@@ -28,22 +28,22 @@ public:
   ClusterExpansion(PointCluster& cluster, unsigned int seed);
 
   /// Divides the cluster until each point is by itself, and adds what was done to the result.
-  /// Returns false if that takes too many splits or too much work; the solid then has to be
-  /// restored. Throws Aborted.
+  /// Returns false if that takes too many splits; the solid then has to be restored, as after
+  /// WorkSpent. Throws Aborted.
   bool Expand(
     const ConeExpansionOptions& options, ConeExpansionResult& result, const Progress& progress);
 
 private:
   bool SelectNext();
-  bool ReleaseClearest(const Progress& progress);
+  bool ReleaseClearest();
   bool Divide(const Progress& progress);
   bool ReleaseAfterSplits(const Progress& progress);
 
-  int FindClearest(const Progress& progress);
+  int FindClearest();
   StarPlacement FindMove(int point);
   void Release(const std::vector<int>& part, const Eigen::RowVector3d& position, int id);
   bool Relax(int point);
-  void RelaxAll(const Progress& progress);
+  void RelaxAll();
 
   PointCluster& Cluster;
   ClusterSplits Splits;

@@ -177,13 +177,12 @@ bool AddAround(PointCluster& cluster, const std::vector<int>& rim)
 
 } // namespace
 
-bool GrowCluster(PointCluster& cluster, const Progress& progress)
+std::optional<Eigen::RowVector3d> GrowCluster(PointCluster& cluster)
 {
   constexpr int slowSteps = 12;
   Rim rim(cluster);
   for (int step = 0;; ++step)
   {
-    progress(0.0);
     if (step > slowSteps)
     {
       AddAround(cluster, rim.Update());
@@ -195,15 +194,14 @@ bool GrowCluster(PointCluster& cluster, const Progress& progress)
     {
       if (!AddUnseen(cluster, faces, found.Position))
       {
-        return false;
+        return std::nullopt;
       }
       continue;
     }
-    if (cluster.IsCollapsible(progress) ||
+    if (cluster.IsCollapsible() ||
       !(CloseHoles(cluster, outermost) || AddAround(cluster, outermost)))
     {
-      cluster.MoveTo(found.Position);
-      return true;
+      return found.Position;
     }
   }
 }

@@ -1,23 +1,25 @@
 #pragma once
 
-#include "Base/Progress.h"
 #include "Untangle/Private/PointCluster.h"
+
+#include <Eigen/Core>
+
+#include <optional>
 
 namespace shape
 {
 
 /**
  * Enlarges a cluster until one position sees all faces opposite to a single point of it, and the
- * cluster is a ball. Its points then move to that position.
+ * cluster is a ball. Returns that position, to which its points can move.
  *
  * Movable points of faces that the best position does not see are added. Where there are none, an
  * edge or a face is split, and the new point is added. Holes around a single edge are closed. After
  * some steps, whole rings of points are added, which bounds the number of steps.
  *
- * Returns false if no position is found and there is nothing to add; points may then have been
- * added, but none has moved. Throws Aborted.
+ * Returns none if no position is found and there is nothing to add. Throws Aborted and WorkSpent.
  */
-bool GrowCluster(PointCluster& cluster, const Progress& progress);
+std::optional<Eigen::RowVector3d> GrowCluster(PointCluster& cluster);
 
 /// Adds the movable points around a cluster.
 void AddRing(PointCluster& cluster);

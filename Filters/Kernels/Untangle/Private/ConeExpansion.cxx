@@ -7,95 +7,119 @@
 #include "Untangle/Private/PointCluster.h"
 
 #include <algorithm>
+#include <optional>
+#include <unordered_set>
+#include <vector>
 
 namespace shape
 {
 namespace
 {
 
-/// Returns the inner points of an inverted tetrahedron and of those connected to it by such points.
-/// All these tetrahedra count as tried.
-std::vector<int> CollectCluster(SolidCells& solid, int first, std::vector<char>& tried)
+/// Finds the clusters of inverted tetrahedra, each tetrahedron once.
+class ClusterSearch
 {
-  std::vector<int> points, cells = { first };
-  std::vector<char> taken(solid.PointCount(), 0);
-  tried[first] = 1;
-  while (!cells.empty())
+public:
+  explicit ClusterSearch(SolidCells& solid)
+    : Solid(solid)
   {
-    const int cell = cells.back();
-    cells.pop_back();
-    for (const int point : solid.PointsOf(cell))
+  }
+
+  /// Returns the points of the next cluster, or none. What an expansion has done since the last
+  /// call does not matter: it inverts nothing, and the parts of split cells come after the others.
+  std::vector<int> FindNext()
+  {
+    this->Tried.resize(this->Solid.CellCount(), 0);
+    for (; this->Next < this->Solid.CellCount(); ++this->Next)
     {
-      if (taken[point] || !PointCluster::IsMovable(solid, point))
+      if (this->Tried[this->Next] || this->Solid.PointsOf(this->Next).size() != 4 ||
+        !this->Solid.Inverted(this->Next))
       {
         continue;
       }
-      taken[point] = 1;
-      points.push_back(point);
-      for (const int other : solid.CellsOf(point))
+      std::vector<int> points = this->CollectFrom(this->Next);
+      if (!points.empty())
       {
-        if (!tried[other] && solid.Inverted(other))
+        return points;
+      }
+    }
+    return {};
+  }
+
+private:
+  /// Returns the inner points of an inverted tetrahedron and of those connected to it by such
+  /// points. All these tetrahedra count as tried.
+  std::vector<int> CollectFrom(int first)
+  {
+    std::vector<int> points, cells = { first };
+    std::unordered_set<int> taken;
+    this->Tried[first] = 1;
+    while (!cells.empty())
+    {
+      const int cell = cells.back();
+      cells.pop_back();
+      for (const int point : this->Solid.PointsOf(cell))
+      {
+        if (taken.count(point) > 0 || !PointCluster::IsMovable(this->Solid, point))
         {
-          tried[other] = 1;
-          cells.push_back(other);
+          continue;
+        }
+        taken.insert(point);
+        points.push_back(point);
+        for (const int other : this->Solid.CellsOf(point))
+        {
+          if (!this->Tried[other] && this->Solid.Inverted(other))
+          {
+            this->Tried[other] = 1;
+            cells.push_back(other);
+          }
         }
       }
     }
+    return points;
   }
-  return points;
-}
 
-/// Returns the points of a cluster whose inverted tetrahedra have not been tried, or none.
-std::vector<int> FindNextCluster(SolidCells& solid, std::vector<char>& tried)
-{
-  tried.resize(solid.CellCount(), 0);
-  for (int first = 0; first < solid.CellCount(); ++first)
-  {
-    if (tried[first] || solid.PointsOf(first).size() != 4 || !solid.Inverted(first))
-    {
-      continue;
-    }
-    std::vector<int> points = CollectCluster(solid, first, tried);
-    if (!points.empty())
-    {
-      return points;
-    }
-  }
-  return {};
-}
+  SolidCells& Solid;
+  std::vector<char> Tried; ///< for each cell
+  int Next = 0;
+};
 
-/// Grows and expands a cluster, and enlarges it if it does not expand. The solid is restored if no
-/// attempt succeeds.
-void ExpandWithAttempts(SolidCells& solid, std::vector<int> members,
-  const ConeExpansionOptions& options, double& work, ConeExpansionResult& result,
-  const Progress& progress)
+/// Grows and expands a cluster, and enlarges it if it does not expand. Returns whether an attempt
+/// succeeds; the solid has to be restored if none does.
+bool ExpandWithAttempts(PointCluster& cluster, std::vector<int> members,
+  const ConeExpansionOptions& options, ConeExpansionResult& result, const Progress& progress)
 {
-  const SolidCells kept = solid;
-  for (int attempt = 0; attempt < options.MaximumAttempts && work < options.MaximumWork; ++attempt)
+  SolidCells& solid = cluster.Solid;
+  const int given = solid.PointCount();
+  for (int attempt = 0; attempt < options.MaximumAttempts; ++attempt)
   {
-    PointCluster cluster(solid, members, options.SplitCells, work);
+    cluster.Begin(members);
     if (attempt % 4 == 3)
     {
       AddRing(cluster);
     }
-    if (!GrowCluster(cluster, progress))
+    const std::optional<Eigen::RowVector3d> position = GrowCluster(cluster);
+    if (!position)
     {
-      solid = kept;
-      return;
+      return false;
     }
     // The next attempt begins with what this one added, except for new points.
     members = cluster.Points();
-    members.erase(std::remove_if(members.begin(), members.end(),
-                    [&](int point) { return point >= kept.PointCount(); }),
+    members.erase(
+      std::remove_if(members.begin(), members.end(), [&](int point) { return point >= given; }),
       members.end());
+    // An expansion moves no other points, except for new ones.
+    solid.KeepPositions(cluster.FindPointsAround());
+    cluster.MoveTo(*position);
     ConeExpansionResult expanded = result;
     if (ClusterExpansion(cluster, attempt).Expand(options, expanded, progress))
     {
       result = expanded;
-      return;
+      return true;
     }
-    solid = kept;
+    solid.RestoreState();
   }
+  return false;
 }
 
 } // namespace
@@ -119,18 +143,31 @@ ConeExpansionResult ExpandInverted(
       .Impossible(FindInverted(solid));
   }
   ConeExpansionResult result;
-  double work = 0.0;
-  std::vector<char> tried;
-  for (;;)
+  PointCluster cluster(solid, options, progress);
+  ClusterSearch search(solid);
+  try
   {
-    progress(0.0);
-    const std::vector<int> members = FindNextCluster(solid, tried);
-    if (members.empty())
+    for (;;)
     {
-      return result;
+      progress(0.0);
+      const std::vector<int> members = search.FindNext();
+      if (members.empty())
+      {
+        break;
+      }
+      solid.KeepState();
+      if (!ExpandWithAttempts(cluster, members, options, result, progress))
+      {
+        solid.RestoreState();
+      }
     }
-    ExpandWithAttempts(solid, members, options, work, result, progress);
   }
+  catch (const WorkSpent&)
+  {
+    solid.RestoreState();
+  }
+  solid.ForgetState();
+  return result;
 }
 
 } // namespace shape

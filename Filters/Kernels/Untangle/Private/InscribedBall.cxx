@@ -19,13 +19,45 @@ struct Constraint
 
 constexpr double Tolerance = 1e-13;
 
+/// The constraints of the programmes in one variable less, and in less than that. They are written
+/// anew each time, in the same memory.
+template <int D>
+struct Workspace
+{
+  explicit Workspace(std::size_t count)
+    : Reduced(count + 2)
+    , Next(count + 2)
+  {
+  }
+  std::vector<Constraint<D - 1>> Reduced;
+  Workspace<D - 1> Next;
+};
+
+template <>
+struct Workspace<1>
+{
+  explicit Workspace(std::size_t) {}
+};
+
+/// Returns a vector without one of its entries.
+template <int D>
+Eigen::Matrix<double, D - 1, 1> Without(const Eigen::Matrix<double, D, 1>& v, int gone)
+{
+  Eigen::Matrix<double, D - 1, 1> rest;
+  for (int k = 0; k < D - 1; ++k)
+  {
+    rest(k) = v(k < gone ? k : k + 1);
+  }
+  return rest;
+}
+
 /// Maximises objective . x subject to constraints and lower <= x <= upper. Returns false if no x
 /// satisfies them.
 template <int D>
 bool Maximize(const Eigen::Matrix<double, D, 1>& objective,
   const std::vector<Constraint<D>>& constraints, std::size_t count,
   const Eigen::Matrix<double, D, 1>& lower, const Eigen::Matrix<double, D, 1>& upper,
-  Eigen::Matrix<double, D, 1>& x)
+  [[maybe_unused]] Workspace<D>& workspace, Eigen::Matrix<double, D, 1>& x)
 {
   if constexpr (D == 1)
   {
@@ -62,7 +94,7 @@ bool Maximize(const Eigen::Matrix<double, D, 1>& objective,
     {
       x(k) = objective(k) > 0.0 ? upper(k) : lower(k);
     }
-    std::vector<Constraint<D - 1>> reduced;
+    std::vector<Constraint<D - 1>>& reduced = workspace.Reduced;
     for (std::size_t i = 0; i < count; ++i)
     {
       const Eigen::Matrix<double, D, 1>& a = constraints[i].A;
@@ -77,30 +109,20 @@ bool Maximize(const Eigen::Matrix<double, D, 1>& objective,
       {
         return false;
       }
-      const auto without = [gone](const Eigen::Matrix<double, D, 1>& v)
-      {
-        Eigen::Matrix<double, D - 1, 1> rest;
-        for (int k = 0; k < D - 1; ++k)
-        {
-          rest(k) = v(k < gone ? k : k + 1);
-        }
-        return rest;
-      };
       // x(gone) = shift - slope . rest.
-      const Eigen::Matrix<double, D - 1, 1> slope = without(a) / a(gone);
+      const Eigen::Matrix<double, D - 1, 1> slope = Without<D>(a, gone) / a(gone);
       const double shift = constraints[i].B / a(gone);
-      reduced.clear();
       for (std::size_t j = 0; j < i; ++j)
       {
         const double factor = constraints[j].A(gone);
-        reduced.push_back(
-          { without(constraints[j].A) - factor * slope, constraints[j].B - factor * shift });
+        reduced[j].A = Without<D>(constraints[j].A, gone) - factor * slope;
+        reduced[j].B = constraints[j].B - factor * shift;
       }
-      reduced.push_back({ -slope, lower(gone) - shift });
-      reduced.push_back({ slope, shift - upper(gone) });
+      reduced[i] = { -slope, lower(gone) - shift };
+      reduced[i + 1] = { slope, shift - upper(gone) };
       Eigen::Matrix<double, D - 1, 1> rest;
-      if (!Maximize<D - 1>(without(objective) - objective(gone) * slope, reduced, reduced.size(),
-            without(lower), without(upper), rest))
+      if (!Maximize<D - 1>(Without<D>(objective, gone) - objective(gone) * slope, reduced, i + 2,
+            Without<D>(lower, gone), Without<D>(upper, gone), workspace.Next, rest))
       {
         return false;
       }
@@ -132,8 +154,10 @@ InscribedBall FindInscribedBall(const std::vector<HalfSpace>& halfSpaces, double
   }
   const Eigen::Vector4d upper(extent, extent, extent, extent);
   const Eigen::Vector4d lower(-extent, -extent, -extent, -4.0 * extent);
+  Workspace<4> workspace(constraints.size());
   Eigen::Vector4d x;
-  if (!Maximize<4>(Eigen::Vector4d::UnitW(), constraints, constraints.size(), lower, upper, x))
+  if (!Maximize<4>(
+        Eigen::Vector4d::UnitW(), constraints, constraints.size(), lower, upper, workspace, x))
   {
     return { Eigen::Vector3d::Zero(), -extent };
   }

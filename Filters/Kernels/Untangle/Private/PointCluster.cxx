@@ -39,14 +39,42 @@ std::vector<std::vector<int>> FindSimplicesAmong(
 } // namespace
 
 PointCluster::PointCluster(
-  SolidCells& solid, const std::vector<int>& members, bool canSplit, double& work)
+  SolidCells& solid, const ConeExpansionOptions& options, const Progress& progress)
   : Solid(solid)
-  , MaySplit(canSplit)
-  , Work(work)
+  , MaySplit(options.SplitCells)
+  , MaximumWork(options.MaximumWork)
+  , Report(progress)
 {
+}
+
+void PointCluster::Begin(const std::vector<int>& members)
+{
+  for (const int point : this->Joined)
+  {
+    this->Ids[point] = 0;
+    this->Moves[point].reset();
+  }
+  this->Joined.clear();
+  this->Members.clear();
+  this->Id = 1;
   for (const int point : members)
   {
     this->Add(point);
+  }
+}
+
+void PointCluster::Count(std::size_t cells) const
+{
+  constexpr double interval = 1000.0;
+  this->Work += static_cast<double>(cells);
+  if (this->Work > this->MaximumWork)
+  {
+    throw WorkSpent();
+  }
+  if (this->Work >= this->NextReport)
+  {
+    this->NextReport = this->Work + interval;
+    this->Report(0.0);
   }
 }
 
@@ -88,6 +116,7 @@ void PointCluster::Add(int point)
   this->Moves.resize(this->Solid.PointCount());
   this->Ids[point] = this->Id;
   this->Members.push_back(point);
+  this->Joined.push_back(point);
 }
 
 void PointCluster::Release(const std::vector<int>& part, int id)
@@ -119,9 +148,27 @@ void PointCluster::ForgetMoves(int point)
   }
 }
 
+std::vector<int> PointCluster::FindNeighbours(int point) const
+{
+  this->Count(this->Solid.CellsOf(point).size());
+  return this->Solid.NeighboursOf(point);
+}
+
+std::vector<int> PointCluster::FindPointsAround() const
+{
+  std::set<int> found(this->Members.begin(), this->Members.end());
+  for (const int point : this->Members)
+  {
+    const std::vector<int> neighbours = this->FindNeighbours(point);
+    found.insert(neighbours.begin(), neighbours.end());
+  }
+  return { found.begin(), found.end() };
+}
+
 bool PointCluster::IsSurrounded(int point) const
 {
   const std::vector<int>& cells = this->Solid.CellsOf(point);
+  this->Count(cells.size());
   return std::all_of(cells.begin(), cells.end(),
     [&](int cell)
     {
@@ -145,6 +192,7 @@ bool PointCluster::IsOutside(const StarFace& face) const
 std::vector<StarFace> PointCluster::FindAllFacesAround(int point) const
 {
   std::vector<StarFace> faces;
+  this->Count(this->Solid.CellsOf(point).size());
   for (const int cell : this->Solid.CellsOf(point))
   {
     faces.push_back(FindFaceOpposite(this->Solid.PointsOf(cell), point));
@@ -207,7 +255,7 @@ std::vector<StarFace> PointCluster::FindFacesAroundPart(const std::vector<int>& 
 StarPlacement PointCluster::FindPlacement(
   const std::vector<StarFace>& faces, const Eigen::RowVector3d& origin) const
 {
-  this->Work += static_cast<double>(faces.size());
+  this->Count(faces.size());
   return FindKernelCentre(this->Solid.Points, faces, origin);
 }
 
@@ -235,7 +283,6 @@ StarPlacement PointCluster::FindPlacementIfJoined(int point, const std::vector<i
 bool PointCluster::IsPeelable(int point) const
 {
   const std::vector<StarFace> faces = this->FindAllFacesAround(point);
-  this->Work += static_cast<double>(faces.size());
   std::vector<int> points;
   for (const StarFace& face : faces)
   {
@@ -271,7 +318,7 @@ bool PointCluster::IsPeelable(int point) const
   return inside <= 1 && outside == 1;
 }
 
-bool PointCluster::IsCollapsible(const Progress& progress)
+bool PointCluster::IsCollapsible()
 {
   std::vector<int> left = this->Members;
   for (std::size_t before = left.size() + 1; left.size() < before && left.size() > 1;)
@@ -280,7 +327,6 @@ bool PointCluster::IsCollapsible(const Progress& progress)
     left.erase(std::remove_if(left.begin(), left.end(),
                  [&](int point)
                  {
-                   progress(0.0);
                    const bool isGone = this->IsPeelable(point);
                    this->Pretend(point, !isGone);
                    return isGone;
@@ -336,7 +382,9 @@ bool PointCluster::IsContractible(const std::vector<int>& part) const
   {
     for (const int cell : this->Solid.CellsOf(point))
     {
-      for (std::vector<int>& simplex : FindSimplicesAmong(points, this->Solid.PointsOf(cell)))
+      std::vector<std::vector<int>> among = FindSimplicesAmong(points, this->Solid.PointsOf(cell));
+      this->Count(among.size());
+      for (std::vector<int>& simplex : among)
       {
         simplices.insert(std::move(simplex));
       }

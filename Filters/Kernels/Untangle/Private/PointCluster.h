@@ -1,17 +1,24 @@
 #pragma once
 
 #include "Base/Progress.h"
+#include "Untangle/Private/ConeExpansionOptions.h"
 #include "Untangle/Private/SolidCells.h"
 #include "Untangle/Private/StarKernel.h"
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <optional>
 #include <set>
 #include <vector>
 
 namespace shape
 {
+
+/// Thrown by a cluster when its work exceeds the limit.
+struct WorkSpent
+{
+};
 
 /**
  * A cluster: inner points of a solid that are, or will be, at one position c, and leave it one by
@@ -20,14 +27,19 @@ namespace shape
  *
  * All cells around the points are tetrahedra. The class knows which faces a point, a part or the
  * cluster has to see, and the topology of the cluster. It does not decide which points leave.
+ *
+ * Its methods count the work, and report progress. Those that look at cells throw Aborted, and
+ * WorkSpent if all work together, since the construction, exceeds the limit.
  */
 class PointCluster
 {
 public:
-  /// members: inner points (IsMovable), the cluster with id 1. canSplit: whether cells may be
-  /// split. work: is increased by the number of faces in each linear programme and each test of
-  /// topology. Both references have to outlive the cluster.
-  PointCluster(SolidCells& solid, const std::vector<int>& members, bool canSplit, double& work);
+  /// Without points. solid: outlives the cluster. progress: is called with 0.
+  PointCluster(SolidCells& solid, const ConeExpansionOptions& options, const Progress& progress);
+
+  /// Begins anew with inner points (IsMovable) as the cluster with id 1. All others are by
+  /// themselves.
+  void Begin(const std::vector<int>& members);
 
   SolidCells& Solid;
 
@@ -35,7 +47,6 @@ public:
   std::vector<std::optional<StarPlacement>> Moves;
 
   const std::vector<int>& Points() const { return this->Members; }
-  double GetWork() const { return this->Work; }
 
   bool IsIn(int point) const { return this->Ids[point] == this->Id; }
   bool IsAlone(int point) const { return this->Ids[point] == 0; }
@@ -62,9 +73,11 @@ public:
   void ForgetMoves(int point);
 
   /// Returns the points that share a cell with a point, ascending.
-  std::vector<int> FindNeighbours(int point) const { return this->Solid.NeighboursOf(point); }
+  std::vector<int> FindNeighbours(int point) const;
   /// Whether all of them are in the cluster.
   bool IsSurrounded(int point) const;
+  /// Returns the points of the cluster and those around it.
+  std::vector<int> FindPointsAround() const;
   /// Returns the faces opposite to a point that it sees if it moves alone.
   std::vector<StarFace> FindFacesAround(int point) const;
   /// Returns those of them without a point of the cluster.
@@ -90,8 +103,7 @@ public:
   /// The cluster then keeps its topology without the point.
   bool IsPeelable(int point) const;
   /// Whether all points can leave the cluster one by one, wherever they are. It then is a ball.
-  /// Throws Aborted.
-  bool IsCollapsible(const Progress& progress);
+  bool IsCollapsible();
   /// Whether a part of the cluster and the rest of it are connected, without holes.
   bool IsDivision(const std::vector<int>& part) const;
 
@@ -102,10 +114,16 @@ private:
   bool IsContractible(const std::vector<int>& part) const;
   std::vector<StarFace> FindAllFacesAround(int point) const;
 
-  bool MaySplit;
-  double& Work;
-  std::vector<int> Ids; ///< for each point: the cluster that contains it, or 0
-  int Id = 1;           ///< of the present cluster
+  /// Adds cells or faces that are looked at to the work.
+  void Count(std::size_t cells) const;
+
+  const bool MaySplit;
+  const double MaximumWork;
+  const Progress Report;
+  mutable double Work = 0.0, NextReport = 0.0;
+  std::vector<int> Joined; ///< all points that have been in the cluster since its beginning
+  std::vector<int> Ids;    ///< for each point: the cluster that contains it, or 0
+  int Id = 1;              ///< of the present cluster
   std::vector<int> Members;
 };
 

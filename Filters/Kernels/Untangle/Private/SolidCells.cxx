@@ -11,8 +11,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 #include <tuple>
+#include <utility>
 
 namespace shape
 {
@@ -282,6 +284,7 @@ int SolidCells::Split(const std::vector<int>& simplex)
 {
   const std::vector<int> around = this->CellsAround(simplex);
   const int middle = this->PointCount();
+  this->KeepCells(around);
   const auto append = [&](Eigen::MatrixXd& positions)
   {
     // Reserves more, so that many splits do not copy all points each time.
@@ -338,6 +341,61 @@ int SolidCells::Split(const std::vector<int>& simplex)
     }
   }
   return middle;
+}
+
+void SolidCells::KeepState()
+{
+  this->Kept = State{ this->PointCount(), this->CellCount(), {}, {}, {} };
+}
+
+void SolidCells::KeepPositions(const std::vector<int>& points)
+{
+  for (const int point : points)
+  {
+    this->Kept->Positions.emplace_back(point, this->Points.row(point));
+  }
+}
+
+/// Keeps cells that are going to be split, and which cells are around their points.
+void SolidCells::KeepCells(const std::vector<int>& cells)
+{
+  if (!this->Kept)
+  {
+    return;
+  }
+  std::set<int> points;
+  for (const int cell : cells)
+  {
+    this->Kept->Corners.emplace_back(cell, this->Corners[cell]);
+    points.insert(this->Corners[cell].begin(), this->Corners[cell].end());
+  }
+  for (const int point : points)
+  {
+    this->Kept->PointCells.emplace_back(point, this->PointCells[point]);
+  }
+}
+
+void SolidCells::RestoreState()
+{
+  State& kept = *this->Kept;
+  for (; !kept.Positions.empty(); kept.Positions.pop_back())
+  {
+    this->Points.row(kept.Positions.back().first) = kept.Positions.back().second;
+  }
+  for (; !kept.Corners.empty(); kept.Corners.pop_back())
+  {
+    this->Corners[kept.Corners.back().first] = std::move(kept.Corners.back().second);
+  }
+  for (; !kept.PointCells.empty(); kept.PointCells.pop_back())
+  {
+    this->PointCells[kept.PointCells.back().first] = std::move(kept.PointCells.back().second);
+  }
+  this->PointCells.resize(kept.PointCount);
+  this->Boundary.resize(kept.PointCount);
+  this->Parents.resize(kept.PointCount - this->OriginalPointCount);
+  this->Kinds.resize(kept.CellCount);
+  this->Corners.resize(kept.CellCount);
+  this->OriginalCells.resize(kept.CellCount);
 }
 
 Cells SolidCells::Result() const

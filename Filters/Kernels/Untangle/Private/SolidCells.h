@@ -6,7 +6,9 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <optional>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace shape
@@ -68,6 +70,17 @@ public:
   /// has points. Returns the new point.
   int Split(const std::vector<int>& simplex);
 
+  /// Keeps the present state, for RestoreState, instead of one kept before. Splits are recorded
+  /// from then on, and positions by KeepPositions, so the cost depends on these, and not on the
+  /// solid.
+  void KeepState();
+  /// Keeps the positions of some points, which may then move.
+  void KeepPositions(const std::vector<int>& points);
+  /// Takes back all splits since KeepState, and puts the points of KeepPositions back.
+  void RestoreState();
+  /// Ends the record of splits.
+  void ForgetState() { this->Kept.reset(); }
+
   /// Returns the current cells. The first part of a split cell keeps the cell's index, and the
   /// other parts are appended.
   Cells Result() const;
@@ -79,6 +92,15 @@ public:
   int OriginalPointCount = 0;
 
 private:
+  /// What RestoreState needs. Later entries of a point or cell are newer.
+  struct State
+  {
+    int PointCount, CellCount;
+    std::vector<std::pair<int, Eigen::RowVector3d>> Positions;
+    std::vector<std::pair<int, std::vector<int>>> Corners, PointCells;
+  };
+
+  void KeepCells(const std::vector<int>& cells);
   std::vector<int> CellsAround(const std::vector<int>& simplex) const;
   void MarkBoundary();
   void TurnWedges();
@@ -91,6 +113,7 @@ private:
   std::unordered_set<long long> BoundaryEdges;
   bool WedgesInverted = false;
   std::vector<std::array<int, 4>> Scratch;
+  std::optional<State> Kept;
 };
 
 } // namespace shape
