@@ -41,6 +41,10 @@ public:
   /// themselves.
   void Begin(const std::vector<int>& members);
 
+  /// Adds cells or faces that are looked at to the work. Who looks at them more often than the
+  /// methods here do, has to call it.
+  void Count(std::size_t cells) const;
+
   SolidCells& Solid;
 
   /// For each point: where it can move, if that is known; reset when the faces around it change.
@@ -113,9 +117,6 @@ private:
   bool IsConnected(const std::set<int>& points) const;
   bool IsContractible(const std::vector<int>& part) const;
   std::vector<StarFace> FindAllFacesAround(int point) const;
-
-  /// Adds cells or faces that are looked at to the work.
-  void Count(std::size_t cells) const;
 
   const bool MaySplit;
   const double MaximumWork;
