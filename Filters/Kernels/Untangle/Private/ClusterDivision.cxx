@@ -36,11 +36,12 @@ int FindHinderer(const PointCluster& cluster, const std::vector<StarFace>& faces
 }
 
 /// Returns the part that grows from a point until it can move, with where it can.
-ClusterDivision GrowPart(PointCluster& cluster, int first)
+ClusterDivision GrowPart(PointCluster& cluster, int first, const Progress& progress)
 {
   ClusterDivision grown{ { first }, {} };
   while (2 * grown.Part.size() <= cluster.Points().size())
   {
+    progress(0.0);
     const std::vector<StarFace> faces = cluster.FindFacesAroundPart(grown.Part);
     grown.Placement = cluster.FindPlacement(faces, cluster.GetPosition());
     if (grown.Placement.IsValid)
@@ -64,12 +65,11 @@ ClusterDivision FindDivision(PointCluster& cluster, const Progress& progress)
   ClusterDivision best;
   for (const int first : cluster.Points())
   {
-    progress(0.0);
     if (cluster.FindOuterFacesAround(first).empty())
     {
       continue;
     }
-    ClusterDivision grown = GrowPart(cluster, first);
+    ClusterDivision grown = GrowPart(cluster, first, progress);
     if (grown.Placement.IsValid && grown.Placement.Clearance > best.Placement.Clearance &&
       cluster.IsDivision(grown.Part))
     {

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <tuple>
@@ -13,22 +14,16 @@ namespace shape
 namespace
 {
 
-/// Faces around a position, as seen from there towards the centre of one of them, the seed.
+/// Faces around a position, as seen from there.
 class FaceView
 {
 public:
   FaceView(const Eigen::MatrixXd& points, const Eigen::RowVector3d& eye,
-    const std::vector<StarFace>& faces, std::size_t seed)
+    const std::vector<StarFace>& faces)
     : Points(points)
     , Eye(eye)
     , Faces(faces)
-    , Seed(seed)
   {
-    const Eigen::Vector3d a = this->FindDirection(faces[seed][0]),
-                          b = this->FindDirection(faces[seed][1]),
-                          c = this->FindDirection(faces[seed][2]);
-    this->View = a + b + c;
-    this->Sign = this->View.dot(a.cross(b)) > 0.0 ? 1.0 : -1.0;
     for (std::size_t i = 0; i < faces.size(); ++i)
     {
       for (int k = 0; k < 3; ++k)
@@ -38,14 +33,19 @@ public:
     }
   }
 
-  /// Returns the points of a star-shaped set of faces, which grows from the seed over common edges.
-  std::set<int> FindSeen() const
+  /// Returns the points of a star-shaped set of faces, as seen towards the centre of the face
+  /// `seed`, from which it grows over common edges.
+  std::set<int> FindSeen(std::size_t seed) const
   {
-    const StarFace& first = this->Faces[this->Seed];
+    const StarFace& first = this->Faces[seed];
+    const Eigen::Vector3d a = this->FindDirection(first[0]), b = this->FindDirection(first[1]),
+                          c = this->FindDirection(first[2]);
+    // Signed so that the edges of the seed run around it counterclockwise.
+    const Eigen::Vector3d view = ((a + b + c).dot(a.cross(b)) > 0.0 ? 1.0 : -1.0) * (a + b + c);
     std::set<int> seen(first.begin(), first.end());
     std::vector<char> taken(this->Faces.size(), 0);
-    taken[this->Seed] = 1;
-    std::vector<std::size_t> front = { this->Seed };
+    taken[seed] = 1;
+    std::vector<std::size_t> front = { seed };
     while (!front.empty())
     {
       const StarFace& face = this->Faces[front.back()];
@@ -55,7 +55,7 @@ public:
         const std::pair<int, int> edge(face[(k + 1) % 3], face[k]);
         const auto next = this->FaceAt.find(edge);
         if (next == this->FaceAt.end() || taken[next->second] ||
-          !this->IsTurnedTo(next->second, edge))
+          !this->IsTurnedTo(view, next->second, edge))
         {
           continue;
         }
@@ -73,15 +73,16 @@ private:
     return (this->Points.row(point) - this->Eye).normalized().transpose();
   }
 
-  /// Whether the edges of a face, except the given one, run around the view like those of the seed.
-  bool IsTurnedTo(std::size_t index, const std::pair<int, int>& except) const
+  /// Whether the edges of a face, except the given one, run counterclockwise around the view.
+  bool IsTurnedTo(
+    const Eigen::Vector3d& view, std::size_t index, const std::pair<int, int>& except) const
   {
     const StarFace& face = this->Faces[index];
     for (int k = 0; k < 3; ++k)
     {
       const int a = face[k], b = face[(k + 1) % 3];
       if (std::pair<int, int>(a, b) != except &&
-        !(this->Sign * this->View.dot(this->FindDirection(a).cross(this->FindDirection(b))) > 0.0))
+        !(view.dot(this->FindDirection(a).cross(this->FindDirection(b))) > 0.0))
       {
         return false;
       }
@@ -92,11 +93,17 @@ private:
   const Eigen::MatrixXd& Points;
   Eigen::RowVector3d Eye;
   const std::vector<StarFace>& Faces;
-  std::size_t Seed;
-  Eigen::Vector3d View;
-  double Sign = 1.0;
   std::map<std::pair<int, int>, std::size_t> FaceAt; ///< by edges, in the order of a face
 };
+
+/// Returns the points that are not among those seen.
+std::vector<int> FindHidden(const std::vector<int>& points, const std::set<int>& seen)
+{
+  std::vector<int> hidden;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(hidden),
+    [&](int point) { return seen.count(point) == 0; });
+  return hidden;
+}
 
 } // namespace
 
@@ -126,7 +133,7 @@ std::optional<PointExit> ClusterSplits::FindExitByParts(const Progress& progress
 {
   for (const Cut& cut : this->FindCuts(false, progress))
   {
-    if (const std::optional<PointExit> exit = this->TryParts(cut))
+    if (const std::optional<PointExit> exit = this->TryParts(cut, progress))
     {
       return exit;
     }
@@ -134,13 +141,20 @@ std::optional<PointExit> ClusterSplits::FindExitByParts(const Progress& progress
   return std::nullopt;
 }
 
-ClusterSplits::Cut ClusterSplits::FindCut(int point) const
+ClusterSplits::Cut ClusterSplits::FindCut(int point, const Progress& progress) const
 {
+  constexpr std::size_t interval = 16; // a star may have thousands of faces
   const std::vector<StarFace> faces = this->Cluster.FindOuterFacesAround(point);
+  const std::vector<int> outside = this->FindOutside(point);
+  const FaceView view(this->Cluster.Solid.Points, this->Cluster.GetPosition(), faces);
   Cut best;
   for (std::size_t seed = 0; seed < faces.size(); ++seed)
   {
-    const std::size_t hidden = this->FindHidden(point, faces, seed, true).size();
+    if (seed % interval == 0)
+    {
+      progress(0.0);
+    }
+    const std::size_t hidden = FindHidden(outside, view.FindSeen(seed)).size();
     if (best.Point < 0 || hidden < best.Hidden)
     {
       best = { this->GetGeneration(point), hidden, point, seed };
@@ -160,7 +174,7 @@ std::vector<ClusterSplits::Cut> ClusterSplits::FindCuts(
     {
       continue;
     }
-    const Cut cut = this->FindCut(point);
+    const Cut cut = this->FindCut(point, progress);
     if (cut.Point >= 0)
     {
       cuts.push_back(cut);
@@ -170,23 +184,18 @@ std::vector<ClusterSplits::Cut> ClusterSplits::FindCuts(
   return cuts;
 }
 
-/// Returns the points around `point` outside the cluster that are not in the part of `faces` which
-/// is star-shaped as seen towards the centre of face `seed`; or in that face alone, unless isGrown.
-std::vector<int> ClusterSplits::FindHidden(
-  int point, const std::vector<StarFace>& faces, std::size_t seed, bool isGrown) const
+/// Returns the points around `point` outside the cluster.
+std::vector<int> ClusterSplits::FindOutside(int point) const
 {
-  const std::set<int> seen = isGrown
-    ? FaceView(this->Cluster.Solid.Points, this->Cluster.GetPosition(), faces, seed).FindSeen()
-    : std::set<int>(faces[seed].begin(), faces[seed].end());
-  std::vector<int> hidden;
+  std::vector<int> outside;
   for (const int other : this->Cluster.FindNeighbours(point))
   {
-    if (!this->Cluster.IsIn(other) && !seen.count(other))
+    if (!this->Cluster.IsIn(other))
     {
-      hidden.push_back(other);
+      outside.push_back(other);
     }
   }
-  return hidden;
+  return outside;
 }
 
 /// Inserts a point of the cluster into an edge from one of its points.
@@ -211,14 +220,13 @@ std::optional<PointExit> ClusterSplits::TryPulling(const Cut& cut, const Progres
   std::vector<int> pulled;
   for (int round = 0; round < rounds; ++round)
   {
-    progress(0.0);
-    const Cut best = this->FindCut(cut.Point);
+    const Cut best = this->FindCut(cut.Point, progress);
     if (best.Point < 0)
     {
       break;
     }
-    this->PullIntoSpokes(cut.Point, best.Seed, pulled);
-    this->PullAway(cut.Point, to, pulled);
+    this->PullIntoSpokes(cut.Point, best.Seed, pulled, progress);
+    this->PullAway(cut.Point, to, pulled, progress);
     const StarPlacement placement = this->Cluster.FindPlacement(cut.Point);
     if (placement.IsValid)
     {
@@ -230,11 +238,14 @@ std::optional<PointExit> ClusterSplits::TryPulling(const Cut& cut, const Progres
 
 /// Splits the edges to the points that are hidden from face `seed`. New points that can leave the
 /// cluster do so, and are appended.
-void ClusterSplits::PullIntoSpokes(int point, std::size_t seed, std::vector<int>& pulled)
+void ClusterSplits::PullIntoSpokes(
+  int point, std::size_t seed, std::vector<int>& pulled, const Progress& progress)
 {
   const std::vector<StarFace> faces = this->Cluster.FindOuterFacesAround(point);
-  for (const int end : this->FindHidden(point, faces, seed, true))
+  const FaceView view(this->Cluster.Solid.Points, this->Cluster.GetPosition(), faces);
+  for (const int end : FindHidden(this->FindOutside(point), view.FindSeen(seed)))
   {
+    progress(0.0);
     if (!this->Cluster.CanSplit({ point, end }))
     {
       continue;
@@ -253,7 +264,7 @@ void ClusterSplits::PullIntoSpokes(int point, std::size_t seed, std::vector<int>
 /// Moves the pulled points to the centres of their kernels, as if the point had left in direction
 /// `to`.
 void ClusterSplits::PullAway(
-  int point, const Eigen::RowVector3d& to, const std::vector<int>& pulled)
+  int point, const Eigen::RowVector3d& to, const std::vector<int>& pulled, const Progress& progress)
 {
   constexpr int sweeps = 5;
   Eigen::MatrixXd& x = this->Cluster.Solid.Points;
@@ -264,6 +275,7 @@ void ClusterSplits::PullAway(
   {
     for (const int middle : pulled)
     {
+      progress(0.0);
       const StarPlacement placement = this->Cluster.FindPlacement(middle);
       if (placement.IsValid)
       {
@@ -280,13 +292,18 @@ void ClusterSplits::PullAway(
   }
 }
 
-std::optional<PointExit> ClusterSplits::TryParts(const Cut& cut)
+std::optional<PointExit> ClusterSplits::TryParts(const Cut& cut, const Progress& progress)
 {
   const int point = cut.Point;
   const std::vector<StarFace> faces = this->Cluster.FindOuterFacesAround(point);
-  for (const bool isGrown : { true, false })
+  const StarFace seed = faces[cut.Seed];
+  const FaceView view(this->Cluster.Solid.Points, this->Cluster.GetPosition(), faces);
+  // What is seen is the star-shaped part around the seed, or the seed alone.
+  for (const std::set<int>& seen :
+    { view.FindSeen(cut.Seed), std::set<int>(seed.begin(), seed.end()) })
   {
-    const std::vector<int> hidden = this->FindHidden(point, faces, cut.Seed, isGrown);
+    progress(0.0);
+    const std::vector<int> hidden = FindHidden(this->FindOutside(point), seen);
     const bool canSplit = std::all_of(hidden.begin(), hidden.end(),
       [&](int end) {
         return this->Cluster.CanSplit({ point, end });
@@ -297,6 +314,7 @@ std::optional<PointExit> ClusterSplits::TryParts(const Cut& cut)
     }
     for (const int end : hidden)
     {
+      progress(0.0);
       this->SplitSpoke(point, end);
     }
     const StarPlacement placement = this->Cluster.FindPlacement(point);

@@ -25,7 +25,8 @@ struct PointExit
  * the edges to these are at c at first.
  *
  * Given points are tried before new ones, and those with few hidden points before others. Edges
- * stay split if a trial fails. Both methods throw Aborted.
+ * stay split if a trial fails. Both methods report progress within the work for a point, which may
+ * have thousands of faces, and throw Aborted.
  */
 class ClusterSplits
 {
@@ -56,15 +57,16 @@ private:
     bool operator<(const Cut& other) const;
   };
 
-  Cut FindCut(int point) const;
+  Cut FindCut(int point, const Progress& progress) const;
   std::vector<Cut> FindCuts(bool onlyPeelable, const Progress& progress) const;
-  std::vector<int> FindHidden(
-    int point, const std::vector<StarFace>& faces, std::size_t seed, bool isGrown) const;
+  std::vector<int> FindOutside(int point) const;
   int SplitSpoke(int point, int end);
-  void PullIntoSpokes(int point, std::size_t seed, std::vector<int>& pulled);
-  void PullAway(int point, const Eigen::RowVector3d& to, const std::vector<int>& pulled);
+  void PullIntoSpokes(
+    int point, std::size_t seed, std::vector<int>& pulled, const Progress& progress);
+  void PullAway(int point, const Eigen::RowVector3d& to, const std::vector<int>& pulled,
+    const Progress& progress);
   std::optional<PointExit> TryPulling(const Cut& cut, const Progress& progress);
-  std::optional<PointExit> TryParts(const Cut& cut);
+  std::optional<PointExit> TryParts(const Cut& cut, const Progress& progress);
 
   int GetGeneration(int point) const
   {
