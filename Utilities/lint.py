@@ -20,7 +20,7 @@ OTHERS = re.compile(r'(vtk|pq)Shape\w*|HWY_\w+|__anon\w*|~\w+|operator\b.*|&|Q_\
 GIVEN = {'startup', 'shutdown', 'apply', 'reset', 'select', 'deselect', 'setView', 'eventFilter', 'event',
          'createWidgetForProperty',
          'intersectVolume', 'intersectObject', 'minimumOnVolume', 'minimumOnObject', 'worstDist', 'full', 'addPoint',
-         'terminatetetgen', 'send', 'what', 'Index', 'PotentialsFor', 'GradientsFor', 'FloatProducts',
+         'terminatetetgen', 'send', 'what', 'Index', 'PotentialsFor', 'GradientsFor', 'FloatProducts', 'solve',
          'DoubleProducts'}
 # The types of parameters without a name, which Ctags takes for their names.
 GIVEN |= {'size_t', 'string_view'}

@@ -101,8 +101,13 @@ public:
       bases[point] = this->BasisOf(point, x);
     }
     this->System.Clear();
-    for (int i = 0; i < static_cast<int>(this->Corners.size()); ++i)
+    const auto count = static_cast<int>(this->Corners.size());
+    for (int i = 0; i < count; ++i)
     {
+      if (i % SimplexGrain == 0)
+      {
+        progress(0.3 * i / count);
+      }
       this->AddSimplex(i, x, epsilon, bases);
     }
     const NewtonSystem::Step step = this->System.Solve({ 1e-12, 1e3 }, progress.Part(0.3, 1.0));
@@ -304,6 +309,7 @@ PatchResult MinimizeEnergy(Eigen::Matrix3Xd& x, EnergyProblem& problem, const Pa
     double step = 1.0;
     for (; step > 1e-9; step *= 0.5)
     {
+      progress(begin);
       trial = x;
       problem.Move(trial, descent.Direction, step);
       next = problem.Evaluate(trial, epsilon);

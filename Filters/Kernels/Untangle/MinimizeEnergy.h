@@ -71,7 +71,7 @@ struct PatchResult
  * (FromSmoothest).
  *
  * points (n x 3): the positions of all points. The points in patch.FreePoints are moved, subject to
- * `constraint` unless it is null. Throws Aborted, but only between steps.
+ * `constraint` unless it is null. Throws Aborted; no point has moved then.
  */
 PatchResult MinimizeEnergy(Eigen::MatrixXd& points, const SimplexPatch& patch,
   const PointConstraint* constraint, const PatchOptions& options, const Progress& progress = {});

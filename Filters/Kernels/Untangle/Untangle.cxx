@@ -1,10 +1,10 @@
 #include "Untangle/Untangle.h"
 
 #include "Base/Errors.h"
-#include "Geometry/SelfIntersections.h"
 #include "Mesh/Extent.h"
 #include "Mesh/Topology.h"
 #include "Untangle/MinimizeEnergy.h"
+#include "Untangle/Private/BoundaryFaults.h"
 #include "Untangle/Private/CellPatches.h"
 #include "Untangle/Private/CellSplits.h"
 #include "Untangle/Private/ConeExpansion.h"
@@ -110,23 +110,27 @@ Untangling BeginUntangling(
 void MovePoints(Untangling& untangling, int rings, int maximumSteps, const Progress& progress)
 {
   SolidCells& solid = untangling.Solid;
-  const Eigen::VectorXd sizes = ComputeLogarithmicSizes(solid);
-  const std::vector<std::vector<int>> patches = FindMovablePatches(solid,
-    MarkAroundInverted(solid, rings), [&](int point) { return untangling.IsMovable(point); });
+  const Progress begun = progress.Part(0.0, 0.0);
+  const Eigen::VectorXd sizes = ComputeLogarithmicSizes(solid, begun);
+  const std::vector<std::vector<int>> patches = FindMovablePatches(
+    solid, MarkAroundInverted(solid, rings, begun),
+    [&](int point) { return untangling.IsMovable(point); }, begun);
   PatchOptions options;
   options.MaximumSteps = maximumSteps;
   options.Patience = StepPatience;
   for (std::size_t i = 0; i < patches.size(); ++i)
   {
-    const SimplexPatch patch = BuildPatch(solid, patches[i], sizes);
+    const Progress part =
+      progress.Part(static_cast<double>(i) / patches.size(), (i + 1.0) / patches.size());
+    const SimplexPatch patch = BuildPatch(solid, patches[i], sizes, part.Part(0.0, 0.0));
     const int before = CountNegative(patch, solid.Points);
     if (before == 0)
     {
       continue;
     }
     const Eigen::MatrixXd kept = solid.Points(patches[i], Eigen::all);
-    const PatchResult moved = MinimizeEnergy(solid.Points, patch, untangling.Sliding.get(), options,
-      progress.Part(static_cast<double>(i) / patches.size(), (i + 1.0) / patches.size()));
+    const PatchResult moved =
+      MinimizeEnergy(solid.Points, patch, untangling.Sliding.get(), options, part);
     untangling.Iterations += moved.Steps;
     if (moved.Negative > before)
     {
@@ -151,17 +155,18 @@ int ReduceInverted(
   {
     const Progress part =
       progress.Part(0.05 + 0.9 * round / Rounds, 0.05 + 0.9 * (round + 1.0) / Rounds);
+    const Progress begun = part.Part(0.0, 0.0), ended = part.Part(1.0, 1.0);
     if (options.SplitCells)
     {
-      splits.Impossible(bad);
+      splits.Impossible(bad, begun);
     }
     if (options.SplitCells && round >= FirstSplitting)
     {
-      splits.Stubborn(
-        FindInverted(solid), round < FirstCollar ? 0 : 1 + (round - FirstCollar) / RoundsPerCollar);
+      splits.Stubborn(FindInverted(solid, begun),
+        round < FirstCollar ? 0 : 1 + (round - FirstCollar) / RoundsPerCollar, begun);
     }
     MovePoints(untangling, Rings[round], options.MaximumIterations, part);
-    bad = FindInverted(solid, part.Part(0.99, 1.0));
+    bad = FindInverted(solid, ended);
     if (bad.size() < minimum)
     {
       minimum = bad.size();
@@ -171,13 +176,13 @@ int ReduceInverted(
     else if (bad.size() > MaximumIncrease * minimum)
     {
       solid = *best;
-      bad = FindInverted(solid);
+      bad = FindInverted(solid, ended);
     }
   }
   if (bad.size() > minimum)
   {
     solid = *best;
-    bad = FindInverted(solid);
+    bad = FindInverted(solid, progress.Part(1.0, 1.0));
   }
   progress(1.0);
   return static_cast<int>(bad.size());
@@ -192,21 +197,24 @@ void ImproveMoved(Untangling& untangling, const Eigen::MatrixXd& before, const P
   {
     marked[point] = point >= before.rows() || solid.Points.row(point) != before.row(point);
   }
-  const Eigen::VectorXd sizes = ComputeLogarithmicSizes(solid);
-  const std::vector<std::vector<int>> patches =
-    FindMovablePatches(solid, marked, [&](int point) { return untangling.IsMovable(point); });
+  const Progress begun = progress.Part(0.0, 0.0);
+  const Eigen::VectorXd sizes = ComputeLogarithmicSizes(solid, begun);
+  const std::vector<std::vector<int>> patches = FindMovablePatches(
+    solid, marked, [&](int point) { return untangling.IsMovable(point); }, begun);
   PatchOptions options;
   options.FurtherSteps = 20;
   for (std::size_t i = 0; i < patches.size(); ++i)
   {
-    const SimplexPatch patch = BuildPatch(solid, patches[i], sizes);
+    const Progress part =
+      progress.Part(static_cast<double>(i) / patches.size(), (i + 1.0) / patches.size());
+    const SimplexPatch patch = BuildPatch(solid, patches[i], sizes, part.Part(0.0, 0.0));
     if (CountNegative(patch, solid.Points) > 0)
     {
       continue;
     }
     const Eigen::MatrixXd kept = solid.Points(patches[i], Eigen::all);
-    const PatchResult moved = MinimizeEnergy(solid.Points, patch, untangling.Sliding.get(), options,
-      progress.Part(static_cast<double>(i) / patches.size(), (i + 1.0) / patches.size()));
+    const PatchResult moved =
+      MinimizeEnergy(solid.Points, patch, untangling.Sliding.get(), options, part);
     untangling.Iterations += moved.Steps;
     if (moved.Negative > 0)
     {
@@ -238,7 +246,7 @@ int ReduceAndExpand(
     const ConeExpansionResult expanded =
       ExpandInverted(solid, expansion, part.Part(0.4, 0.9, "placing points by exact tests"));
     untangling.Expansions += expanded.Expansions;
-    left = static_cast<int>(FindInverted(solid).size());
+    left = static_cast<int>(FindInverted(solid, part.Part(0.9, 0.9)).size());
     ImproveMoved(untangling, before, part.Part(0.9, 1.0, "improving the cells"));
     if (left == 0)
     {
@@ -311,69 +319,10 @@ int UntangleStar(Untangling& untangling, const UntangleOptions& options,
       solid.Points.row(point) = targets.row(point);
     }
   }
-  return static_cast<int>(FindInverted(solid).size());
+  return static_cast<int>(FindInverted(solid, progress.Part(1.0, 1.0)).size());
 }
 
-/// Returns the boundary faces that have an area.
-std::vector<StarFace> FindWideFaces(const SolidCells& solid)
-{
-  std::vector<StarFace> faces = FindBoundaryFaces(solid);
-  faces.erase(std::remove_if(faces.begin(), faces.end(),
-                [&](const StarFace& face)
-                {
-                  const Eigen::Vector3d a = solid.Points.row(face[0]),
-                                        b = solid.Points.row(face[1]),
-                                        c = solid.Points.row(face[2]);
-                  return !((b - a).cross(c - a).squaredNorm() > 0.0);
-                }),
-    faces.end());
-  return faces;
-}
-
-/// Finds out whether the boundary crosses itself: cells then cannot all be positive.
-void FindCrossings(const SolidCells& solid, UntangleResult& result, const Progress& progress)
-{
-  constexpr int maximum = 100;
-  Mesh boundary{ solid.Points.topRows(solid.PointCount()), Eigen::MatrixXi() };
-  const std::vector<StarFace> faces = FindWideFaces(solid);
-  boundary.Triangles.resize(static_cast<Eigen::Index>(faces.size()), 3);
-  for (Eigen::Index t = 0; t < boundary.Triangles.rows(); ++t)
-  {
-    boundary.Triangles.row(t) << faces[t][0], faces[t][1], faces[t][2];
-  }
-  const std::vector<Crossing> crossings = FindSelfIntersectionsFrom(boundary, 0, maximum, progress);
-  result.BoundaryCrossings = std::min(maximum, static_cast<int>(crossings.size()));
-  if (!crossings.empty())
-  {
-    result.FirstCrossing = crossings.front().Position;
-  }
-}
-
-/// Finds out whether a position inside sees the whole boundary.
-void FindHidden(const SolidCells& solid, UntangleResult& result)
-{
-  const std::vector<StarFace> faces = FindWideFaces(solid);
-  if (faces.empty())
-  {
-    return;
-  }
-  const StarPlacement centre = FindStarCentre(solid, faces);
-  for (const StarFace& face : faces)
-  {
-    if (SeesFace(solid.Points, face, centre.Position))
-    {
-      continue;
-    }
-    if (result.HiddenTriangles == 0)
-    {
-      result.FirstHidden =
-        (solid.Points.row(face[0]) + solid.Points.row(face[1]) + solid.Points.row(face[2])) / 3.0;
-    }
-    ++result.HiddenTriangles;
-  }
-}
-
-UntangleResult BuildResult(Untangling& untangling)
+UntangleResult BuildResult(Untangling& untangling, const Progress& progress)
 {
   SolidCells& solid = untangling.Solid;
   UntangleResult result;
@@ -388,7 +337,7 @@ UntangleResult BuildResult(Untangling& untangling)
   result.Provenance = provenance.Finish(
     Eigen::Map<const Eigen::VectorXi>(solid.OriginalCells.data(), solid.CellCount()));
   result.Inverted = Eigen::VectorXi::Zero(solid.CellCount());
-  for (const int cell : FindInverted(solid))
+  for (const int cell : FindInverted(solid, progress))
   {
     result.Inverted(cell) = 1;
   }
@@ -427,7 +376,8 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
     RequireExtent(rest, "the RestShape");
   }
   Untangling best = BeginUntangling(cells, rest, options);
-  const auto invertedBefore = static_cast<int>(FindInverted(best.Solid).size());
+  const auto invertedBefore =
+    static_cast<int>(FindInverted(best.Solid, progress.Part(0.0, 0.0)).size());
   const bool isRefined = options.Refine != RefineType::None;
   const Progress untangling = progress.Part(0.0, isRefined ? 0.6 : 1.0);
   int left = 0;
@@ -475,7 +425,7 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
     refined = RefineSolid(best.Solid, best.Sliding.get(), refinement,
       progress.Part(0.6, 1.0, "lowering the distortion"));
   }
-  UntangleResult result = BuildResult(best);
+  UntangleResult result = BuildResult(best, progress.Part(1.0, 1.0));
   result.MeasureBefore = refined.StartEnergy;
   result.MeasureAfter = refined.Energy;
   result.RefineIterations = refined.Iterations;
@@ -483,8 +433,7 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
   result.ExpandedPoints = best.Expansions;
   if (result.InvertedAfter > 0 && options.FixBoundary)
   {
-    FindCrossings(best.Solid, result, progress.Part(1.0, 1.0, "looking for crossings"));
-    FindHidden(best.Solid, result);
+    FindBoundaryFaults(best.Solid, result, progress.Part(1.0, 1.0, "looking for crossings"));
   }
   progress(1.0);
   for (Eigen::Index i = 0; i < cells.Points.rows(); ++i)

@@ -16,7 +16,7 @@ std::vector<int> FindInverted(SolidCells& solid, const Progress& progress)
   std::vector<int> inverted;
   for (int cell = 0; cell < solid.CellCount(); ++cell)
   {
-    if (cell % 16384 == 0)
+    if (cell % ReportInterval == 0)
     {
       progress(static_cast<double>(cell) / solid.CellCount());
     }
@@ -28,7 +28,7 @@ std::vector<int> FindInverted(SolidCells& solid, const Progress& progress)
   return inverted;
 }
 
-std::vector<char> MarkAroundInverted(SolidCells& solid, int rings)
+std::vector<char> MarkAroundInverted(SolidCells& solid, int rings, const Progress& progress)
 {
   std::vector<char> marked(solid.PointCount(), 0);
   const auto mark = [&](int cell, std::vector<int>& fresh)
@@ -43,16 +43,20 @@ std::vector<char> MarkAroundInverted(SolidCells& solid, int rings)
     }
   };
   std::vector<int> front;
-  for (const int cell : FindInverted(solid))
+  for (const int cell : FindInverted(solid, progress.Part(0.0, 0.0)))
   {
     mark(cell, front);
   }
   for (int ring = 1; ring < rings; ++ring)
   {
     std::vector<int> next;
-    for (const int point : front)
+    for (std::size_t i = 0; i < front.size(); ++i)
     {
-      for (const int cell : solid.CellsOf(point))
+      if (i % ReportInterval == 0)
+      {
+        progress(static_cast<double>(ring) / rings);
+      }
+      for (const int cell : solid.CellsOf(front[i]))
       {
         mark(cell, next);
       }
@@ -62,8 +66,9 @@ std::vector<char> MarkAroundInverted(SolidCells& solid, int rings)
   return marked;
 }
 
-std::vector<std::vector<int>> FindMovablePatches(
-  const SolidCells& solid, const std::vector<char>& marked, const std::function<bool(int)>& movable)
+std::vector<std::vector<int>> FindMovablePatches(const SolidCells& solid,
+  const std::vector<char>& marked, const std::function<bool(int)>& movable,
+  const Progress& progress)
 {
   std::vector<char> taken(solid.PointCount(), 0);
   const auto take = [&](int point, std::vector<int>& patch)
@@ -81,6 +86,10 @@ std::vector<std::vector<int>> FindMovablePatches(
     take(first, patch);
     for (std::size_t i = 0; i < patch.size(); ++i)
     {
+      if (i % ReportInterval == 0)
+      {
+        progress(static_cast<double>(first) / solid.PointCount());
+      }
       for (const int cell : solid.CellsOf(patch[i]))
       {
         for (const int point : solid.PointsOf(cell))
@@ -98,8 +107,8 @@ std::vector<std::vector<int>> FindMovablePatches(
   return patches;
 }
 
-SimplexPatch BuildPatch(
-  SolidCells& solid, const std::vector<int>& points, const Eigen::VectorXd& sizes)
+SimplexPatch BuildPatch(SolidCells& solid, const std::vector<int>& points,
+  const Eigen::VectorXd& sizes, const Progress& progress)
 {
   SimplexPatch patch;
   patch.FreePoints = points;
@@ -111,8 +120,13 @@ SimplexPatch BuildPatch(
   }
   std::sort(cells.begin(), cells.end());
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-  for (const int cell : cells)
+  for (std::size_t i = 0; i < cells.size(); ++i)
   {
+    if (i % ReportInterval == 0)
+    {
+      progress(static_cast<double>(i) / static_cast<double>(cells.size()));
+    }
+    const int cell = cells[i];
     const auto simplices = solid.SimplicesOf(cell);
     for (std::size_t k = 0; k < simplices.size(); ++k)
     {

@@ -16,19 +16,20 @@ namespace shape
 std::vector<int> FindInverted(SolidCells& solid, const Progress& progress = {});
 
 /// Marks the points of inverted cells and of the `rings` - 1 rings of cells around these. Returns
-/// one value for each point, 0 or 1.
-std::vector<char> MarkAroundInverted(SolidCells& solid, int rings);
+/// one value for each point, 0 or 1. Throws Aborted.
+std::vector<char> MarkAroundInverted(SolidCells& solid, int rings, const Progress& progress = {});
 
 /// Returns the movable points among the marked ones (one value for each point). Each set of them
 /// that cells connect is a separate patch (ascending), whose energy is minimised by itself.
-/// movable: returns whether a point may move.
+/// movable: returns whether a point may move. Throws Aborted.
 std::vector<std::vector<int>> FindMovablePatches(const SolidCells& solid,
-  const std::vector<char>& marked, const std::function<bool(int point)>& movable);
+  const std::vector<char>& marked, const std::function<bool(int point)>& movable,
+  const Progress& progress = {});
 
 /// Returns the corner tetrahedra at `points` (ascending), which are free. sizes: the logarithm of
-/// the target size at each point (ComputeLogarithmicSizes).
-SimplexPatch BuildPatch(
-  SolidCells& solid, const std::vector<int>& points, const Eigen::VectorXd& sizes);
+/// the target size at each point (ComputeLogarithmicSizes). Throws Aborted.
+SimplexPatch BuildPatch(SolidCells& solid, const std::vector<int>& points,
+  const Eigen::VectorXd& sizes, const Progress& progress = {});
 
 /// Returns the number of tetrahedra of a patch that are not positive, by exact predicates. x (n x
 /// 3): the positions of all points.

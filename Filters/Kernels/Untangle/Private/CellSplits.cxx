@@ -13,10 +13,15 @@ CellSplits::CellSplits(SolidCells& solid, std::function<bool(int point)> movable
 {
 }
 
-void CellSplits::Impossible(const std::vector<int>& bad)
+void CellSplits::Impossible(const std::vector<int>& bad, const Progress& progress)
 {
-  for (const int cell : bad)
+  for (std::size_t i = 0; i < bad.size(); ++i)
   {
+    if (i % ReportInterval == 0)
+    {
+      progress(static_cast<double>(i) / static_cast<double>(bad.size()));
+    }
+    const int cell = bad[i];
     const std::vector<int> points = this->Solid.PointsOf(cell);
     if (points.size() == 4 &&
       std::none_of(points.begin(), points.end(), [&](int point) { return this->Movable(point); }))
@@ -27,7 +32,7 @@ void CellSplits::Impossible(const std::vector<int>& bad)
   }
 }
 
-void CellSplits::Stubborn(const std::vector<int>& bad, int allowed)
+void CellSplits::Stubborn(const std::vector<int>& bad, int allowed, const Progress& progress)
 {
   this->Collared.resize(this->Solid.PointCount(), 0);
   std::set<int> collar;
@@ -45,25 +50,17 @@ void CellSplits::Stubborn(const std::vector<int>& bad, int allowed)
   for (const int point : collar)
   {
     ++this->Collared[point];
-    std::set<int> ends;
-    for (const int cell : this->Solid.CellsOf(point))
-    {
-      ends.insert(this->Solid.PointsOf(cell).begin(), this->Solid.PointsOf(cell).end());
-    }
-    ends.erase(point);
     // The collar: every inner edge from the fixed point gets a movable point.
-    for (const int end : ends)
-    {
-      if (this->Solid.CanSplit({ point, end }))
-      {
-        this->Solid.Split({ point, end });
-      }
-    }
+    this->SplitAround(point, progress.Part(0.0, 0.5));
     touched.insert(point);
   }
-  for (const int cell : bad)
+  for (std::size_t i = 0; i < bad.size(); ++i)
   {
-    const std::vector<int> points = this->Solid.PointsOf(cell);
+    if (i % ReportInterval == 0)
+    {
+      progress(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(bad.size()));
+    }
+    const std::vector<int> points = this->Solid.PointsOf(bad[i]);
     if (points.size() != 4 ||
       std::any_of(points.begin(), points.end(), [&](int point) { return touched.count(point); }))
     {
@@ -72,6 +69,23 @@ void CellSplits::Stubborn(const std::vector<int>& bad, int allowed)
     if (this->SplitLongest(points) || this->SplitFace(points))
     {
       touched.insert(this->Solid.PointCount() - 1);
+    }
+  }
+}
+
+void CellSplits::SplitAround(int point, const Progress& progress)
+{
+  constexpr int interval = 64; // a point may have thousands of edges, each slow to split
+  int splits = 0;
+  for (const int end : this->Solid.NeighboursOf(point))
+  {
+    if (splits++ % interval == 0)
+    {
+      progress(0.0);
+    }
+    if (this->Solid.CanSplit({ point, end }))
+    {
+      this->Solid.Split({ point, end });
     }
   }
 }

@@ -14,6 +14,9 @@
 namespace shape
 {
 
+/// Loops report progress after this many cells, points or splits: seldom enough to cost nothing.
+constexpr int ReportInterval = 4096;
+
 /**
  * A solid of tetrahedra, pyramids, wedges and hexahedra. Its points have current positions and,
  * optionally, positions at rest. A cell is represented by its corner tetrahedra (CellSimplices),

@@ -16,16 +16,22 @@ namespace
 
 /// The corner tetrahedra of the cells that are not inverted. moves: for each point, whether it may
 /// move; points of inverted cells may not.
-SimplexElements<3> BuildElements(SolidCells& solid, std::vector<char>& moves)
+SimplexElements<3> BuildElements(
+  SolidCells& solid, std::vector<char>& moves, const Progress& progress)
 {
   // With rest positions, the measure is that of the map from them. Else the size is the target's.
   const bool hasRest = solid.Rest.rows() > 0;
-  const Eigen::VectorXd sizes = hasRest ? Eigen::VectorXd() : ComputeLogarithmicSizes(solid);
+  const Eigen::VectorXd sizes =
+    hasRest ? Eigen::VectorXd() : ComputeLogarithmicSizes(solid, progress);
   std::vector<std::array<int, 4>> simplices;
   std::vector<Eigen::Matrix3d> edges;
   std::vector<double> volumes;
   for (int cell = 0; cell < solid.CellCount(); ++cell)
   {
+    if (cell % ReportInterval == 0)
+    {
+      progress(static_cast<double>(cell) / solid.CellCount());
+    }
     if (solid.Inverted(cell))
     {
       for (const int point : solid.PointsOf(cell))
@@ -61,9 +67,8 @@ SimplexElements<3> BuildElements(SolidCells& solid, std::vector<char>& moves)
 InjectiveRefinementResult RefineSolid(SolidCells& solid, const SlidingBoundary* sliding,
   const InjectiveRefinementOptions& options, const Progress& progress)
 {
-  progress(0.0);
   std::vector<char> moves(solid.PointCount(), 1);
-  const SimplexElements<3> elements = BuildElements(solid, moves);
+  const SimplexElements<3> elements = BuildElements(solid, moves, progress.Part(0.0, 0.0));
   if (elements.Count() == 0)
   {
     return { solid.Points, 0.0, 0.0, 0 };

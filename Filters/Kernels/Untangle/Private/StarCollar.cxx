@@ -22,9 +22,6 @@ using Edge = std::pair<int, int>;
 /// How clearly a fan has to be in order (IsInOrder): before, and after its faces were split.
 constexpr double MinimumOrder = 1e-3, MinimumOrderOfSplit = 1e-10;
 
-/// Progress is reported after this many cells or splits.
-constexpr int Interval = 4096;
-
 /// The new points near the boundary, and where they are. The order of calls: SplitFacesOutOfOrder,
 /// SplitSpokes, then Place and Shrink in turn.
 class Collar
@@ -71,7 +68,7 @@ private:
   std::vector<int> FindBoundaryPoints(int cell) const;
   std::vector<int> FindFan(const Edge& edge) const;
   std::set<Edge> FindEdgesOutOfOrder(const Progress& progress) const;
-  void SplitAtTriangles(const std::set<Edge>& outOfOrder);
+  void SplitAtTriangles(const std::set<Edge>& outOfOrder, const Progress& progress);
   void SplitFaces(const Edge& edge);
 
   SolidCells& Solid;
@@ -133,7 +130,7 @@ std::set<Edge> Collar::FindEdgesOutOfOrder(const Progress& progress) const
   std::set<Edge> found;
   for (int cell = 0; cell < this->Solid.CellCount(); ++cell)
   {
-    if (cell % Interval == 0)
+    if (cell % ReportInterval == 0)
     {
       progress(0.0);
     }
@@ -163,11 +160,15 @@ std::vector<int> Collar::FindFan(const Edge& edge) const
 
 /// Splits the tetrahedra at boundary triangles with an edge out of order, so that no inner face of
 /// one edge belongs to the fan of another.
-void Collar::SplitAtTriangles(const std::set<Edge>& outOfOrder)
+void Collar::SplitAtTriangles(const std::set<Edge>& outOfOrder, const Progress& progress)
 {
   const int count = this->Solid.CellCount();
   for (int cell = 0; cell < count; ++cell)
   {
+    if (cell % ReportInterval == 0)
+    {
+      progress(0.0);
+    }
     const std::vector<int> corners = this->FindBoundaryPoints(cell);
     bool isOutOfOrder = false;
     for (std::size_t k = 0; k < corners.size(); ++k)
@@ -213,7 +214,7 @@ void Collar::SplitFacesOutOfOrder(const Progress& progress)
        found = this->FindEdgesOutOfOrder(progress))
   {
     edges.insert(found.begin(), found.end());
-    this->SplitAtTriangles(edges);
+    this->SplitAtTriangles(edges, progress);
   }
   double done = 0.0;
   for (const Edge& edge : edges)
@@ -291,6 +292,7 @@ void Collar::SplitSpokes(const Progress& progress)
     {
       continue;
     }
+    progress(0.0);
     double least = std::numeric_limits<double>::max();
     for (const int other : this->Solid.NeighboursOf(point))
     {
@@ -304,7 +306,7 @@ void Collar::SplitSpokes(const Progress& progress)
   }
   for (const auto& [from, to] : edges)
   {
-    if (this->Spokes.size() % Interval == 0)
+    if (this->Spokes.size() % ReportInterval == 0)
     {
       progress(static_cast<double>(this->Spokes.size()) / static_cast<double>(edges.size()));
     }
@@ -398,7 +400,7 @@ void SeparateBoundary(SolidCells& solid, const Progress& progress)
     std::set<std::vector<int>> simplices;
     for (int cell = 0; cell < solid.CellCount(); ++cell)
     {
-      if (cell % Interval == 0)
+      if (cell % ReportInterval == 0)
       {
         progress(0.0);
       }
@@ -422,7 +424,7 @@ void SeparateBoundary(SolidCells& solid, const Progress& progress)
     int splits = 0;
     for (const std::vector<int>& simplex : simplices)
     {
-      if (splits++ % Interval == 0)
+      if (splits++ % ReportInterval == 0)
       {
         progress(0.0);
       }
@@ -470,9 +472,9 @@ int MoveOutward(SolidCells& solid, const Eigen::RowVector3d& centre, const Eigen
   std::size_t minimum = std::numeric_limits<std::size_t>::max();
   for (int round = 0, last = 0; round < rounds && round <= last + patience; ++round)
   {
-    progress(0.3 + 0.7 * round / rounds);
+    const double share = 0.3 + 0.7 * round / rounds;
     collar.Place();
-    inverted = FindInverted(solid);
+    inverted = FindInverted(solid, progress.Part(share, share));
     if (inverted.size() < minimum)
     {
       minimum = inverted.size();

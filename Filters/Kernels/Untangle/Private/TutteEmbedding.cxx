@@ -38,6 +38,20 @@ void MeasureBoundary(const SolidCells& solid, Eigen::VectorXd& sums, Eigen::Vect
   }
 }
 
+/// Divides by the diagonal in each iteration, and reports progress there. Throws Aborted.
+class ReportingPreconditioner : public Eigen::DiagonalPreconditioner<double>
+{
+public:
+  Progress Report;
+
+  template <typename Values>
+  auto solve(const Eigen::MatrixBase<Values>& values) const
+  {
+    this->Report(1.0);
+    return Eigen::DiagonalPreconditioner<double>::solve(values);
+  }
+};
+
 } // namespace
 
 Eigen::MatrixXd SolveTutteEmbedding(const SolidCells& solid, const Progress& progress)
@@ -46,6 +60,10 @@ Eigen::MatrixXd SolveTutteEmbedding(const SolidCells& solid, const Progress& pro
   std::vector<Eigen::Triplet<double>> entries;
   for (int point = 0; point < solid.PointCount(); ++point)
   {
+    if (point % ReportInterval == 0)
+    {
+      progress(0.0);
+    }
     const std::vector<int> neighbours = solid.NeighboursOf(point);
     // The boundary and loose points are fixed; every other row says: the sum of (x - neighbour) is
     // 0.
@@ -68,7 +86,7 @@ Eigen::MatrixXd SolveTutteEmbedding(const SolidCells& solid, const Progress& pro
   return positions;
 }
 
-Eigen::VectorXd ComputeLogarithmicSizes(const SolidCells& solid)
+Eigen::VectorXd ComputeLogarithmicSizes(const SolidCells& solid, const Progress& progress)
 {
   const int count = solid.PointCount();
   Eigen::VectorXd sizes = Eigen::VectorXd::Zero(count), counts = Eigen::VectorXd::Zero(count);
@@ -96,6 +114,10 @@ Eigen::VectorXd ComputeLogarithmicSizes(const SolidCells& solid)
   Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns);
   for (int point = 0; point < count; ++point)
   {
+    if (point % ReportInterval == 0)
+    {
+      progress(static_cast<double>(point) / count);
+    }
     const int row = unknown[point];
     if (row < 0)
     {
@@ -121,8 +143,9 @@ Eigen::VectorXd ComputeLogarithmicSizes(const SolidCells& solid)
   Eigen::SparseMatrix<double, Eigen::RowMajor> laplacian(unknowns, unknowns);
   laplacian.setFromTriplets(entries.begin(), entries.end());
   Eigen::ConjugateGradient<Eigen::SparseMatrix<double, Eigen::RowMajor>,
-    Eigen::Lower | Eigen::Upper>
+    Eigen::Lower | Eigen::Upper, ReportingPreconditioner>
     solver(laplacian);
+  solver.preconditioner().Report = progress;
   // Sizes need only a few digits, which is much faster than a factorisation.
   solver.setTolerance(1e-4);
   solver.setMaxIterations(1000);

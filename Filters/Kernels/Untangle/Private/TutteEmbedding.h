@@ -20,8 +20,8 @@ Eigen::MatrixXd SolveTutteEmbedding(const SolidCells& solid, const Progress& pro
  * is the mean of the values at the neighbours, so inverted cells do not affect it.
  *
  * Returns one value for each point. Points that are not connected to a boundary get the mean of the
- * values at the boundary.
+ * values at the boundary. Throws Aborted.
  */
-Eigen::VectorXd ComputeLogarithmicSizes(const SolidCells& solid);
+Eigen::VectorXd ComputeLogarithmicSizes(const SolidCells& solid, const Progress& progress = {});
 
 } // namespace shape

@@ -1,0 +1,85 @@
+#include "Untangle/Private/BoundaryFaults.h"
+
+#include "Geometry/SelfIntersections.h"
+#include "Untangle/Private/StarCollar.h"
+#include "Untangle/Private/StarKernel.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <vector>
+
+namespace shape
+{
+namespace
+{
+
+/// Returns the boundary faces that have an area.
+std::vector<StarFace> FindWideFaces(const SolidCells& solid)
+{
+  std::vector<StarFace> faces = FindBoundaryFaces(solid);
+  faces.erase(std::remove_if(faces.begin(), faces.end(),
+                [&](const StarFace& face)
+                {
+                  const Eigen::Vector3d a = solid.Points.row(face[0]),
+                                        b = solid.Points.row(face[1]),
+                                        c = solid.Points.row(face[2]);
+                  return !((b - a).cross(c - a).squaredNorm() > 0.0);
+                }),
+    faces.end());
+  return faces;
+}
+
+/// Finds out whether the boundary crosses itself: cells then cannot all be positive.
+void FindCrossings(const SolidCells& solid, const std::vector<StarFace>& faces,
+  UntangleResult& result, const Progress& progress)
+{
+  constexpr int maximum = 100;
+  Mesh boundary{ solid.Points.topRows(solid.PointCount()), Eigen::MatrixXi() };
+  boundary.Triangles.resize(static_cast<Eigen::Index>(faces.size()), 3);
+  for (Eigen::Index t = 0; t < boundary.Triangles.rows(); ++t)
+  {
+    boundary.Triangles.row(t) << faces[t][0], faces[t][1], faces[t][2];
+  }
+  const std::vector<Crossing> crossings = FindSelfIntersectionsFrom(boundary, 0, maximum, progress);
+  result.BoundaryCrossings = std::min(maximum, static_cast<int>(crossings.size()));
+  if (!crossings.empty())
+  {
+    result.FirstCrossing = crossings.front().Position;
+  }
+}
+
+/// Finds out whether a position inside sees the whole boundary.
+void FindHiddenTriangles(
+  const SolidCells& solid, const std::vector<StarFace>& faces, UntangleResult& result)
+{
+  if (faces.empty())
+  {
+    return;
+  }
+  const StarPlacement centre = FindStarCentre(solid, faces);
+  for (const StarFace& face : faces)
+  {
+    if (SeesFace(solid.Points, face, centre.Position))
+    {
+      continue;
+    }
+    if (result.HiddenTriangles == 0)
+    {
+      result.FirstHidden =
+        (solid.Points.row(face[0]) + solid.Points.row(face[1]) + solid.Points.row(face[2])) / 3.0;
+    }
+    ++result.HiddenTriangles;
+  }
+}
+
+} // namespace
+
+void FindBoundaryFaults(const SolidCells& solid, UntangleResult& result, const Progress& progress)
+{
+  const std::vector<StarFace> faces = FindWideFaces(solid);
+  FindCrossings(solid, faces, result, progress);
+  FindHiddenTriangles(solid, faces, result);
+}
+
+} // namespace shape
