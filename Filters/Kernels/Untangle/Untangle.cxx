@@ -224,9 +224,10 @@ void ImproveMoved(Untangling& untangling, const Eigen::MatrixXd& before, const P
 }
 
 /// Moves points, then expands clusters of the tetrahedra that stay inverted, in turn: what one
-/// leaves inverted is another start for the other. Returns the number of inverted cells.
+/// leaves inverted is another start for the other. Returns the number of inverted cells. patience:
+/// that of the first turn (ReduceInverted).
 int ReduceAndExpand(
-  Untangling& untangling, const UntangleOptions& options, const Progress& progress)
+  Untangling& untangling, const UntangleOptions& options, int patience, const Progress& progress)
 {
   SolidCells& solid = untangling.Solid;
   constexpr int turns = 4;
@@ -236,7 +237,8 @@ int ReduceAndExpand(
   for (int turn = 0; turn < turns; ++turn)
   {
     const Progress part = progress.Part(static_cast<double>(turn) / turns, (turn + 1.0) / turns);
-    left = ReduceInverted(untangling, options, PatienceBeforeExpansion,
+    const int last = left;
+    left = ReduceInverted(untangling, options, turn == 0 ? patience : PatienceBeforeExpansion,
       part.Part(0.0, 0.4, "untangling the inverted cells"));
     if (left == 0)
     {
@@ -248,7 +250,8 @@ int ReduceAndExpand(
     untangling.Expansions += expanded.Expansions;
     left = static_cast<int>(FindInverted(solid, part.Part(0.9, 0.9)).size());
     ImproveMoved(untangling, before, part.Part(0.9, 1.0, "improving the cells"));
-    if (left == 0)
+    // A turn that has changed nothing would only be repeated.
+    if (left == 0 || (expanded.Expansions == 0 && left == last))
     {
       break;
     }
@@ -284,34 +287,28 @@ bool IsNearSphere(const SolidCells& solid)
   return farthest <= maximumReach * nearest;
 }
 
-/// Untangles the solid anew where each tetrahedron meets the boundary in one simplex. Unless the
-/// boundary is near a sphere, the solid is untangled in a sphere around `centre`, which is convex,
-/// and the boundary then moves outward to where it was. Returns the number of inverted cells.
-int UntangleStar(Untangling& untangling, const UntangleOptions& options,
+/// Untangles a solid in a sphere around `centre`, which is convex, and moves the boundary outward
+/// to where it was. Returns false if cells stay inverted: in the sphere, or because distances are
+/// too small for a collar in double precision. The boundary then is back, and the inner points are
+/// not.
+bool UntangleInSphere(Untangling& untangling, const UntangleOptions& options,
   const Eigen::RowVector3d& centre, const Progress& progress)
 {
   SolidCells& solid = untangling.Solid;
-  SeparateBoundary(solid, progress.Part(0.0, 0.0));
   const Eigen::MatrixXd targets = solid.Points.topRows(solid.PointCount());
-  const bool isNearSphere = IsNearSphere(solid);
-  if (!isNearSphere)
-  {
-    ProjectToSphere(solid, centre);
-  }
+  ProjectToSphere(solid, centre);
   solid.Points = SolveTutteEmbedding(solid, progress.Part(0.0, 0.1));
   // An expansion may take longer than all rounds, so these end only when they stall.
-  int left = ReduceInverted(
-    untangling, options, Patience, progress.Part(0.1, 0.6, "untangling the inverted cells"));
-  if (left > 0 && !isNearSphere)
+  if (ReduceAndExpand(untangling, options, Patience, progress.Part(0.1, 0.9)) == 0)
   {
-    left = ReduceAndExpand(untangling, options, progress.Part(0.6, 0.8));
+    const SolidCells inSphere = solid;
+    if (MoveOutward(
+          solid, centre, targets, progress.Part(0.9, 1.0, "moving the boundary outward")) == 0)
+    {
+      return true;
+    }
+    solid = inSphere;
   }
-  if (left == 0 && !isNearSphere)
-  {
-    return MoveOutward(
-      solid, centre, targets, progress.Part(0.8, 1.0, "moving the boundary outward"));
-  }
-  // Back to where the boundary was.
   for (int point = 0; point < targets.rows(); ++point)
   {
     if (solid.OnBoundary(point))
@@ -319,7 +316,25 @@ int UntangleStar(Untangling& untangling, const UntangleOptions& options,
       solid.Points.row(point) = targets.row(point);
     }
   }
-  return static_cast<int>(FindInverted(solid, progress.Part(1.0, 1.0)).size());
+  return false;
+}
+
+/// Untangles the solid anew where each tetrahedron meets the boundary in one simplex: in a sphere,
+/// unless the boundary is near one, and else where the boundary is. Returns the number of inverted
+/// cells.
+int UntangleStar(Untangling& untangling, const UntangleOptions& options,
+  const Eigen::RowVector3d& centre, const Progress& progress)
+{
+  SolidCells& solid = untangling.Solid;
+  SeparateBoundary(solid, progress.Part(0.0, 0.0));
+  if (!IsNearSphere(solid) &&
+    UntangleInSphere(untangling, options, centre, progress.Part(0.0, 0.6)))
+  {
+    return 0;
+  }
+  solid.Points = SolveTutteEmbedding(solid, progress.Part(0.6, 0.7));
+  return ReduceInverted(
+    untangling, options, Patience, progress.Part(0.7, 1.0, "untangling the inverted cells"));
 }
 
 UntangleResult BuildResult(Untangling& untangling, const Progress& progress)
@@ -384,7 +399,7 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
   const StarPlacement centre = invertedBefore > 0 ? FindStar(best.Solid, options) : StarPlacement();
   if (best.Solid.HasTetrahedra() && !centre.IsValid)
   {
-    left = ReduceAndExpand(best, options, untangling.Part(0.0, 0.7));
+    left = ReduceAndExpand(best, options, PatienceBeforeExpansion, untangling.Part(0.0, 0.7));
   }
   else
   {
@@ -402,7 +417,7 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
     }
     if (left > 0)
     {
-      left = ReduceAndExpand(best, options, untangling.Part(0.6, 0.7));
+      left = ReduceAndExpand(best, options, PatienceBeforeExpansion, untangling.Part(0.6, 0.7));
     }
   }
   if (left > 0)

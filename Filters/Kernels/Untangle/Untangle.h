@@ -80,7 +80,8 @@ struct UntangleResult
  * means of their neighbours. Unless the boundary is near a sphere, the solid is untangled in a
  * sphere, which is much easier. The boundary then moves outward from there through a collar of new
  * tetrahedra (MoveOutward). In exact arithmetic that cannot fail, but many cells are split, and the
- * collar is thin.
+ * collar is thin. If it is too thin for double precision, the boundary goes back, and the solid is
+ * untangled there.
  *
  * Other tetrahedra that are still inverted are made positive by exact tests: their points are put
  * at one position that sees all faces around them, and leave it one by one (after Nigolian, Campen
