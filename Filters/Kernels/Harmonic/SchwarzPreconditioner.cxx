@@ -412,13 +412,25 @@ Eigen::MatrixXd SchwarzPreconditioner::ApplyTransposed(
   // The steps of FindCharges, transposed, in reverse order.
   const BlasThreads single(false);
   const Eigen::Index n = this->Tests.rows(), c = this->CoarseSources.rows();
+  // Blocks read the same residuals, so their shares of these are added in the order of the blocks.
+  std::vector<Eigen::MatrixXd> shares(this->Blocks.size());
+  ParallelFor(
+    static_cast<int>(this->Blocks.size()), 16,
+    [&](int begin, int end)
+    {
+      for (int b = begin; b < end; ++b)
+      {
+        const Block& block = this->Blocks[b];
+        const Eigen::MatrixXd own = charges(block.Own, Eigen::all);
+        shares[b] = block.Inverse.cast<double>().transpose() * own;
+      }
+    },
+    progress.Part(0.0, 0.5));
   Eigen::MatrixXd left = Eigen::MatrixXd::Zero(n, charges.cols());
-  for (const Block& block : this->Blocks)
+  for (std::size_t b = 0; b < shares.size(); ++b)
   {
-    const Eigen::MatrixXd own = charges(block.Own, Eigen::all);
-    left(block.Inputs, Eigen::all) += block.Inverse.cast<double>().transpose() * own;
+    left(this->Blocks[b].Inputs, Eigen::all) += shares[b];
   }
-  progress(0.5);
   const Eigen::MatrixXd coarse = charges.bottomRows(c) -
     SumPotentialsDirectly(
       this->Positions, left, this->CoarseSources, RootError::Small, progress.Part(0.5, 1.0));
