@@ -58,9 +58,10 @@ struct LinearVolumeMapOptions
  * the boundary to the charges. This is the adjoint method (Giles and Pierce, "An introduction to
  * the adjoint approach to design", Flow, Turbulence and Combustion 65, 2000). In terms of the
  * continuum, the gradient sweeps the derivative at inner points to the boundary: for F = f(y) it is
- * the harmonic measure of y. One gradient is by all images together. With the default
- * tolerances, it took 1.4 times the CPU time of a fit, for bear_bis with 10096 points as for
- * bunny00 with 37706 points, because the transposed system needs more iterations.
+ * the harmonic measure of y. One gradient is by all images together. With the default tolerances,
+ * it took 1.13 times the CPU time of a fit for bear_bis with 10096 points, and 0.96 times for
+ * bunny00 with 37706 points. The transposed system may need more iterations, but the last of them
+ * need less accurate sums.
  */
 class LinearVolumeMap
 {

@@ -83,8 +83,9 @@ public:
    * returns the charges (Solution: k x 3) whose potentials have the same average around each
    * charge's site as `values` (m x 3): with the averages T, the potentials A and the preconditioner
    * B, they are B (T A B)^-1 T values. SolveTransposed applies the transpose of this matrix to k x
-   * 3 values and returns m x 3 values (Solution), by as many sums of the same kind; its residuals
-   * are relative. Both are linear up to the tolerance of `options`. Throw Aborted.
+   * 3 values and returns m x 3 values (Solution), by sums of the same size. Its sums are less
+   * accurate as its residual falls; its residuals are relative. Both are linear up to the tolerance
+   * of `options`. Throw Aborted.
    */
   GmresResult SolveAverages(const Eigen::MatrixXd& values, const GmresOptions& options,
     const Progress& progress = {}) const;
@@ -108,7 +109,10 @@ private:
   int WithoutCharge = 0;
   std::unique_ptr<SchwarzPreconditioner> Preconditioner;
   std::unique_ptr<FmmSummation> Sums;
-  std::unique_ptr<FmmSummation> TransposedSums; ///< from the rows to the charges, if Exact
+  ///@{
+  /// From the rows to the charges, if Exact. The relaxed ones are for small residuals.
+  std::unique_ptr<FmmSummation> TransposedSums, RelaxedSums;
+  ///@}
 };
 
 /// A boundary and its system, which can be reused for other targets of the same boundary.

@@ -71,6 +71,10 @@ GmresResult SolveGmres(const LinearMap& a, const LinearMap& b, const Eigen::Matr
     share = completed(k);
     const double end = completed(k + 1);
     progress(share);
+    if (options.Relax)
+    {
+      options.Relax(result.Residuals.maxCoeff() / start.maxCoeff());
+    }
     // Step 1: the operator.
     const double middle = 0.7 * share + 0.3 * end;
     Eigen::MatrixXd next = a(b(basis[k], progress.Part(share, middle)), progress.Part(middle, end));

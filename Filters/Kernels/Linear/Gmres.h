@@ -21,6 +21,10 @@ struct GmresOptions
   /// Returns the inner product of each two columns, for rows that are distributed over processes.
   /// Empty: the mean of the products, by the weights of the rows.
   std::function<Eigen::RowVectorXd(const Eigen::MatrixXd& u, const Eigen::MatrixXd& v)> Inner;
+  /// Called before each iteration, if given, with the share of the residual that is left. In this
+  /// iteration an error of A counts by this share, so A may have more of it (Simoncini and Szyld,
+  /// "Theory of inexact Krylov subspace methods", 2003).
+  std::function<void(double left)> Relax;
 };
 
 struct GmresResult

@@ -100,6 +100,35 @@ TEST(Gmres, FindsTheWeightedLeastSquares)
   }
 }
 
+TEST(Gmres, TheErrorOfTheOperatorMayGrowAsTheResidualFalls)
+{
+  // Errors e_k of the operator, in products with unit vectors, add sum_k |y_k| e_k to the residual,
+  // with the coefficients y of the solution. |y_k| is at most the residual before step k, divided
+  // by the least singular value (Simoncini and Szyld 2003, section 5).
+  std::srand(5);
+  constexpr int n = 40;
+  constexpr double error = 1e-12;
+  const Eigen::MatrixXd a =
+    Eigen::MatrixXd::Random(n, n) / 6.0 + Eigen::MatrixXd::Identity(n, n) * 3.0;
+  const Eigen::VectorXd b = Eigen::VectorXd::Random(n).normalized() * std::sqrt(double(n));
+  shape::GmresOptions options;
+  options.Tolerance = 1e-9;
+  double share = 0.0;
+  options.Relax = [&](double left) { share = left; };
+  const auto result = shape::SolveGmres(
+    [&](const Eigen::MatrixXd& v, const shape::Progress&)
+    {
+      const Eigen::VectorXd noise = Eigen::VectorXd::Random(n).normalized();
+      return Eigen::MatrixXd(a * v + noise * (error / share * v.norm()));
+    },
+    [](const Eigen::MatrixXd& v, const shape::Progress&) { return v; }, b, Eigen::VectorXd::Ones(n),
+    options);
+  EXPECT_LT(share, 1e-7); // the last error was above 1e-5
+  const double least = a.jacobiSvd().singularValues()(n - 1);
+  const double missing = (a * result.Solution - b).norm() / b.norm();
+  EXPECT_LT(missing, result.Residuals(0) + result.Iterations * error / least);
+}
+
 TEST(LongestEdgeBisection, KeepsTheSurfaceAndItsTopology)
 {
   shape::Mesh mesh = shapetest::Torus(1.0, 0.3, 24, 5); // slim triangles
