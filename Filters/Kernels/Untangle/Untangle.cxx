@@ -264,7 +264,7 @@ int ReduceAndExpand(
 StarPlacement FindStar(const SolidCells& solid, const UntangleOptions& options)
 {
   return options.FixBoundary && options.SplitCells && solid.HasOnlyTetrahedra()
-    ? FindStarCentre(solid, FindBoundaryFaces(solid))
+    ? FindStarCentre(solid, FindStarFaces(solid))
     : StarPlacement();
 }
 

@@ -63,11 +63,11 @@ TEST(Aborts, EndTheWorkForAPointOfACluster)
 {
   const shape::Cells cone = InvertedCone(500);
   shape::SolidCells solid(cone, {}, "the cone");
-  double work = 0.0;
-  shape::PointCluster cluster(solid, { 0 }, true, work);
   int reports = 0;
   const shape::Progress abort([&](double) { return ++reports < 20; });
-  EXPECT_THROW(shape::ClusterSplits(cluster).FindExitByPulling(abort), shape::Aborted);
+  shape::PointCluster cluster(solid, {}, abort);
+  cluster.Begin({ 0 });
+  EXPECT_THROW(shape::ClusterSplits(cluster).FindExitByPulling(), shape::Aborted);
   EXPECT_EQ(reports, 20) << "it went on after an abort";
   EXPECT_EQ(solid.PointCount(), cone.Points.rows())
     << "no edge is split before the faces are compared";

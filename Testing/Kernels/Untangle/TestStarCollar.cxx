@@ -97,7 +97,7 @@ TEST(StarCollar, FindsACentreOnlyIfThereIsOne)
   const auto find = [&]
   {
     const shape::SolidCells solid(cube, rest, "the cube");
-    return shape::FindStarCentre(solid, shape::FindBoundaryFaces(solid));
+    return shape::FindStarCentre(solid, shape::FindStarFaces(solid));
   };
   const shape::StarPlacement centre = find();
   ASSERT_TRUE(centre.IsValid);

@@ -17,7 +17,7 @@ namespace
 /// Returns the boundary faces that have an area.
 std::vector<StarFace> FindWideFaces(const SolidCells& solid)
 {
-  std::vector<StarFace> faces = FindBoundaryFaces(solid);
+  std::vector<StarFace> faces = FindStarFaces(solid);
   faces.erase(std::remove_if(faces.begin(), faces.end(),
                 [&](const StarFace& face)
                 {

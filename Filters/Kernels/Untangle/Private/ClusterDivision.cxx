@@ -36,12 +36,11 @@ int FindHinderer(const PointCluster& cluster, const std::vector<StarFace>& faces
 }
 
 /// Returns the part that grows from a point until it can move, with where it can.
-ClusterDivision GrowPart(PointCluster& cluster, int first, const Progress& progress)
+ClusterDivision GrowPart(PointCluster& cluster, int first)
 {
   ClusterDivision grown{ { first }, {} };
   while (2 * grown.Part.size() <= cluster.Points().size())
   {
-    progress(0.0);
     const std::vector<StarFace> faces = cluster.FindFacesAroundPart(grown.Part);
     grown.Placement = cluster.FindPlacement(faces, cluster.GetPosition());
     if (grown.Placement.IsValid)
@@ -60,7 +59,7 @@ ClusterDivision GrowPart(PointCluster& cluster, int first, const Progress& progr
 
 } // namespace
 
-ClusterDivision FindDivision(PointCluster& cluster, const Progress& progress)
+ClusterDivision FindDivision(PointCluster& cluster)
 {
   ClusterDivision best;
   for (const int first : cluster.Points())
@@ -69,7 +68,7 @@ ClusterDivision FindDivision(PointCluster& cluster, const Progress& progress)
     {
       continue;
     }
-    ClusterDivision grown = GrowPart(cluster, first, progress);
+    ClusterDivision grown = GrowPart(cluster, first);
     if (grown.Placement.IsValid && grown.Placement.Clearance > best.Placement.Clearance &&
       cluster.IsDivision(grown.Part))
     {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "Base/Progress.h"
 #include "Untangle/Private/PointCluster.h"
 
 #include <vector>
@@ -21,6 +20,6 @@ struct ClusterDivision
  * the faces that it does not see. The first part with much space is returned, else the one with the
  * most. The cluster does not change. Throws Aborted.
  */
-ClusterDivision FindDivision(PointCluster& cluster, const Progress& progress);
+ClusterDivision FindDivision(PointCluster& cluster);
 
 } // namespace shape

@@ -65,9 +65,9 @@ bool ClusterExpansion::Expand(
     {
       this->RelaxAll();
     }
-    else if (!this->Divide(progress))
+    else if (!this->Divide())
     {
-      if (inserted > options.MaximumSplits * start || !this->ReleaseAfterSplits(progress))
+      if (inserted > options.MaximumSplits * start || !this->ReleaseAfterSplits())
       {
         return false;
       }
@@ -108,9 +108,9 @@ bool ClusterExpansion::ReleaseClearest()
 }
 
 /// Moves a part of the cluster as one. Returns whether there is any.
-bool ClusterExpansion::Divide(const Progress& progress)
+bool ClusterExpansion::Divide()
 {
-  ClusterDivision division = FindDivision(this->Cluster, progress);
+  ClusterDivision division = FindDivision(this->Cluster);
   if (!division.Placement.IsValid)
   {
     return false;
@@ -121,12 +121,12 @@ bool ClusterExpansion::Divide(const Progress& progress)
 }
 
 /// Splits edges until a point can leave. Returns whether one does.
-bool ClusterExpansion::ReleaseAfterSplits(const Progress& progress)
+bool ClusterExpansion::ReleaseAfterSplits()
 {
-  std::optional<PointExit> exit = this->Splits.FindExitByPulling(progress);
+  std::optional<PointExit> exit = this->Splits.FindExitByPulling();
   if (!exit)
   {
-    exit = this->Splits.FindExitByParts(progress);
+    exit = this->Splits.FindExitByParts();
   }
   if (!exit)
   {

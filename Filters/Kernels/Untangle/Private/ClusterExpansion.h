@@ -36,8 +36,8 @@ public:
 private:
   bool SelectNext();
   bool ReleaseClearest();
-  bool Divide(const Progress& progress);
-  bool ReleaseAfterSplits(const Progress& progress);
+  bool Divide();
+  bool ReleaseAfterSplits();
 
   int FindClearest();
   StarPlacement FindMove(int point);

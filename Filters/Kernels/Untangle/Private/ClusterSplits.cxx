@@ -114,14 +114,14 @@ bool ClusterSplits::Cut::operator<(const Cut& other) const
     std::tie(other.Generation, other.Hidden, other.Point);
 }
 
-std::optional<PointExit> ClusterSplits::FindExitByPulling(const Progress& progress)
+std::optional<PointExit> ClusterSplits::FindExitByPulling()
 {
   constexpr std::size_t maximumTrials = 8;
-  std::vector<Cut> cuts = this->FindCuts(true, progress);
+  std::vector<Cut> cuts = this->FindCuts(true);
   cuts.resize(std::min(cuts.size(), maximumTrials));
   for (const Cut& cut : cuts)
   {
-    if (const std::optional<PointExit> exit = this->TryPulling(cut, progress))
+    if (const std::optional<PointExit> exit = this->TryPulling(cut))
     {
       return exit;
     }
@@ -129,11 +129,11 @@ std::optional<PointExit> ClusterSplits::FindExitByPulling(const Progress& progre
   return std::nullopt;
 }
 
-std::optional<PointExit> ClusterSplits::FindExitByParts(const Progress& progress)
+std::optional<PointExit> ClusterSplits::FindExitByParts()
 {
-  for (const Cut& cut : this->FindCuts(false, progress))
+  for (const Cut& cut : this->FindCuts(false))
   {
-    if (const std::optional<PointExit> exit = this->TryParts(cut, progress))
+    if (const std::optional<PointExit> exit = this->TryParts(cut))
     {
       return exit;
     }
@@ -141,20 +141,17 @@ std::optional<PointExit> ClusterSplits::FindExitByParts(const Progress& progress
   return std::nullopt;
 }
 
-ClusterSplits::Cut ClusterSplits::FindCut(int point, const Progress& progress) const
+ClusterSplits::Cut ClusterSplits::FindCut(int point) const
 {
-  constexpr std::size_t interval = 16; // a star may have thousands of faces
   const std::vector<StarFace> faces = this->Cluster.FindOuterFacesAround(point);
   const std::vector<int> outside = this->FindOutside(point);
   const FaceView view(this->Cluster.Solid.Points, this->Cluster.GetPosition(), faces);
   Cut best;
   for (std::size_t seed = 0; seed < faces.size(); ++seed)
   {
-    if (seed % interval == 0)
-    {
-      progress(0.0);
-    }
-    const std::size_t hidden = FindHidden(outside, view.FindSeen(seed)).size();
+    const std::set<int> seen = view.FindSeen(seed);
+    this->Cluster.Count(seen.size()); // the square of the faces of a star, which may be thousands
+    const std::size_t hidden = FindHidden(outside, seen).size();
     if (best.Point < 0 || hidden < best.Hidden)
     {
       best = { this->GetGeneration(point), hidden, point, seed };
@@ -163,18 +160,16 @@ ClusterSplits::Cut ClusterSplits::FindCut(int point, const Progress& progress) c
   return best;
 }
 
-std::vector<ClusterSplits::Cut> ClusterSplits::FindCuts(
-  bool onlyPeelable, const Progress& progress) const
+std::vector<ClusterSplits::Cut> ClusterSplits::FindCuts(bool onlyPeelable) const
 {
   std::vector<Cut> cuts;
   for (const int point : this->Cluster.Points())
   {
-    progress(0.0);
     if (onlyPeelable && !this->Cluster.IsPeelable(point))
     {
       continue;
     }
-    const Cut cut = this->FindCut(point, progress);
+    const Cut cut = this->FindCut(point);
     if (cut.Point >= 0)
     {
       cuts.push_back(cut);
@@ -210,7 +205,7 @@ int ClusterSplits::SplitSpoke(int point, int end)
   return middle;
 }
 
-std::optional<PointExit> ClusterSplits::TryPulling(const Cut& cut, const Progress& progress)
+std::optional<PointExit> ClusterSplits::TryPulling(const Cut& cut)
 {
   constexpr int rounds = 3;
   const Eigen::MatrixXd& x = this->Cluster.Solid.Points;
@@ -220,13 +215,13 @@ std::optional<PointExit> ClusterSplits::TryPulling(const Cut& cut, const Progres
   std::vector<int> pulled;
   for (int round = 0; round < rounds; ++round)
   {
-    const Cut best = this->FindCut(cut.Point, progress);
+    const Cut best = this->FindCut(cut.Point);
     if (best.Point < 0)
     {
       break;
     }
-    this->PullIntoSpokes(cut.Point, best.Seed, pulled, progress);
-    this->PullAway(cut.Point, to, pulled, progress);
+    this->PullIntoSpokes(cut.Point, best.Seed, pulled);
+    this->PullAway(cut.Point, to, pulled);
     const StarPlacement placement = this->Cluster.FindPlacement(cut.Point);
     if (placement.IsValid)
     {
@@ -238,14 +233,12 @@ std::optional<PointExit> ClusterSplits::TryPulling(const Cut& cut, const Progres
 
 /// Splits the edges to the points that are hidden from face `seed`. New points that can leave the
 /// cluster do so, and are appended.
-void ClusterSplits::PullIntoSpokes(
-  int point, std::size_t seed, std::vector<int>& pulled, const Progress& progress)
+void ClusterSplits::PullIntoSpokes(int point, std::size_t seed, std::vector<int>& pulled)
 {
   const std::vector<StarFace> faces = this->Cluster.FindOuterFacesAround(point);
   const FaceView view(this->Cluster.Solid.Points, this->Cluster.GetPosition(), faces);
   for (const int end : FindHidden(this->FindOutside(point), view.FindSeen(seed)))
   {
-    progress(0.0);
     if (!this->Cluster.CanSplit({ point, end }))
     {
       continue;
@@ -264,7 +257,7 @@ void ClusterSplits::PullIntoSpokes(
 /// Moves the pulled points to the centres of their kernels, as if the point had left in direction
 /// `to`.
 void ClusterSplits::PullAway(
-  int point, const Eigen::RowVector3d& to, const std::vector<int>& pulled, const Progress& progress)
+  int point, const Eigen::RowVector3d& to, const std::vector<int>& pulled)
 {
   constexpr int sweeps = 5;
   Eigen::MatrixXd& x = this->Cluster.Solid.Points;
@@ -275,7 +268,6 @@ void ClusterSplits::PullAway(
   {
     for (const int middle : pulled)
     {
-      progress(0.0);
       const StarPlacement placement = this->Cluster.FindPlacement(middle);
       if (placement.IsValid)
       {
@@ -292,7 +284,7 @@ void ClusterSplits::PullAway(
   }
 }
 
-std::optional<PointExit> ClusterSplits::TryParts(const Cut& cut, const Progress& progress)
+std::optional<PointExit> ClusterSplits::TryParts(const Cut& cut)
 {
   const int point = cut.Point;
   const std::vector<StarFace> faces = this->Cluster.FindOuterFacesAround(point);
@@ -302,7 +294,6 @@ std::optional<PointExit> ClusterSplits::TryParts(const Cut& cut, const Progress&
   for (const std::set<int>& seen :
     { view.FindSeen(cut.Seed), std::set<int>(seed.begin(), seed.end()) })
   {
-    progress(0.0);
     const std::vector<int> hidden = FindHidden(this->FindOutside(point), seen);
     const bool canSplit = std::all_of(hidden.begin(), hidden.end(),
       [&](int end) {
@@ -314,7 +305,6 @@ std::optional<PointExit> ClusterSplits::TryParts(const Cut& cut, const Progress&
     }
     for (const int end : hidden)
     {
-      progress(0.0);
       this->SplitSpoke(point, end);
     }
     const StarPlacement placement = this->Cluster.FindPlacement(point);

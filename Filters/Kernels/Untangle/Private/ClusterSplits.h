@@ -1,6 +1,5 @@
 #pragma once
 
-#include "Base/Progress.h"
 #include "Untangle/Private/PointCluster.h"
 
 #include <Eigen/Core>
@@ -25,8 +24,7 @@ struct PointExit
  * the edges to these are at c at first.
  *
  * Given points are tried before new ones, and those with few hidden points before others. Edges
- * stay split if a trial fails. Both methods report progress within the work for a point, which may
- * have thousands of faces, and throw Aborted.
+ * stay split if a trial fails. Both methods throw what the cluster throws.
  */
 class ClusterSplits
 {
@@ -39,12 +37,12 @@ public:
   /// Pulls the new points to where they are not hidden, in a few rounds. Only points are tried
   /// without which the cluster keeps its topology. Returns none if that succeeds for none of the
   /// first few.
-  std::optional<PointExit> FindExitByPulling(const Progress& progress);
+  std::optional<PointExit> FindExitByPulling();
 
   /// Leaves the new points in the cluster: they take the part of the star that the point cannot
   /// see, so that it can move into the other part, which is star-shaped. Returns none if that
   /// succeeds for no point.
-  std::optional<PointExit> FindExitByParts(const Progress& progress);
+  std::optional<PointExit> FindExitByParts();
 
 private:
   /// A point of the cluster and the face from whose centre the fewest points are hidden.
@@ -57,16 +55,14 @@ private:
     bool operator<(const Cut& other) const;
   };
 
-  Cut FindCut(int point, const Progress& progress) const;
-  std::vector<Cut> FindCuts(bool onlyPeelable, const Progress& progress) const;
+  Cut FindCut(int point) const;
+  std::vector<Cut> FindCuts(bool onlyPeelable) const;
   std::vector<int> FindOutside(int point) const;
   int SplitSpoke(int point, int end);
-  void PullIntoSpokes(
-    int point, std::size_t seed, std::vector<int>& pulled, const Progress& progress);
-  void PullAway(int point, const Eigen::RowVector3d& to, const std::vector<int>& pulled,
-    const Progress& progress);
-  std::optional<PointExit> TryPulling(const Cut& cut, const Progress& progress);
-  std::optional<PointExit> TryParts(const Cut& cut, const Progress& progress);
+  void PullIntoSpokes(int point, std::size_t seed, std::vector<int>& pulled);
+  void PullAway(int point, const Eigen::RowVector3d& to, const std::vector<int>& pulled);
+  std::optional<PointExit> TryPulling(const Cut& cut);
+  std::optional<PointExit> TryParts(const Cut& cut);
 
   int GetGeneration(int point) const
   {

@@ -373,7 +373,7 @@ bool Collar::Shrink(const std::vector<int>& inverted, bool alsoFaces)
 
 } // namespace
 
-std::vector<StarFace> FindBoundaryFaces(const SolidCells& solid)
+std::vector<StarFace> FindStarFaces(const SolidCells& solid)
 {
   std::vector<StarFace> faces;
   for (const std::array<int, 3>& triangle : solid.BoundaryTriangles())

@@ -12,7 +12,7 @@ namespace shape
 {
 
 /// Returns the boundary triangles as faces that a position inside sees.
-std::vector<StarFace> FindBoundaryFaces(const SolidCells& solid);
+std::vector<StarFace> FindStarFaces(const SolidCells& solid);
 
 /// Returns a position that sees boundary triangles from inside (FindKernelCentre). If these are
 /// all, the boundary is star-shaped around it. Not valid if there is none.
