@@ -448,7 +448,12 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
   result.ExpandedPoints = best.Expansions;
   if (result.InvertedAfter > 0 && options.FixBoundary)
   {
-    FindBoundaryFaults(best.Solid, result, progress.Part(1.0, 1.0, "looking for crossings"));
+    const BoundaryFaults faults =
+      FindBoundaryFaults(best.Solid, progress.Part(1.0, 1.0, "looking for crossings"));
+    result.BoundaryCrossings = faults.BoundaryCrossings;
+    result.FirstCrossing = faults.FirstCrossing;
+    result.HiddenTriangles = faults.HiddenTriangles;
+    result.FirstHidden = faults.FirstHidden;
   }
   progress(1.0);
   for (Eigen::Index i = 0; i < cells.Points.rows(); ++i)

@@ -32,7 +32,7 @@ std::vector<StarFace> FindWideFaces(const SolidCells& solid)
 
 /// Finds out whether the boundary crosses itself: cells then cannot all be positive.
 void FindCrossings(const SolidCells& solid, const std::vector<StarFace>& faces,
-  UntangleResult& result, const Progress& progress)
+  BoundaryFaults& faults, const Progress& progress)
 {
   constexpr int maximum = 100;
   Mesh boundary{ solid.Points.topRows(solid.PointCount()), Eigen::MatrixXi() };
@@ -42,16 +42,16 @@ void FindCrossings(const SolidCells& solid, const std::vector<StarFace>& faces,
     boundary.Triangles.row(t) << faces[t][0], faces[t][1], faces[t][2];
   }
   const std::vector<Crossing> crossings = FindSelfIntersectionsFrom(boundary, 0, maximum, progress);
-  result.BoundaryCrossings = std::min(maximum, static_cast<int>(crossings.size()));
+  faults.BoundaryCrossings = std::min(maximum, static_cast<int>(crossings.size()));
   if (!crossings.empty())
   {
-    result.FirstCrossing = crossings.front().Position;
+    faults.FirstCrossing = crossings.front().Position;
   }
 }
 
 /// Finds out whether a position inside sees the whole boundary.
 void FindHiddenTriangles(
-  const SolidCells& solid, const std::vector<StarFace>& faces, UntangleResult& result)
+  const SolidCells& solid, const std::vector<StarFace>& faces, BoundaryFaults& faults)
 {
   if (faces.empty())
   {
@@ -64,22 +64,24 @@ void FindHiddenTriangles(
     {
       continue;
     }
-    if (result.HiddenTriangles == 0)
+    if (faults.HiddenTriangles == 0)
     {
-      result.FirstHidden =
+      faults.FirstHidden =
         (solid.Points.row(face[0]) + solid.Points.row(face[1]) + solid.Points.row(face[2])) / 3.0;
     }
-    ++result.HiddenTriangles;
+    ++faults.HiddenTriangles;
   }
 }
 
 } // namespace
 
-void FindBoundaryFaults(const SolidCells& solid, UntangleResult& result, const Progress& progress)
+BoundaryFaults FindBoundaryFaults(const SolidCells& solid, const Progress& progress)
 {
   const std::vector<StarFace> faces = FindWideFaces(solid);
-  FindCrossings(solid, faces, result, progress);
-  FindHiddenTriangles(solid, faces, result);
+  BoundaryFaults faults;
+  FindCrossings(solid, faces, faults, progress);
+  FindHiddenTriangles(solid, faces, faults);
+  return faults;
 }
 
 } // namespace shape

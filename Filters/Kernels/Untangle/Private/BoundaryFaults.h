@@ -2,14 +2,23 @@
 
 #include "Base/Progress.h"
 #include "Untangle/Private/SolidCells.h"
-#include "Untangle/Untangle.h"
+
+#include <Eigen/Core>
 
 namespace shape
 {
 
-/// Finds out why cells stay inverted in a fixed boundary: whether it crosses itself, and which
-/// triangles are hidden from the best position inside. Sets these members of the result. Triangles
-/// without an area do not count. Throws Aborted.
-void FindBoundaryFaults(const SolidCells& solid, UntangleResult& result, const Progress& progress);
+/// Why cells stay inverted in a fixed boundary: the members of the same names of UntangleResult.
+struct BoundaryFaults
+{
+  int BoundaryCrossings = 0;
+  Eigen::RowVector3d FirstCrossing = Eigen::RowVector3d::Zero();
+  int HiddenTriangles = 0;
+  Eigen::RowVector3d FirstHidden = Eigen::RowVector3d::Zero();
+};
+
+/// Finds out whether the boundary crosses itself, and which triangles are hidden from the best
+/// position inside. Triangles without an area do not count. Throws Aborted.
+BoundaryFaults FindBoundaryFaults(const SolidCells& solid, const Progress& progress);
 
 } // namespace shape
