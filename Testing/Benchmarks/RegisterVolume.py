@@ -73,7 +73,7 @@ def count_inverted_by_motion(solid, surface, images):
     boundary = shapetesting.copy(surface)
     shapetesting.add_array(boundary, images, 'TargetPosition')
     motion = shapetesting.new(shapemap.vtkShapeMeshMotion, solid, boundary)
-    return fact(shapetesting.outputs(motion)[0], 'MeshMotion.InvertedAfter')
+    return int(fact(shapetesting.outputs(motion)[0], 'MeshMotion.InvertedAfter'))
 
 
 def count_inverted(solid):
