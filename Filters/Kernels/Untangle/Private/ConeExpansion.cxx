@@ -140,7 +140,7 @@ ConeExpansionResult ExpandInverted(
   {
     // Tetrahedra without an inner point need one.
     CellSplits(solid, [&](int point) { return !solid.OnBoundary(point); })
-      .Impossible(FindInverted(solid));
+      .Impossible(FindInverted(solid, progress.Part(0.0, 0.0)), progress.Part(0.0, 0.0));
   }
   ConeExpansionResult result;
   PointCluster cluster(solid, options, progress);
