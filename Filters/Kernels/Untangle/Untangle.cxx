@@ -54,6 +54,8 @@ struct Untangling
   std::unique_ptr<SlidingBoundary> Sliding; ///< none if the boundary is fixed
   int Expansions = 0;                       ///< points that were placed by exact tests
   int Iterations = 0;                       ///< Newton steps so far
+  double Work = 0.0;                        ///< of these steps
+  double MaximumWork = 0.0;
 
   bool IsMovable(int point) const
   {
@@ -95,7 +97,7 @@ void RequireSolid(const Cells& cells, const SolidCells& solid)
 Untangling BeginUntangling(
   const Cells& cells, const Eigen::MatrixXd& rest, const UntangleOptions& options)
 {
-  Untangling begun{ SolidCells(cells, rest, "the Input"), nullptr, 0, 0 };
+  Untangling begun{ SolidCells(cells, rest, "the Input"), nullptr, 0, 0, 0.0, options.MaximumWork };
   RequireSolid(cells, begun.Solid);
   if (!options.FixBoundary)
   {
@@ -103,6 +105,27 @@ Untangling BeginUntangling(
       std::make_unique<SlidingBoundary>(begun.Solid.Points, begun.Solid.BoundaryTriangles());
   }
   return begun;
+}
+
+/// Minimises the energy of a patch, as far as the work that is left permits.
+PatchResult MovePatch(
+  Untangling& untangling, const SimplexPatch& patch, PatchOptions options, const Progress& progress)
+{
+  constexpr double leastPoints = 1000.0;
+  const auto points = static_cast<double>(patch.FreePoints.size());
+  const double step = std::max(points, leastPoints) * points;
+  // The search for a smoother start counts as one step.
+  const double steps = std::floor((untangling.MaximumWork - untangling.Work) / step) - 1.0;
+  if (steps < 1.0)
+  {
+    return { 0, CountNegative(patch, untangling.Solid.Points), 0.0, 0.0 };
+  }
+  options.MaximumSteps = static_cast<int>(std::min<double>(options.MaximumSteps, steps));
+  const PatchResult moved =
+    MinimizeEnergy(untangling.Solid.Points, patch, untangling.Sliding.get(), options, progress);
+  untangling.Iterations += moved.Steps;
+  untangling.Work += (moved.Steps + 1.0) * step;
+  return moved;
 }
 
 /// Minimises the energy of each patch of points around inverted cells. A patch that would have more
@@ -129,9 +152,7 @@ void MovePoints(Untangling& untangling, int rings, int maximumSteps, const Progr
       continue;
     }
     const Eigen::MatrixXd kept = solid.Points(patches[i], Eigen::all);
-    const PatchResult moved =
-      MinimizeEnergy(solid.Points, patch, untangling.Sliding.get(), options, part);
-    untangling.Iterations += moved.Steps;
+    const PatchResult moved = MovePatch(untangling, patch, options, part);
     if (moved.Negative > before)
     {
       solid.Points(patches[i], Eigen::all) = kept;
@@ -213,9 +234,7 @@ void ImproveMoved(Untangling& untangling, const Eigen::MatrixXd& before, const P
       continue;
     }
     const Eigen::MatrixXd kept = solid.Points(patches[i], Eigen::all);
-    const PatchResult moved =
-      MinimizeEnergy(solid.Points, patch, untangling.Sliding.get(), options, part);
-    untangling.Iterations += moved.Steps;
+    const PatchResult moved = MovePatch(untangling, patch, options, part);
     if (moved.Negative > 0)
     {
       solid.Points(patches[i], Eigen::all) = kept;
@@ -342,6 +361,7 @@ UntangleResult BuildResult(Untangling& untangling, const Progress& progress)
   SolidCells& solid = untangling.Solid;
   UntangleResult result;
   result.Iterations = untangling.Iterations;
+  result.Work = untangling.Work;
   result.Solid = solid.Result();
   ProvenanceWriter provenance(solid.OriginalPointCount);
   provenance.AddCopies(solid.OriginalPointCount);
@@ -376,6 +396,7 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
     throw InvalidInput("MaximumIterations is " + std::to_string(options.MaximumIterations) +
       "; it must be at least 1");
   }
+  RequireOption(options.MaximumWork > 0.0, "MaximumWork", options.MaximumWork, "positive");
   RequireOption(options.RefineExponent > 0.0 && std::isfinite(options.RefineExponent),
     "RefineExponent", options.RefineExponent, "positive");
   RequireFinite(cells.Points, "the Input");
@@ -409,7 +430,9 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
   if (left > 0 && centre.IsValid)
   {
     Untangling other = BeginUntangling(cells, rest, options);
+    other.Work = best.Work;
     const int others = UntangleStar(other, options, centre.Position, untangling.Part(0.4, 0.6));
+    best.Work = other.Work;
     if (others < left)
     {
       best = std::move(other);
@@ -423,10 +446,13 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
   if (left > 0)
   {
     Untangling other = BeginUntangling(cells, rest, options);
+    other.Work = best.Work;
     // Restarts with each inner point at the mean of its neighbours.
     other.Solid.Points = SolveTutteEmbedding(other.Solid, untangling.Part(0.7, 0.7));
-    if (ReduceInverted(other, options, Patience,
-          untangling.Part(0.7, 0.95, "untangling from another start")) < left)
+    const int others = ReduceInverted(
+      other, options, Patience, untangling.Part(0.7, 0.95, "untangling from another start"));
+    best.Work = other.Work;
+    if (others < left)
     {
       best = std::move(other);
     }

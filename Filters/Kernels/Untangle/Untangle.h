@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include <limits>
+
 namespace shape
 {
 
@@ -15,6 +17,9 @@ struct UntangleOptions
   bool FixBoundary = true; ///< if false, boundary points slide along the boundary's surface
   /// Maximum number of Newton steps for each connected patch of points in each round; >= 1.
   int MaximumIterations = 100;
+  /// Maximum work of all Newton steps; > 0. A step of a patch of n points counts as max(n, 1000) n,
+  /// which its time is about in proportion to. Patches whose steps would exceed it do not move.
+  double MaximumWork = std::numeric_limits<double>::infinity();
   /// Whether tetrahedra may be split where their points have no positions that make them positive.
   /// If false, the result has the cells of the input.
   bool SplitCells = true;
@@ -37,6 +42,7 @@ struct UntangleResult
   int SplitCells = 0;       ///< number of input cells that were split
   int MovedPoints = 0;      ///< number of input points that were moved
   int Iterations = 0;       ///< total number of Newton steps
+  double Work = 0.0;        ///< see MaximumWork
   int ExpandedPoints = 0;   ///< number of points that were placed by exact tests
   /// Number of pairs of boundary triangles that cross or touch each other, up to 100. They are
   /// looked for only if cells stay inverted and the boundary is fixed.

@@ -279,6 +279,35 @@ TEST(Untangle, SaysWhatMustStayInverted)
   EXPECT_TRUE(result.Solid.Points.allFinite());
 }
 
+// The work is counted step by step, so a limit of it is met exactly, and a smaller one than that of
+// a step moves nothing.
+TEST(Untangle, DoesNoMoreWorkThanItMay)
+{
+  shape::Cells cells = Cube(6, 10);
+  for (Eigen::Index i = 0; i < cells.Points.rows(); ++i)
+  {
+    const Eigen::Array3d position = cells.Points.row(i).transpose();
+    if (position.minCoeff() > 1e-9 && position.maxCoeff() < 1.0 - 1e-9)
+    {
+      cells.Points.row(i) = 1.0 - position.transpose();
+    }
+  }
+  shape::UntangleOptions options;
+  const shape::UntangleResult free = shape::Untangle(cells, {}, options);
+  EXPECT_EQ(free.InvertedAfter, 0);
+  EXPECT_GT(free.Work, 0.0);
+  options.MaximumWork = free.Work;
+  EXPECT_EQ(shape::Untangle(cells, {}, options).Solid.Points, free.Solid.Points);
+  options.MaximumWork = 0.5 * free.Work;
+  const shape::UntangleResult half = shape::Untangle(cells, {}, options);
+  EXPECT_GT(half.Work, 0.0);
+  EXPECT_LE(half.Work, options.MaximumWork);
+  options.MaximumWork = 1.0;
+  EXPECT_EQ(shape::Untangle(cells, {}, options).Iterations, 0);
+  options.MaximumWork = 0.0;
+  EXPECT_REFUSED(shape::Untangle(cells, {}, options), "MaximumWork");
+}
+
 TEST(Untangle, SlidesAlongTheBoundaryAndItsCreases)
 {
   shape::Cells cells = Cube(4, 10);
