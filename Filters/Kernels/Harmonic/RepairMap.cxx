@@ -57,7 +57,7 @@ RepairMapResult RepairMap(const ChargeSet& map, const Surface& domain,
   RepairCore core(map, Fill(domain, images, options.Tetrahedra, progress.Part(0.25, 0.4)),
     progress.Part(0.4, 0.42));
   core.AddFolds(certificate, progress.Part(0.42, 0.45, "finding the folds"));
-  core.Grow(1);
+  core.AddLayer();
   // Rounding may leave out a box that the surface only touches.
   if (core.IsEmpty())
   {
@@ -69,7 +69,7 @@ RepairMapResult RepairMap(const ChargeSet& map, const Surface& domain,
     const double step = 0.55 / options.MaximumRounds;
     const Progress part = progress.Part(0.45 + step * round, 0.45 + step * (round + 1));
     core.GrowUntilBounded(part.Part(0.0, 0.5, "bounding the determinant in the ring"));
-    const bool untangled = core.UntangleCore(part.Part(0.5, 1.0, "untangling the core"));
+    const bool untangled = core.UntangleParts(part.Part(0.5, 1.0, "untangling the core"));
     RepairShares found = core.Finish();
     ++result.Rounds;
     if (round == 0 || found.InvertedShare < result.InvertedShare)
@@ -81,11 +81,10 @@ RepairMapResult RepairMap(const ChargeSet& map, const Surface& domain,
       result.CoreShare = found.CoreShare;
       result.RingShare = found.RingShare;
     }
-    if (untangled || core.IsWhole() || core.Crosses())
+    if (untangled || !core.GrowInverted(1 << std::min(round, 20)))
     {
       break;
     }
-    core.Grow(1 << std::min(round, 20));
   }
   if (result.InvertedShare > 0.0)
   {

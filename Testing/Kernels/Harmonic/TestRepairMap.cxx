@@ -18,6 +18,8 @@
 #include <memory>
 #include <numeric>
 #include <random>
+#include <set>
+#include <string>
 
 namespace
 {
@@ -213,6 +215,60 @@ TEST(RepairMap, CountsCrossingImages)
   EXPECT_GT(result.InvertedShare, 0.0);
   EXPECT_LT(result.InvertedShare, 0.01);
   EXPECT_EQ(result.UndecidedShare, 0.0);
+}
+
+// A fold elsewhere is repaired as if no images crossed, and what cannot be repaired is not tried
+// again and again.
+TEST(RepairMap, RepairsAFoldBesideCrossingImages)
+{
+  const shape::Surface ball = Ball();
+  const Eigen::RowVector3d pole = ball.Points().row(77);
+  Eigen::MatrixXd targets = ball.Points();
+  targets.row(77) *= -1.5;
+  ChargeSet map = OneFold(1.005 * pole, pole, 1e-2);
+  const Eigen::RowVector3d place = -0.4 * pole;
+  const ChargeSet other = OneFold(place, pole, 1e-2);
+  map.Points.conservativeResize(2, 3);
+  map.Points.row(1) = other.Points;
+  map.Charges.conservativeResize(2, 3);
+  map.Charges.row(1) = other.Charges;
+  shape::RepairMapOptions options;
+  options.Tetrahedra = 20000;
+  const RepairMapResult result = RepairMap(map, ball, targets, options);
+  EXPECT_GT(result.ImageCrossings, 0);
+  EXPECT_GT(result.InvertedShare, 0.0);
+  EXPECT_EQ(result.Rounds, 1);
+  int near = 0;
+  for (const auto& corners : result.Repair.Elements.Tetrahedra.rowwise())
+  {
+    const Eigen::MatrixXd points = result.Repair.Elements.Points(corners, Eigen::all);
+    const Eigen::MatrixXd images = result.Repair.Elements.Images(corners, Eigen::all);
+    if ((points.colwise().mean() - place).norm() < 0.3)
+    {
+      ++near;
+      EXPECT_GT((images.bottomRows<3>().rowwise() - images.row(0)).determinant(), 0.0);
+    }
+  }
+  EXPECT_GT(near, 10);
+}
+
+// The repair ends at the first report that its caller answers with no, in each of its stages.
+TEST(RepairMap, Aborts)
+{
+  const shape::Surface ball = Ball();
+  const Eigen::RowVector3d pole = ball.Points().row(77);
+  const ChargeSet map = OneFold(1.005 * pole, pole, 1e-2);
+  shape::RepairMapOptions options;
+  options.Tetrahedra = 20000;
+  std::set<std::string> stages;
+  RepairMap(map, ball, ball.Points(), options,
+    shape::Progress([&](double, const char* stage) { return stages.insert(stage), true; }));
+  EXPECT_EQ(stages.count("untangling the core"), 1u);
+  for (const std::string& last : stages)
+  {
+    const shape::Progress abort([&](double, const char* stage) { return stage != last; });
+    EXPECT_THROW(RepairMap(map, ball, ball.Points(), options, abort), shape::Aborted) << last;
+  }
 }
 
 // A map without folds gets no repair.

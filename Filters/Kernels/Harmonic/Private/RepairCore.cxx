@@ -1,20 +1,21 @@
 #include "Harmonic/Private/RepairCore.h"
 
+#include "Base/DisjointSets.h"
 #include "Base/Parallel.h"
-#include "Geometry/Orientation.h"
 #include "Geometry/SelfIntersections.h"
 #include "Harmonic/Private/RingCertificate.h"
 #include "Harmonic/Private/TetrahedronBox.h"
 #include "Mesh/Surface.h"
 #include "Search/TriangleBoxes.h"
-#include "Untangle/Untangle.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
+#include <unordered_map>
 #include <utility>
 
 namespace shape
@@ -30,65 +31,6 @@ using Corners = Eigen::Matrix<double, 4, 3>;
 Corners GetTetrahedron(const Eigen::MatrixXd& points, const Eigen::RowVector4i& ids)
 {
   return points(ids, Eigen::all);
-}
-
-bool IsPositive(const Eigen::MatrixXd& points, const Eigen::RowVector4i& ids)
-{
-  return EvaluateOrientation(
-           points.row(ids(0)), points.row(ids(1)), points.row(ids(2)), points.row(ids(3))) > 0;
-}
-
-/// Returns the tetrahedra whose images are inverted or have no volume.
-std::vector<int> FindInverted(const FiniteElements& elements)
-{
-  std::vector<int> found;
-  for (int t = 0; t < static_cast<int>(elements.Tetrahedra.rows()); ++t)
-  {
-    if (!IsPositive(elements.Images, elements.Tetrahedra.row(t)))
-    {
-      found.push_back(t);
-    }
-  }
-  return found;
-}
-
-/// Returns the points at the boundary or more than some layers away from some tetrahedra.
-std::vector<int> FindFixed(const FiniteElements& elements, const std::vector<int>& tetrahedra)
-{
-  constexpr int layers = 3;
-  std::vector<char> near(elements.Points.rows(), 0);
-  for (const int point : elements.Tetrahedra(tetrahedra, Eigen::all).reshaped())
-  {
-    near[point] = 1;
-  }
-  for (int layer = 0; layer < layers; ++layer)
-  {
-    const std::vector<char> inner = near;
-    for (Eigen::Index t = 0; t < elements.Tetrahedra.rows(); ++t)
-    {
-      const Eigen::RowVector4i ids = elements.Tetrahedra.row(t);
-      const bool touches =
-        std::any_of(ids.begin(), ids.end(), [&](int i) { return inner[i] != 0; });
-      for (const int point : ids)
-      {
-        near[point] |= static_cast<char>(touches);
-      }
-    }
-  }
-  const Eigen::MatrixXi faces = FindBoundaryTriangles(elements);
-  for (const int point : faces.reshaped())
-  {
-    near[point] = 0;
-  }
-  std::vector<int> fixed;
-  for (std::size_t i = 0; i < near.size(); ++i)
-  {
-    if (near[i] == 0)
-    {
-      fixed.push_back(static_cast<int>(i));
-    }
-  }
-  return fixed;
 }
 
 /// The visitor with which Eigen's tree search finds whether a tetrahedron meets a box.
@@ -165,16 +107,57 @@ void RepairCore::AddFolds(const MapCertificate& certificate, const Progress& pro
   this->Close();
 }
 
-void RepairCore::Grow(int layers)
+void RepairCore::AddLayer()
 {
-  for (int layer = 0; layer < layers && !this->IsWhole(); ++layer)
+  this->GrowAround(this->AtCore, 1);
+}
+
+bool RepairCore::GrowInverted(int layers)
+{
+  std::vector<char> marked(this->AtCore.size(), 0);
+  bool grows = false;
+  for (const CorePart& part : this->Parts)
   {
-    for (const int t : this->RingTetrahedra)
+    if (!part.IsUntangled && !part.Crosses && part.Tetrahedra.size() < this->InCore.size())
     {
-      this->InCore[t] = 1;
+      grows = true;
+      for (const int point : part.Points)
+      {
+        marked[point] = 1;
+      }
     }
-    this->Close();
   }
+  if (grows)
+  {
+    this->GrowAround(std::move(marked), layers);
+  }
+  return grows;
+}
+
+/// Adds layers of the tetrahedra that share a point with the marked ones.
+void RepairCore::GrowAround(std::vector<char> marked, int layers)
+{
+  for (int layer = 0; layer < layers; ++layer)
+  {
+    const std::vector<char> inner = marked;
+    for (std::size_t t = 0; t < this->InCore.size(); ++t)
+    {
+      const Eigen::RowVector4i ids = this->Elements.Tetrahedra.row(static_cast<Eigen::Index>(t));
+      if (std::any_of(ids.begin(), ids.end(), [&](int point) { return inner[point] != 0; }))
+      {
+        this->InCore[t] = 1;
+        for (const int point : ids)
+        {
+          marked[point] = 1;
+        }
+      }
+    }
+    if (marked == inner)
+    {
+      break;
+    }
+  }
+  this->Close();
 }
 
 /// Finds the points of the core, adds the tetrahedra that have no other points, and finds the ring.
@@ -262,30 +245,91 @@ std::vector<int> RepairCore::TestRing(const Progress& progress)
   return failed;
 }
 
+/// Divides the core in parts, in the order of their first tetrahedra. A part with the same
+/// tetrahedra as before stays as it is: the images of its boundary are the same, too.
+void RepairCore::FindParts()
+{
+  DisjointSets sets(static_cast<int>(this->AtCore.size()));
+  for (const int t : this->CoreTetrahedra)
+  {
+    for (int k = 1; k < 4; ++k)
+    {
+      sets.Merge(this->Elements.Tetrahedra(t, 0), this->Elements.Tetrahedra(t, k));
+    }
+  }
+  std::vector<CorePart> parts;
+  this->PartOf.assign(this->AtCore.size(), -1);
+  for (const int t : this->CoreTetrahedra)
+  {
+    int& part = this->PartOf[sets.Find(this->Elements.Tetrahedra(t, 0))];
+    if (part < 0)
+    {
+      part = static_cast<int>(parts.size());
+      parts.emplace_back();
+    }
+    parts[part].Tetrahedra.push_back(t);
+  }
+  for (int point = 0; point < static_cast<int>(this->AtCore.size()); ++point)
+  {
+    if (this->AtCore[point] != 0)
+    {
+      this->PartOf[point] = this->PartOf[sets.Find(point)];
+      parts[this->PartOf[point]].Points.push_back(point);
+    }
+  }
+  std::unordered_map<int, CorePart*> before; // by the first tetrahedron
+  for (CorePart& part : this->Parts)
+  {
+    before.emplace(part.Tetrahedra.front(), &part);
+  }
+  for (CorePart& part : parts)
+  {
+    const auto found = before.find(part.Tetrahedra.front());
+    if (found != before.end() && found->second->Tetrahedra == part.Tetrahedra)
+    {
+      part = std::move(*found->second);
+    }
+  }
+  this->Parts = std::move(parts);
+}
+
 /// Returns the points of boundary triangles of the core whose images cross or have no area, unless
-/// the images of their points are all prescribed.
-std::vector<int> RepairCore::FindCrossings()
+/// the images of their points are all prescribed. Finds the parts, and marks those that cross
+/// themselves.
+std::vector<int> RepairCore::FindCrossings(const Progress& progress)
 {
   const MapRepair repair = this->WholeRepair();
   const std::vector<char> prescribed = this->FindPrescribed();
   const FiniteElements core{ {}, this->Elements.Tetrahedra(this->CoreTetrahedra, Eigen::all) };
   const Surface image(repair.Elements.Images, FindBoundaryTriangles(core));
-  std::vector<int> triangles = FindDegenerateTriangles(image);
-  if (triangles.empty())
+  std::vector<std::array<int, 2>> pairs;
+  for (const int triangle : FindDegenerateTriangles(image))
   {
-    for (const Crossing& crossing : FindSelfIntersections(image))
+    pairs.push_back({ triangle, triangle });
+  }
+  if (pairs.empty())
+  {
+    for (const Crossing& crossing : FindSelfIntersections(image, progress))
     {
-      triangles.insert(triangles.end(), { crossing.First, crossing.Second });
+      pairs.push_back({ crossing.First, crossing.Second });
     }
   }
-  this->HasCrossing = !triangles.empty();
+  this->FindParts();
   std::vector<int> points;
-  for (const int triangle : triangles)
+  for (const std::array<int, 2>& pair : pairs)
   {
-    const Eigen::RowVector3i corners = image.Triangles().row(triangle);
-    if (std::any_of(corners.begin(), corners.end(), [&](int i) { return prescribed[i] == 0; }))
+    const int part = this->PartOf[image.Triangles()(pair[0], 0)];
+    if (part == this->PartOf[image.Triangles()(pair[1], 0)])
     {
-      points.insert(points.end(), corners.begin(), corners.end());
+      this->Parts[part].Crosses = true;
+    }
+    for (const int triangle : pair)
+    {
+      const Eigen::RowVector3i corners = image.Triangles().row(triangle);
+      if (std::any_of(corners.begin(), corners.end(), [&](int i) { return prescribed[i] == 0; }))
+      {
+        points.insert(points.end(), corners.begin(), corners.end());
+      }
     }
   }
   return points;
@@ -295,87 +339,64 @@ void RepairCore::GrowUntilBounded(const Progress& progress)
 {
   for (double done = 0.0; true;)
   {
-    const double next = done + 0.3 * (1.0 - done);
-    const std::vector<int> failed = this->TestRing(progress.Part(done, next));
-    done = next;
+    const double next = done + 0.3 * (1.0 - done), middle = 0.5 * (done + next);
+    const std::vector<int> failed = this->TestRing(progress.Part(done, middle));
     const Eigen::MatrixXi corners = this->Elements.Tetrahedra(failed, Eigen::all);
     std::vector<int> points(corners.data(), corners.data() + corners.size());
     if (points.empty())
     {
-      points = this->FindCrossings();
+      points = this->FindCrossings(progress.Part(middle, next));
     }
     if (points.empty())
     {
       break;
     }
-    std::vector<char> touched(this->AtCore.size(), 0);
+    done = next;
+    std::vector<char> marked(this->AtCore.size(), 0);
     for (const int point : points)
     {
-      touched[point] = 1;
+      marked[point] = 1;
     }
-    for (std::size_t t = 0; t < this->InCore.size(); ++t)
-    {
-      for (const int point : this->Elements.Tetrahedra.row(static_cast<Eigen::Index>(t)))
-      {
-        this->InCore[t] |= touched[point];
-      }
-    }
-    this->Close();
+    this->GrowAround(std::move(marked), 1);
   }
   progress(1.0);
 }
 
-bool RepairCore::UntangleCore(const Progress& progress)
+bool RepairCore::UntangleParts(const Progress& progress)
 {
-  const MapRepair repair = this->WholeRepair();
-  std::vector<int> positions(this->AtCore.size(), -1);
-  this->CorePoints.clear();
-  for (std::size_t i = 0; i < positions.size(); ++i)
+  std::vector<CorePart*> tangled;
+  double all = 0.0;
+  for (CorePart& part : this->Parts)
   {
-    if (this->AtCore[i] != 0)
+    if (part.Elements.Tetrahedra.rows() == 0)
     {
-      positions[i] = static_cast<int>(this->CorePoints.size());
-      this->CorePoints.push_back(static_cast<int>(i));
+      tangled.push_back(&part);
+      all += static_cast<double>(part.Points.size());
     }
   }
-  const auto count = static_cast<int>(this->CoreTetrahedra.size());
-  const Eigen::MatrixXi tetrahedra = this->Elements.Tetrahedra(this->CoreTetrahedra, Eigen::all)
-                                       .unaryExpr([&](int point) { return positions[point]; });
-  this->Core = { this->Elements.Points(this->CorePoints, Eigen::all), tetrahedra,
-    repair.Elements.Images(this->CorePoints, Eigen::all), {}, 0 };
-  double volume = 0.0;
-  for (int t = 0; t < count; ++t)
+  // Small ones first, as they need little of the work.
+  std::stable_sort(tangled.begin(), tangled.end(),
+    [](const CorePart* a, const CorePart* b) { return a->Points.size() < b->Points.size(); });
+  const MapRepair repair = this->WholeRepair();
+  std::vector<int> positions(this->AtCore.size(), -1);
+  double done = 0.0;
+  for (CorePart* part : tangled)
   {
-    const Corners image = GetTetrahedron(this->Core.Images, tetrahedra.row(t));
-    volume += (image.bottomRows<3>().rowwise() - image.row(0)).determinant();
+    for (std::size_t i = 0; i < part->Points.size(); ++i)
+    {
+      positions[part->Points[i]] = static_cast<int>(i);
+    }
+    part->Elements = { this->Elements.Points(part->Points, Eigen::all),
+      this->Elements.Tetrahedra(part->Tetrahedra, Eigen::all)
+        .unaryExpr([&](int point) { return positions[point]; }),
+      repair.Elements.Images(part->Points, Eigen::all), {}, 0 };
+    const double next = done + static_cast<double>(part->Points.size()) / all;
+    this->WorkLeft -= UntanglePart(*part, 0.5 * this->WorkLeft, progress.Part(done, next));
+    done = next;
   }
-  const std::vector<int> inverted = FindInverted(this->Core);
-  // A core whose image has no positive volume cannot be untangled.
-  if (inverted.empty() || !(volume > 0.0))
-  {
-    return inverted.empty();
-  }
-  // Where the image is thinner than the error of f, a harmonic map between the points around may
-  // be much nearer to a map without folds. If many tetrahedra stay inverted, they hold each other.
-  constexpr std::size_t few = 30;
-  FiniteElements harmonic = this->Core;
-  SolveLaplace(harmonic, FindFixed(harmonic, inverted), progress.Part(0.0, 0.2));
-  if (FindInverted(harmonic).size() < std::min(few, inverted.size()))
-  {
-    this->Core.Images = harmonic.Images;
-  }
-  const Eigen::MatrixXi byCell = tetrahedra.transpose();
-  UntangleOptions options;
-  options.SplitCells = !this->HasCrossing; // splitting takes long, and cannot help
-  UntangleResult result =
-    Untangle({ this->Core.Images, Eigen::VectorXi::Constant(count, cell_kind::Tetrahedron),
-               Eigen::VectorXi::LinSpaced(count + 1, 0, 4 * count), byCell.reshaped() },
-      this->Core.Points, options, progress.Part(0.2, 1.0));
-  // New points divide tetrahedra in the solid as in the image.
-  this->Core.Points = result.Provenance.Weights * this->Core.Points;
-  this->Core.Images = result.Solid.Points;
-  this->Core.Tetrahedra = result.Solid.Corners.reshaped(4, result.Inverted.size()).transpose();
-  return result.InvertedAfter == 0;
+  progress(1.0);
+  return std::all_of(
+    this->Parts.begin(), this->Parts.end(), [](const CorePart& part) { return part.IsUntangled; });
 }
 
 double RepairCore::VolumeOf(const std::vector<int>& tetrahedra) const
@@ -392,17 +413,21 @@ double RepairCore::VolumeOf(const std::vector<int>& tetrahedra) const
 RepairShares RepairCore::Finish() const
 {
   RepairShares result;
-  // The points of the core, then those of the ring alone.
+  // The points of the core, part by part, then those of the ring alone.
   MapRepair& repair = result.Repair;
   std::vector<int> positions(this->AtCore.size(), -1), outer;
-  for (std::size_t i = 0; i < this->CorePoints.size(); ++i)
+  Eigen::Index points = 0, cells = 0;
+  for (const CorePart& part : this->Parts)
   {
-    positions[this->CorePoints[i]] = static_cast<int>(i);
+    for (std::size_t i = 0; i < part.Points.size(); ++i)
+    {
+      positions[part.Points[i]] = static_cast<int>(points) + static_cast<int>(i);
+    }
+    points += part.Elements.Points.rows();
+    cells += part.Elements.Tetrahedra.rows();
   }
-  const Eigen::Index points = this->Core.Points.rows(), cells = this->Core.Tetrahedra.rows();
   const auto ring = static_cast<Eigen::Index>(this->RingTetrahedra.size());
   repair.Elements.Tetrahedra.resize(cells + ring, 4);
-  repair.Elements.Tetrahedra.topRows(cells) = this->Core.Tetrahedra;
   for (Eigen::Index t = 0; t < ring; ++t)
   {
     for (int k = 0; k < 4; ++k)
@@ -418,21 +443,33 @@ RepairShares RepairCore::Finish() const
   }
   const auto added = static_cast<Eigen::Index>(outer.size());
   repair.Elements.Points.resize(points + added, 3);
-  repair.Elements.Points << this->Core.Points, this->Elements.Points(outer, Eigen::all);
   repair.Elements.Images.resize(points + added, 3);
-  repair.Elements.Images << this->Core.Images, this->Values(outer, Eigen::all);
+  Eigen::Index firstPoint = 0, firstCell = 0;
+  for (const CorePart& part : this->Parts)
+  {
+    const FiniteElements& elements = part.Elements;
+    const Eigen::Index count = elements.Points.rows(), tetrahedra = elements.Tetrahedra.rows();
+    repair.Elements.Points.middleRows(firstPoint, count) = elements.Points;
+    repair.Elements.Images.middleRows(firstPoint, count) = elements.Images;
+    repair.Elements.Tetrahedra.middleRows(firstCell, tetrahedra) =
+      elements.Tetrahedra.array() + static_cast<int>(firstPoint);
+    firstPoint += count;
+    firstCell += tetrahedra;
+  }
+  repair.Elements.Points.bottomRows(added) = this->Elements.Points(outer, Eigen::all);
+  repair.Elements.Images.bottomRows(added) = this->Values(outer, Eigen::all);
   repair.Shares = Eigen::VectorXd::Ones(points + added);
   repair.Shares.head(points).setZero();
 
   double inverted = 0.0, core = 0.0;
   for (Eigen::Index t = 0; t < cells; ++t)
   {
-    const Eigen::RowVector4i ids = this->Core.Tetrahedra.row(t);
-    const Corners corners = GetTetrahedron(this->Core.Points, ids);
+    const Eigen::RowVector4i ids = repair.Elements.Tetrahedra.row(t);
+    const Corners corners = GetTetrahedron(repair.Elements.Points, ids);
     const double volume =
       std::abs((corners.bottomRows<3>().rowwise() - corners.row(0)).determinant()) / 6.0;
     core += volume;
-    if (!IsPositive(this->Core.Points, ids) || !IsPositive(this->Core.Images, ids))
+    if (!IsPositive(repair.Elements.Points, ids) || !IsPositive(repair.Elements.Images, ids))
     {
       inverted += volume;
     }

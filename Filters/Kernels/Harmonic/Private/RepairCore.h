@@ -4,6 +4,7 @@
 #include "Harmonic/CertificateTypes.h"
 #include "Harmonic/ChargeSet.h"
 #include "Harmonic/PiecewiseHarmonicMap.h"
+#include "Harmonic/Private/CorePart.h"
 
 #include <Eigen/Core>
 
@@ -27,29 +28,35 @@ public:
 
   /// Adds the tetrahedra that meet a box that is not certified.
   void AddFolds(const MapCertificate& certificate, const Progress& progress);
-  /// Adds layers of the tetrahedra that share a point with the core.
-  void Grow(int layers);
+  /// Adds the tetrahedra that share a point with the core.
+  void AddLayer();
   bool IsEmpty() const { return this->CoreTetrahedra.empty(); }
-  bool IsWhole() const { return this->CoreTetrahedra.size() == this->InCore.size(); }
 
   /// Grows until the ring is certified, and the image of the core's boundary does not cross itself
   /// where it has points with images by f.
   void GrowUntilBounded(const Progress& progress);
-  /// Whether that image crosses itself elsewhere. Then no inner points make all tetrahedra
-  /// positive.
-  bool Crosses() const { return this->HasCrossing; }
-  /// Untangles the core, and returns whether none of its tetrahedra stays inverted.
-  bool UntangleCore(const Progress& progress);
+  /// Untangles the parts of the core that are new, and returns whether no part has inverted
+  /// tetrahedra left.
+  bool UntangleParts(const Progress& progress);
+  /// Adds layers around the parts that stay inverted. A part does not grow if the image of its
+  /// boundary crosses itself, as no larger part can be untangled, either. Returns whether there are
+  /// others.
+  bool GrowInverted(int layers);
 
   RepairShares Finish() const;
 
 private:
   std::vector<int> TestRing(const Progress& progress);
-  std::vector<int> FindCrossings();
+  std::vector<int> FindCrossings(const Progress& progress);
+  void FindParts();
+  void GrowAround(std::vector<char> marked, int layers);
   void Close();
   std::vector<char> FindPrescribed() const;
   MapRepair WholeRepair() const;
   double VolumeOf(const std::vector<int>& tetrahedra) const;
+
+  /// Of all Newton steps (UntangleOptions). An untangling may do half of what is left.
+  static constexpr double MaximumWork = 4e9;
 
   const ChargeSet& Map;
   FiniteElements Elements;     ///< of the whole solid; Images: prescribed at its boundary
@@ -61,10 +68,9 @@ private:
   /// 0. Nothing else changes.
   std::vector<char> Certified;
   std::vector<int> CoreTetrahedra, RingTetrahedra;
-  bool HasCrossing = false;
-  /// The core as Untangle made it.
-  FiniteElements Core;
-  std::vector<int> CorePoints; ///< of Elements; these are the first points of Core
+  std::vector<CorePart> Parts;   ///< of the core
+  std::vector<int> PartOf;       ///< for each point: its part, or -1
+  double WorkLeft = MaximumWork; ///< for further untangling
 };
 
 } // namespace shape

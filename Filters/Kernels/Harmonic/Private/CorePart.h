@@ -1,0 +1,37 @@
+#pragma once
+
+#include "Base/Progress.h"
+#include "Harmonic/FiniteElementMap.h"
+
+#include <vector>
+
+namespace shape
+{
+
+/// A connected part of the core of a repair. No two parts share a point, so each is untangled by
+/// itself.
+struct CorePart
+{
+  std::vector<int> Tetrahedra; ///< ascending
+  std::vector<int> Points;     ///< ascending; these are the first points of Elements
+  /// The part as UntanglePart made it, in coordinates of its own numbering; Images: its map.
+  FiniteElements Elements;
+  /// Whether the image of its boundary crosses itself. Then no inner points make all tetrahedra
+  /// positive.
+  bool Crosses = false;
+  bool IsUntangled = false; ///< whether no tetrahedron is inverted
+};
+
+/// Whether a tetrahedron is positive, by exact predicates.
+bool IsPositive(const Eigen::MatrixXd& points, const Eigen::RowVector4i& ids);
+
+/**
+ * Moves inner points of a part until no image of a tetrahedron is inverted. part.Elements has the
+ * images to begin with. Inner points near inverted tetrahedra start at a harmonic map between those
+ * around, if it inverts only a few. Tetrahedra are split unless the part crosses itself.
+ *
+ * maximumWork: see UntangleOptions. Returns the work that was done. Throws what Untangle throws.
+ */
+double UntanglePart(CorePart& part, double maximumWork, const Progress& progress);
+
+} // namespace shape
