@@ -111,9 +111,7 @@ Untangling BeginUntangling(
 PatchResult MovePatch(
   Untangling& untangling, const SimplexPatch& patch, PatchOptions options, const Progress& progress)
 {
-  constexpr double leastPoints = 1000.0;
-  const auto points = static_cast<double>(patch.FreePoints.size());
-  const double step = std::max(points, leastPoints) * points;
+  const double step = std::pow(static_cast<double>(patch.FreePoints.size()), 1.5);
   // The search for a smoother start counts as one step.
   const double steps = std::floor((untangling.MaximumWork - untangling.Work) / step) - 1.0;
   if (steps < 1.0)

@@ -17,8 +17,8 @@ struct UntangleOptions
   bool FixBoundary = true; ///< if false, boundary points slide along the boundary's surface
   /// Maximum number of Newton steps for each connected patch of points in each round; >= 1.
   int MaximumIterations = 100;
-  /// Maximum work of all Newton steps; > 0. A step of a patch of n points counts as max(n, 1000) n,
-  /// which its time is about in proportion to. Patches whose steps would exceed it do not move.
+  /// Maximum work of all Newton steps; > 0. A step of a patch of n points counts as n^1.5, which
+  /// its time is about in proportion to. Patches whose steps would exceed it do not move.
   double MaximumWork = std::numeric_limits<double>::infinity();
   /// Whether tetrahedra may be split where their points have no positions that make them positive.
   /// If false, the result has the cells of the input.

@@ -6,6 +6,9 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
 
 namespace shape
 {
@@ -65,8 +68,8 @@ std::vector<int> FindFixed(const FiniteElements& elements, const std::vector<int
   return fixed;
 }
 
-/// Returns six times the volume of the image.
-double SumDeterminants(const FiniteElements& elements)
+/// Whether the image has a positive volume, beyond rounding. Else it cannot be untangled.
+bool HasVolume(const FiniteElements& elements)
 {
   double sum = 0.0;
   for (Eigen::Index t = 0; t < elements.Tetrahedra.rows(); ++t)
@@ -75,7 +78,29 @@ double SumDeterminants(const FiniteElements& elements)
     const Eigen::Matrix<double, 4, 3> image = elements.Images(ids, Eigen::all);
     sum += (image.bottomRows<3>().rowwise() - image.row(0)).determinant();
   }
-  return sum;
+  const Eigen::RowVector3d box =
+    elements.Images.colwise().maxCoeff() - elements.Images.colwise().minCoeff();
+  return sum > 1e-14 * std::pow(box.maxCoeff(), 3);
+}
+
+/// Untangles from the images that are given, and returns the work (UntangleOptions).
+double UntangleFrom(
+  FiniteElements& elements, bool splitCells, double maximumWork, const Progress& progress)
+{
+  const auto count = static_cast<int>(elements.Tetrahedra.rows());
+  const Eigen::MatrixXi byCell = elements.Tetrahedra.transpose();
+  UntangleOptions options;
+  options.SplitCells = splitCells;
+  options.MaximumWork = maximumWork;
+  const UntangleResult result =
+    Untangle({ elements.Images, Eigen::VectorXi::Constant(count, cell_kind::Tetrahedron),
+               Eigen::VectorXi::LinSpaced(count + 1, 0, 4 * count), byCell.reshaped() },
+      elements.Points, options, progress);
+  // New points divide tetrahedra in the solid as in the image.
+  elements.Points = result.Provenance.Weights * elements.Points;
+  elements.Images = result.Solid.Points;
+  elements.Tetrahedra = result.Solid.Corners.reshaped(4, result.Inverted.size()).transpose();
+  return result.Work;
 }
 
 } // namespace
@@ -88,39 +113,46 @@ bool IsPositive(const Eigen::MatrixXd& points, const Eigen::RowVector4i& ids)
 
 double UntanglePart(CorePart& part, double maximumWork, const Progress& progress)
 {
-  FiniteElements& elements = part.Elements;
   progress(0.0);
-  const std::vector<int> inverted = FindInverted(elements);
+  const FiniteElements given = part.Elements;
+  const std::vector<int> inverted = FindInverted(given);
   part.IsUntangled = inverted.empty();
-  // A part whose image has no positive volume cannot be untangled.
-  if (part.IsUntangled || !(SumDeterminants(elements) > 0.0))
+  if (part.IsUntangled || !HasVolume(given))
   {
     return 0.0;
   }
   // Where the image is thinner than the error of f, a harmonic map between the points around may
-  // be much nearer to a map without folds. If many tetrahedra stay inverted, they hold each other.
-  constexpr std::size_t few = 30;
-  FiniteElements harmonic = elements;
-  SolveLaplace(harmonic, FindFixed(harmonic, inverted), progress.Part(0.0, 0.2));
-  if (FindInverted(harmonic).size() < std::min(few, inverted.size()))
+  // be much nearer to a map without folds. If it inverts nearly as many, they hold each other.
+  constexpr std::size_t few = 30, ratio = 4;
+  std::vector<FiniteElements> starts(1, given);
+  SolveLaplace(starts[0], FindFixed(given, inverted), progress.Part(0.0, 0.1));
+  const std::size_t left = FindInverted(starts[0]).size();
+  if (left >= std::max(std::min(few, inverted.size()), inverted.size() / ratio))
   {
-    elements.Images = harmonic.Images;
+    starts.clear();
   }
-  const auto count = static_cast<int>(elements.Tetrahedra.rows());
-  const Eigen::MatrixXi byCell = elements.Tetrahedra.transpose();
-  UntangleOptions options;
-  options.SplitCells = !part.Crosses; // splitting takes long, and cannot help
-  options.MaximumWork = maximumWork;
-  const UntangleResult result =
-    Untangle({ elements.Images, Eigen::VectorXi::Constant(count, cell_kind::Tetrahedron),
-               Eigen::VectorXi::LinSpaced(count + 1, 0, 4 * count), byCell.reshaped() },
-      elements.Points, options, progress.Part(0.2, 1.0));
-  // New points divide tetrahedra in the solid as in the image.
-  elements.Points = result.Provenance.Weights * elements.Points;
-  elements.Images = result.Solid.Points;
-  elements.Tetrahedra = result.Solid.Corners.reshaped(4, result.Inverted.size()).transpose();
-  part.IsUntangled = result.InvertedAfter == 0;
-  return result.Work;
+  if (starts.empty() || !part.Crosses) // else another start cannot help
+  {
+    starts.push_back(given);
+  }
+  double work = 0.0;
+  std::size_t fewest = std::numeric_limits<std::size_t>::max();
+  const double step = 0.9 / static_cast<double>(starts.size());
+  for (std::size_t i = 0; i < starts.size() && !part.IsUntangled; ++i)
+  {
+    const double begin = 0.1 + step * static_cast<double>(i);
+    work += UntangleFrom(starts[i], !part.Crosses,
+      (maximumWork - work) / static_cast<double>(starts.size() - i),
+      progress.Part(begin, begin + step));
+    const std::size_t count = FindInverted(starts[i]).size();
+    if (count < fewest)
+    {
+      fewest = count;
+      part.Elements = std::move(starts[i]);
+      part.IsUntangled = count == 0;
+    }
+  }
+  return work;
 }
 
 } // namespace shape

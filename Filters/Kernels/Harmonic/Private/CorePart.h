@@ -27,8 +27,9 @@ bool IsPositive(const Eigen::MatrixXd& points, const Eigen::RowVector4i& ids);
 
 /**
  * Moves inner points of a part until no image of a tetrahedron is inverted. part.Elements has the
- * images to begin with. Inner points near inverted tetrahedra start at a harmonic map between those
- * around, if it inverts only a few. Tetrahedra are split unless the part crosses itself.
+ * images to begin with. If a harmonic map between the points around the inverted tetrahedra inverts
+ * much fewer, inner points start there, and at the given images only if tetrahedra stay inverted.
+ * Tetrahedra are split unless the part crosses itself: that takes long, and cannot help.
  *
  * maximumWork: see UntangleOptions. Returns the work that was done. Throws what Untangle throws.
  */

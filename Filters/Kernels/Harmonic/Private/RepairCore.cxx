@@ -127,11 +127,12 @@ bool RepairCore::GrowInverted(int layers)
       }
     }
   }
-  if (grows)
+  if (!grows || this->WorkLeft <= LeastWork)
   {
-    this->GrowAround(std::move(marked), layers);
+    return false;
   }
-  return grows;
+  this->GrowAround(std::move(marked), layers);
+  return true;
 }
 
 /// Adds layers of the tetrahedra that share a point with the marked ones.

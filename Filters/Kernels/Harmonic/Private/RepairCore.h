@@ -39,8 +39,8 @@ public:
   /// tetrahedra left.
   bool UntangleParts(const Progress& progress);
   /// Adds layers around the parts that stay inverted. A part does not grow if the image of its
-  /// boundary crosses itself, as no larger part can be untangled, either. Returns whether there are
-  /// others.
+  /// boundary crosses itself, as no larger part can be untangled, either. Returns false if there
+  /// are no others, or too little work is left.
   bool GrowInverted(int layers);
 
   RepairShares Finish() const;
@@ -55,8 +55,9 @@ private:
   MapRepair WholeRepair() const;
   double VolumeOf(const std::vector<int>& tetrahedra) const;
 
-  /// Of all Newton steps (UntangleOptions). An untangling may do half of what is left.
-  static constexpr double MaximumWork = 4e9;
+  /// Of all Newton steps (UntangleOptions). A part may take half of what is left. Parts grow only
+  /// while more than LeastWork is left.
+  static constexpr double MaximumWork = 1.6e8, LeastWork = 0.25 * MaximumWork;
 
   const ChargeSet& Map;
   FiniteElements Elements;     ///< of the whole solid; Images: prescribed at its boundary
