@@ -122,7 +122,8 @@ PatchResult MovePatch(
   const PatchResult moved =
     MinimizeEnergy(untangling.Solid.Points, patch, untangling.Sliding.get(), options, progress);
   untangling.Iterations += moved.Steps;
-  untangling.Work += (moved.Steps + 1.0) * step;
+  // The last step may have ended the iteration without being counted.
+  untangling.Work += (std::min(moved.Steps + 1, options.MaximumSteps) + 1.0) * step;
   return moved;
 }
 
