@@ -64,7 +64,9 @@ RepairMapResult RepairMap(const ChargeSet& map, const Surface& domain,
     progress(1.0);
     return result;
   }
-  for (int round = 0; round < options.MaximumRounds; ++round)
+  // Growth that has not helped twice hardly will, and each round takes longer than the last.
+  constexpr int patience = 2;
+  for (int round = 0, last = 0; round < options.MaximumRounds; ++round)
   {
     const double step = 0.55 / options.MaximumRounds;
     const Progress part = progress.Part(0.45 + step * round, 0.45 + step * (round + 1));
@@ -74,6 +76,7 @@ RepairMapResult RepairMap(const ChargeSet& map, const Surface& domain,
     ++result.Rounds;
     if (round == 0 || found.InvertedShare < result.InvertedShare)
     {
+      last = round;
       result.Repair = std::move(found.Repair);
       result.InvertedShare = found.InvertedShare;
       result.UndecidedShare = 0.0; // the whole ring is certified
@@ -81,7 +84,7 @@ RepairMapResult RepairMap(const ChargeSet& map, const Surface& domain,
       result.CoreShare = found.CoreShare;
       result.RingShare = found.RingShare;
     }
-    if (untangled || !core.GrowInverted(1 << std::min(round, 20)))
+    if (untangled || round >= last + patience || !core.GrowInverted(1 << std::min(round, 20)))
     {
       break;
     }

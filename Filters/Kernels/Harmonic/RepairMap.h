@@ -15,8 +15,9 @@ struct RepairMapOptions
   /// Approximate number of tetrahedra that fill the solid; > 0. There are more if the boundary has
   /// many triangles.
   int Tetrahedra = 200000;
-  /// Maximum number of times that the core is untangled; >= 1. In between it grows by 1, 2, 4, ...
-  /// layers of tetrahedra.
+  /// Maximum number of times that the core is untangled; >= 1. In between its parts with inverted
+  /// tetrahedra grow by 1, 2, 4, ... layers. The repair ends sooner after two times without a new
+  /// best result.
   int MaximumRounds = 8;
   /// Of the map before the repair. A few boxes find the folds.
   MapCertificateOptions Certificate = { MapCertificateOptions().Tolerance, 200000 };
@@ -47,18 +48,19 @@ struct RepairMapResult
  *    the core grows, until the whole ring is certified. It also grows where the image of its
  *    boundary crosses itself, if that may help.
  * 3. In the core g = h. Points between core and ring keep their images by f; the others on the
- *    boundary get the prescribed images. Inner points near inverted tetrahedra start at a harmonic
- *    map between those around, if it inverts only a few, and Untangle moves the points. If
- * tetrahedra stay inverted, the core grows, up to the whole solid, unless the prescribed image of
- * its boundary crosses itself. The best of these repairs is returned.
+ * boundary get the prescribed images. Inner points near inverted tetrahedra start at a harmonic
+ * map between those around, if it inverts only a few, or much fewer, and Untangle moves the
+ * points. Each connected part of the core is untangled by itself. The parts with tetrahedra that
+ * stay inverted grow, up to the whole solid, unless the prescribed image of their boundary crosses
+ * itself. The best of these repairs is returned.
  *
  * A tetrahedron of the core is certified if it and its image are positive by exact predicates.
  * Outside core and ring, f is unchanged, and all boxes are certified. The images as given, with
  * rounding, are those of the repair, so the proof is about the map that is stored. If everything is
  * certified and the map is injective on the boundary, it is bijective (CertifyMap).
  *
- * The work is bounded, and that of Tetrahedralize, too. It may add points on the triangles; only if
- * that fails, it may not.
+ * The work is bounded by counts, and that of Tetrahedralize, too. It may add points on the
+ * triangles; only if that fails, it may not.
  *
  * domain: closed, facing out of the solid. targets: n x 3, the images of its points, for the core;
  * empty: the images by f. Throws InvalidInput if an option is out of range, the number of targets

@@ -30,7 +30,8 @@ std::vector<int> FindInverted(const FiniteElements& elements)
 }
 
 /// Returns the points at the boundary or more than some layers away from some tetrahedra.
-std::vector<int> FindFixed(const FiniteElements& elements, const std::vector<int>& tetrahedra)
+std::vector<int> FindFixed(
+  const FiniteElements& elements, const std::vector<int>& tetrahedra, const Progress& progress)
 {
   constexpr int layers = 3;
   std::vector<char> near(elements.Points.rows(), 0);
@@ -40,6 +41,7 @@ std::vector<int> FindFixed(const FiniteElements& elements, const std::vector<int
   }
   for (int layer = 0; layer < layers; ++layer)
   {
+    progress(0.0);
     const std::vector<char> inner = near;
     for (Eigen::Index t = 0; t < elements.Tetrahedra.rows(); ++t)
     {
@@ -52,7 +54,9 @@ std::vector<int> FindFixed(const FiniteElements& elements, const std::vector<int
       }
     }
   }
+  progress(0.0);
   const Eigen::MatrixXi faces = FindBoundaryTriangles(elements);
+  progress(0.0);
   for (const int point : faces.reshaped())
   {
     near[point] = 0;
@@ -125,7 +129,8 @@ double UntanglePart(CorePart& part, double maximumWork, const Progress& progress
   // be much nearer to a map without folds. If it inverts nearly as many, they hold each other.
   constexpr std::size_t few = 30, ratio = 4;
   std::vector<FiniteElements> starts(1, given);
-  SolveLaplace(starts[0], FindFixed(given, inverted), progress.Part(0.0, 0.1));
+  SolveLaplace(
+    starts[0], FindFixed(given, inverted, progress.Part(0.0, 0.0)), progress.Part(0.0, 0.1));
   const std::size_t left = FindInverted(starts[0]).size();
   if (left >= std::max(std::min(few, inverted.size()), inverted.size() / ratio))
   {
