@@ -217,8 +217,8 @@ TEST(RepairMap, CountsCrossingImages)
   EXPECT_EQ(result.UndecidedShare, 0.0);
 }
 
-// A fold elsewhere is repaired as if no images crossed, and what cannot be repaired is not tried
-// again and again.
+// A fold at a dent elsewhere is repaired as if no images crossed, and the part that crosses is not
+// untangled again and again.
 TEST(RepairMap, RepairsAFoldBesideCrossingImages)
 {
   const shape::Surface ball = Ball();
@@ -226,8 +226,11 @@ TEST(RepairMap, RepairsAFoldBesideCrossingImages)
   Eigen::MatrixXd targets = ball.Points();
   targets.row(77) *= -1.5;
   ChargeSet map = OneFold(1.005 * pole, pole, 1e-2);
-  const Eigen::RowVector3d place = -0.4 * pole;
-  const ChargeSet other = OneFold(place, pole, 1e-2);
+  int opposite = 0;
+  (ball.Points() * pole.transpose()).minCoeff(&opposite);
+  const Eigen::RowVector3d place = ball.Points().row(opposite);
+  targets.row(opposite) *= 0.8;
+  const ChargeSet other = OneFold(1.005 * place, place, 1e-2);
   map.Points.conservativeResize(2, 3);
   map.Points.row(1) = other.Points;
   map.Charges.conservativeResize(2, 3);
