@@ -131,7 +131,9 @@ double UntanglePart(CorePart& part, double maximumWork, const Progress& progress
   std::vector<FiniteElements> starts(1, given);
   SolveLaplace(
     starts[0], FindFixed(given, inverted, progress.Part(0.0, 0.0)), progress.Part(0.0, 0.1));
+  progress(0.1);
   const std::size_t left = FindInverted(starts[0]).size();
+  progress(0.1);
   if (left >= std::max(std::min(few, inverted.size()), inverted.size() / ratio))
   {
     starts.clear();

@@ -302,12 +302,15 @@ std::vector<int> RepairCore::FindCrossings(const Progress& progress)
   const MapRepair repair = this->WholeRepair();
   const std::vector<char> prescribed = this->FindPrescribed();
   const FiniteElements core{ {}, this->Elements.Tetrahedra(this->CoreTetrahedra, Eigen::all) };
+  progress(0.0);
   const Surface image(repair.Elements.Images, FindBoundaryTriangles(core));
+  progress(0.0);
   std::vector<std::array<int, 2>> pairs;
   for (const int triangle : FindDegenerateTriangles(image))
   {
     pairs.push_back({ triangle, triangle });
   }
+  progress(0.0);
   if (pairs.empty())
   {
     for (const Crossing& crossing : FindSelfIntersections(image, progress))
@@ -315,7 +318,9 @@ std::vector<int> RepairCore::FindCrossings(const Progress& progress)
       pairs.push_back({ crossing.First, crossing.Second });
     }
   }
+  progress(1.0);
   this->FindParts();
+  progress(1.0);
   std::vector<int> points;
   for (const std::array<int, 2>& pair : pairs)
   {
