@@ -2,6 +2,7 @@
 
 #include "Untangle/Private/CellPatches.h"
 #include "Untangle/Private/CellSplits.h"
+#include "Untangle/Private/ClusterCollapse.h"
 #include "Untangle/Private/ClusterExpansion.h"
 #include "Untangle/Private/ClusterGrowth.h"
 #include "Untangle/Private/PointCluster.h"
@@ -84,6 +85,23 @@ private:
   int Next = 0;
 };
 
+/// Makes space for a cluster and expands it. Returns whether that succeeds; the solid has to be
+/// restored if not.
+bool ExpandInSpace(PointCluster& cluster, ClusterCollapse& collapse,
+  const std::vector<int>& members, const ConeExpansionOptions& options,
+  ConeExpansionResult& result, const Progress& progress)
+{
+  cluster.Begin(members);
+  ConeExpansionResult expanded = result;
+  if (!collapse.MakeSpace(progress.Part(0.0, 0.0)) ||
+    !ClusterExpansion(cluster, 0).Expand(options, expanded, progress))
+  {
+    return false;
+  }
+  result = expanded;
+  return true;
+}
+
 /// Grows and expands a cluster, and enlarges it if it does not expand. Returns whether an attempt
 /// succeeds; the solid has to be restored if none does.
 bool ExpandWithAttempts(PointCluster& cluster, std::vector<int> members,
@@ -144,6 +162,7 @@ ConeExpansionResult ExpandInverted(
   }
   ConeExpansionResult result;
   PointCluster cluster(solid, options, progress);
+  ClusterCollapse collapse(cluster);
   ClusterSearch search(solid);
   try
   {
@@ -156,6 +175,11 @@ ConeExpansionResult ExpandInverted(
         break;
       }
       solid.KeepState();
+      if (ExpandInSpace(cluster, collapse, members, options, result, progress))
+      {
+        continue;
+      }
+      solid.RestoreState();
       if (!ExpandWithAttempts(cluster, members, options, result, progress))
       {
         solid.RestoreState();

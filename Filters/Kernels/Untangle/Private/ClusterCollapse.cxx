@@ -1,0 +1,141 @@
+#include "Untangle/Private/ClusterCollapse.h"
+
+#include "Geometry/Orientation.h"
+#include "Untangle/Private/CellPatches.h"
+#include "Untangle/Private/TutteEmbedding.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <set>
+#include <utility>
+
+namespace shape
+{
+namespace
+{
+
+/// How many rings of points around a cluster move.
+constexpr int Rings = 3;
+
+/// A Newton step takes about the time in which a cluster looks at this many cells for each simplex.
+constexpr std::size_t WorkOfStep = 40;
+
+bool IsPositive(const Eigen::MatrixXd& x, const std::array<int, 4>& corners)
+{
+  return EvaluateOrientation(
+           x.row(corners[0]), x.row(corners[1]), x.row(corners[2]), x.row(corners[3])) > 0;
+}
+
+} // namespace
+
+bool ClusterCollapse::MakeSpace(const Progress& progress)
+{
+  constexpr int trials = 4;
+  constexpr std::size_t maximumPoints = 60;
+  SolidCells& solid = this->Cluster.Solid;
+  if (this->Sizes.size() != solid.PointCount())
+  {
+    this->Sizes = ComputeLogarithmicSizes(solid, progress);
+  }
+  for (int trial = 0; trial < trials && this->Cluster.Points().size() <= maximumPoints; ++trial)
+  {
+    const std::vector<int> points = this->FindPointsAround();
+    solid.KeepPositions(points);
+    SimplexPatch patch = BuildPatch(solid, points, this->Sizes, progress);
+    if (this->MovePoints(patch, progress) == 0)
+    {
+      this->Cluster.MoveTo(this->Cluster.GetPosition());
+      return this->Cluster.IsCollapsible();
+    }
+    if (!this->AddInverted(patch))
+    {
+      return false;
+    }
+  }
+  return false;
+}
+
+/// Returns the inner points of the cluster and of the rings around it, ascending.
+std::vector<int> ClusterCollapse::FindPointsAround() const
+{
+  std::set<int> found(this->Cluster.Points().begin(), this->Cluster.Points().end());
+  for (int ring = 0; ring < Rings; ++ring)
+  {
+    for (const int point : std::vector<int>(found.begin(), found.end()))
+    {
+      for (const int other : this->Cluster.FindNeighbours(point))
+      {
+        if (!this->Cluster.Solid.OnBoundary(other))
+        {
+          found.insert(other);
+        }
+      }
+    }
+  }
+  return { found.begin(), found.end() };
+}
+
+/// Makes the cluster one point of a patch, and moves the points of the patch. Returns the number of
+/// its simplices that are not positive.
+int ClusterCollapse::MovePoints(SimplexPatch& patch, const Progress& progress)
+{
+  const int collapsed = this->Cluster.Points().front();
+  std::vector<ReferenceSimplex> kept;
+  for (ReferenceSimplex& simplex : patch.Simplices)
+  {
+    int inside = 0;
+    for (int& corner : simplex.Corners)
+    {
+      if (this->Cluster.IsIn(corner))
+      {
+        corner = collapsed;
+        ++inside;
+      }
+    }
+    if (inside < 2)
+    {
+      kept.push_back(simplex);
+    }
+  }
+  patch.Simplices = std::move(kept);
+  std::vector<int>& free = patch.FreePoints;
+  free.erase(std::remove_if(free.begin(), free.end(),
+               [&](int point) { return point != collapsed && this->Cluster.IsIn(point); }),
+    free.end());
+  this->Cluster.MoveTo(this->Cluster.ComputeCentroid());
+  PatchOptions options;
+  options.Patience = 20;
+  options.FurtherSteps = 10; // which widen the kernel that the cluster is expanded in
+  const PatchResult moved =
+    MinimizeEnergy(this->Cluster.Solid.Points, patch, nullptr, options, progress);
+  this->Cluster.Count(WorkOfStep * static_cast<std::size_t>(moved.Steps) * patch.Simplices.size());
+  return moved.Negative;
+}
+
+/// Adds the movable corners of simplices that are not positive. Returns whether there are any.
+bool ClusterCollapse::AddInverted(const SimplexPatch& patch)
+{
+  std::set<int> joining;
+  for (const ReferenceSimplex& simplex : patch.Simplices)
+  {
+    if (IsPositive(this->Cluster.Solid.Points, simplex.Corners))
+    {
+      continue;
+    }
+    for (const int point : simplex.Corners)
+    {
+      if (!this->Cluster.IsIn(point) && this->Cluster.IsMovable(point))
+      {
+        joining.insert(point);
+      }
+    }
+  }
+  for (const int point : joining)
+  {
+    this->Cluster.Add(point);
+  }
+  return !joining.empty();
+}
+
+} // namespace shape
