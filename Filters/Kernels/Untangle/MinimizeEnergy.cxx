@@ -297,19 +297,19 @@ PatchResult MinimizeEnergy(Eigen::Matrix3Xd& x, EnergyProblem& problem, const Pa
   for (; result.Steps < options.MaximumSteps; ++result.Steps)
   {
     const double begin = static_cast<double>(result.Steps) / options.MaximumSteps;
+    const double end = (result.Steps + 1.0) / options.MaximumSteps;
     progress(begin);
     if (result.Negative == 0 && further >= options.FurtherSteps)
     {
       break;
     }
     further += result.Negative == 0;
-    const auto descent = problem.NewtonDirection(
-      x, epsilon, progress.Part(begin, (result.Steps + 1.0) / options.MaximumSteps));
+    const auto descent = problem.NewtonDirection(x, epsilon, progress.Part(begin, end));
     EnergyProblem::State next;
     double step = 1.0;
     for (; step > 1e-9; step *= 0.5)
     {
-      progress(begin);
+      progress(end);
       trial = x;
       problem.Move(trial, descent.Direction, step);
       next = problem.Evaluate(trial, epsilon);

@@ -90,12 +90,13 @@ struct UntangleResult
  * untangled there.
  *
  * Other tetrahedra that are still inverted are made positive by exact tests: their points are put
- * at one position that sees all faces around them, and leave it one by one (after Nigolian, Campen
- * and Bommes, "Expansion cones: a progressive volumetric mapping framework" (2023)). Both methods
- * take turns, four times at most. If inverted cells still remain, everything is repeated with each
- * inner point starting at the mean of its neighbours, and the better result is returned. All limits
- * are numbers of steps, so the work is bounded. Cells that stay inverted, for example because the
- * boundary crosses itself, are counted and marked.
+ * at one position that sees all faces around them, for which the points around them make space, and
+ * leave it one by one (after Nigolian, Campen and Bommes, "Expansion cones: a progressive
+ * volumetric mapping framework" (2023)). Both methods take turns, four times at most. If inverted
+ * cells still remain, everything is repeated with each inner point starting at the mean of its
+ * neighbours, and the better result is returned. All limits are numbers of steps, so the work is
+ * bounded. Cells that stay inverted, for example because the boundary crosses itself, are counted
+ * and marked.
  *
  * If options.Refine is set, RefineInjectively then moves all points that the boundary permits, and
  * inverts no cell. The measure compares each cell with its rest shape or, if `rest` is empty, with

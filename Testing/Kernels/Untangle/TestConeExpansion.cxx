@@ -181,12 +181,12 @@ TEST(ConeExpansion, RestoresTheSolidIfTheWorkExceedsItsLimit)
 TEST(ConeExpansion, WorksAroundTheInvertedTetrahedraAlone)
 {
   double works[2] = { 0.0, 0.0 };
-  for (const int n : { 6, 12 })
+  for (const int n : { 12, 18 })
   {
     // Cubes of the same size. One inner point is pushed through the tetrahedra around it.
     shape::Cells cells = TetrahedralCube(n);
     cells.Points = (0.5 * n * (cells.Points.array() + 1.0)).round();
-    cells.Points.row(3 * (n + 1) * (n + 1) + 3 * (n + 1) + 3) << 4.5, 3.25, 3.5;
+    cells.Points.row(6 * (n + 1) * (n + 1) + 6 * (n + 1) + 6) << 7.5, 6.25, 6.5;
     // The work is the least limit that is sufficient.
     double least = 0.0, most = 1e6;
     while (most - least > 1.0)
@@ -195,7 +195,7 @@ TEST(ConeExpansion, WorksAroundTheInvertedTetrahedraAlone)
       shape::SolidCells solid = ExpandWithin(middle, cells);
       (CountInverted(solid) > 0 ? least : most) = middle;
     }
-    works[n / 12] = most;
+    works[n / 18] = most;
   }
   EXPECT_GT(works[0], 1.0);
   EXPECT_EQ(works[0], works[1]);
@@ -241,6 +241,47 @@ TEST(ConeExpansion, MakesEveryTetrahedronOfAStarPositive)
         }
       }
     }
+  }
+}
+
+/// Bends a cube around the z axis by three quarters of a turn: no position sees both ends.
+void Bend(shape::Cells& cube)
+{
+  for (Eigen::Index i = 0; i < cube.Points.rows(); ++i)
+  {
+    const Eigen::RowVector3d p = cube.Points.row(i);
+    const double angle = 0.75 * M_PI * p(2), radius = 3.0 - p(0);
+    cube.Points.row(i) << radius * std::cos(angle), radius * std::sin(angle), p(1);
+  }
+}
+
+TEST(ConeExpansion, MakesSpaceInABoundaryThatIsNotStarShaped)
+{
+  shape::ConeExpansionOptions options;
+  options.SplitCells = false;
+  shape::Cells regular = TetrahedralCube(6);
+  Bend(regular);
+  shape::SolidCells valid(regular, {}, "the cube");
+  ASSERT_EQ(CountInverted(valid), 0) << "there are positions for the points";
+  for (const unsigned int seed : { 1U, 2U, 3U, 4U, 5U, 6U })
+  {
+    shape::Cells cells = TetrahedralCube(6);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(-0.07, 0.07);
+    for (Eigen::Index i = 0; i < cells.Points.rows(); ++i)
+    {
+      if (cells.Points.row(i).cwiseAbs().maxCoeff() < 1.0 - 1e-9)
+      {
+        cells.Points.row(i) +=
+          Eigen::RowVector3d(uniform(random), uniform(random), uniform(random));
+      }
+    }
+    Bend(cells);
+    shape::SolidCells solid(cells, {}, "the cube");
+    const int before = CountInverted(solid);
+    EXPECT_GT(before, 0);
+    shape::ExpandInverted(solid, options);
+    EXPECT_EQ(CountInverted(solid), 0) << seed << ", of " << before;
   }
 }
 
@@ -290,13 +331,8 @@ TEST(ConeExpansion, TellsABoundaryThatIsNotStarShaped)
   EXPECT_GT(result.InvertedAfter, 0);
   EXPECT_EQ(result.HiddenTriangles, 0) << "the origin sees the boundary of a dented cube";
 
-  // Bent around the z axis by three quarters of a turn: no position sees both ends.
   shape::Cells bent = cube;
-  for (Eigen::Index i = 0; i < cube.Points.rows(); ++i)
-  {
-    const double angle = 0.75 * M_PI * cube.Points(i, 2), radius = 3.0 - cube.Points(i, 0);
-    bent.Points.row(i) << radius * std::cos(angle), radius * std::sin(angle), cube.Points(i, 1);
-  }
+  Bend(bent);
   result = UntangleWithDent(bent, cube.Points);
   EXPECT_GT(result.InvertedAfter, 0);
   ASSERT_GT(result.HiddenTriangles, 0);

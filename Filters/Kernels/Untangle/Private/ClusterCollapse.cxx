@@ -34,15 +34,12 @@ bool ClusterCollapse::MakeSpace(const Progress& progress)
   constexpr int trials = 4;
   constexpr std::size_t maximumPoints = 60;
   SolidCells& solid = this->Cluster.Solid;
-  if (this->Sizes.size() != solid.PointCount())
-  {
-    this->Sizes = ComputeLogarithmicSizes(solid, progress);
-  }
+  const Eigen::VectorXd sizes = this->FindSizes(progress);
   for (int trial = 0; trial < trials && this->Cluster.Points().size() <= maximumPoints; ++trial)
   {
     const std::vector<int> points = this->FindPointsAround();
     solid.KeepPositions(points);
-    SimplexPatch patch = BuildPatch(solid, points, this->Sizes, progress);
+    SimplexPatch patch = BuildPatch(solid, points, sizes, progress);
     if (this->MovePoints(patch, progress) == 0)
     {
       this->Cluster.MoveTo(this->Cluster.GetPosition());
@@ -54,6 +51,29 @@ bool ClusterCollapse::MakeSpace(const Progress& progress)
     }
   }
   return false;
+}
+
+/// Returns the sizes of the cells around each point. New points have the means of their parents.
+Eigen::VectorXd ClusterCollapse::FindSizes(const Progress& progress)
+{
+  const SolidCells& solid = this->Cluster.Solid;
+  if (this->GivenSizes.size() == 0)
+  {
+    this->GivenSizes = ComputeLogarithmicSizes(solid, progress);
+  }
+  Eigen::VectorXd sizes(solid.PointCount());
+  sizes.head(this->GivenSizes.size()) = this->GivenSizes;
+  for (auto point = static_cast<int>(this->GivenSizes.size()); point < solid.PointCount(); ++point)
+  {
+    double sum = 0.0, count = 0.0;
+    for (const int parent : solid.Parents[point - solid.OriginalPointCount])
+    {
+      sum += parent < 0 ? 0.0 : sizes(parent);
+      count += parent < 0 ? 0.0 : 1.0;
+    }
+    sizes(point) = sum / count;
+  }
+  return sizes;
 }
 
 /// Returns the inner points of the cluster and of the rings around it, ascending.
@@ -82,6 +102,7 @@ int ClusterCollapse::MovePoints(SimplexPatch& patch, const Progress& progress)
 {
   const int collapsed = this->Cluster.Points().front();
   std::vector<ReferenceSimplex> kept;
+  std::set<int> corners;
   for (ReferenceSimplex& simplex : patch.Simplices)
   {
     int inside = 0;
@@ -96,12 +117,13 @@ int ClusterCollapse::MovePoints(SimplexPatch& patch, const Progress& progress)
     if (inside < 2)
     {
       kept.push_back(simplex);
+      corners.insert(simplex.Corners.begin(), simplex.Corners.end());
     }
   }
   patch.Simplices = std::move(kept);
   std::vector<int>& free = patch.FreePoints;
-  free.erase(std::remove_if(free.begin(), free.end(),
-               [&](int point) { return point != collapsed && this->Cluster.IsIn(point); }),
+  free.erase(
+    std::remove_if(free.begin(), free.end(), [&](int point) { return corners.count(point) == 0; }),
     free.end());
   this->Cluster.MoveTo(this->Cluster.ComputeCentroid());
   PatchOptions options;

@@ -35,12 +35,13 @@ public:
   bool MakeSpace(const Progress& progress);
 
 private:
+  Eigen::VectorXd FindSizes(const Progress& progress);
   std::vector<int> FindPointsAround() const;
   int MovePoints(SimplexPatch& patch, const Progress& progress);
   bool AddInverted(const SimplexPatch& patch);
 
   PointCluster& Cluster;
-  Eigen::VectorXd Sizes; ///< of the cells around each point (ComputeLogarithmicSizes)
+  Eigen::VectorXd GivenSizes; ///< ComputeLogarithmicSizes, when space was first made
 };
 
 } // namespace shape

@@ -88,8 +88,8 @@ private:
 /// Makes space for a cluster and expands it. Returns whether that succeeds; the solid has to be
 /// restored if not.
 bool ExpandInSpace(PointCluster& cluster, ClusterCollapse& collapse,
-  const std::vector<int>& members, const ConeExpansionOptions& options,
-  ConeExpansionResult& result, const Progress& progress)
+  const std::vector<int>& members, const ConeExpansionOptions& options, ConeExpansionResult& result,
+  const Progress& progress)
 {
   cluster.Begin(members);
   ConeExpansionResult expanded = result;
