@@ -212,6 +212,29 @@ TEST(Untangle, IsTheSameInEveryScaleAndPlace)
   EXPECT_EQ(again.Solid.Points, result.Solid.Points) << "the same bits";
 }
 
+TEST(Untangle, ReportsProgressThatOnlyRises)
+{
+  shape::Cells cells = Cube(5, 10);
+  const Eigen::MatrixXd rest = cells.Points;
+  cells.Points = Shaken(rest, 0.6, 3);
+  // A corner beyond the opposite one: cells stay inverted, so that everything is tried.
+  cells.Points.row(0) << 1.2, 1.3, 1.4;
+  double last = 0.0;
+  int falls = 0, reports = 0;
+  const shape::Progress progress(
+    [&](double share)
+    {
+      // Sums of shares are rounded.
+      falls += share < last - 1e-12;
+      last = share;
+      return ++reports > 0;
+    });
+  EXPECT_GT(shape::Untangle(cells, rest, {}, progress).InvertedAfter, 0);
+  EXPECT_GT(reports, 1000);
+  EXPECT_EQ(falls, 0);
+  EXPECT_EQ(last, 1.0);
+}
+
 TEST(Untangle, SplitsWhatHasNoRoom)
 {
   // Four tetrahedra around the axis 0-1, every point on the boundary.
