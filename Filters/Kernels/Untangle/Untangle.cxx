@@ -38,8 +38,8 @@ constexpr int Rings[] = { 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 8, 8, 12, 12, 16, 16 
 constexpr int FirstSplitting = 1, FirstCollar = 2;
 constexpr int Rounds = static_cast<int>(std::size(Rings));
 /// The end comes after this many rounds without a new minimum of inverted cells. It comes sooner if
-/// tetrahedra can be expanded.
-constexpr int Patience = 6, PatienceBeforeExpansion = 1;
+/// tetrahedra can be expanded, but in a star that starts anew, most rounds lower the number first.
+constexpr int Patience = 6, PatienceInStar = 3, PatienceBeforeExpansion = 1;
 /// A patch is given up after this many Newton steps without progress.
 constexpr int StepPatience = 20;
 /// A state with this many times more inverted cells than the best is abandoned.
@@ -352,7 +352,7 @@ int UntangleStar(Untangling& untangling, const UntangleOptions& options,
   }
   solid.Points = SolveTutteEmbedding(solid, progress.Part(0.6, 0.7));
   return ReduceInverted(
-    untangling, options, Patience, progress.Part(0.7, 1.0, "untangling the inverted cells"));
+    untangling, options, PatienceInStar, progress.Part(0.7, 1.0, "untangling the inverted cells"));
 }
 
 UntangleResult BuildResult(Untangling& untangling, const Progress& progress)
