@@ -21,7 +21,7 @@ GIVEN = {'startup', 'shutdown', 'apply', 'reset', 'select', 'deselect', 'setView
          'createWidgetForProperty',
          'intersectVolume', 'intersectObject', 'minimumOnVolume', 'minimumOnObject', 'worstDist', 'full', 'addPoint',
          'terminatetetgen', 'send', 'what', 'Index', 'PotentialsFor', 'GradientsFor', 'FloatProducts', 'solve',
-         'DoubleProducts'}
+         'DoubleProducts', 'Eigen', 'abs', 'sqrt'}
 # The types of parameters without a name, which Ctags takes for their names.
 GIVEN |= {'size_t', 'string_view'}
 # These macros declare members or only mark them.

@@ -1,5 +1,7 @@
 #include "Geometry/Orientation.h"
 
+#include "Geometry/TwoDoubles.h"
+
 #include <array>
 #include <cmath>
 
@@ -7,37 +9,6 @@ namespace shape
 {
 namespace
 {
-
-/// a + b = High + Low exactly.
-struct Pair
-{
-  double High;
-  double Low;
-};
-
-/// The operation Two-Sum of Shewchuk 1997; exact for any two doubles without overflow.
-Pair ExactSum(double a, double b)
-{
-  const double high = a + b;
-  const double part = high - a;
-  return { high, (a - (high - part)) + (b - part) };
-}
-
-/// The operation Two-Product of Shewchuk 1997.
-Pair ExactProduct(double a, double b)
-{
-  // Halves of 26 bits, whose products are exact.
-  const auto split = [](double x)
-  {
-    const double large = 134217729.0 * x; // 2^27 + 1
-    const double high = large - (large - x);
-    return Pair{ high, x - high };
-  };
-  const double high = a * b;
-  const Pair x = split(a), y = split(b);
-  const double error = high - x.High * y.High - x.Low * y.High - x.High * y.Low;
-  return { high, x.Low * y.Low - error };
-}
 
 /// A number as the exact sum of at most N doubles that do not overlap, the smallest first.
 template <int N>
@@ -63,7 +34,7 @@ struct Expansion
 /// a - b, exactly.
 Expansion<2> Difference(double a, double b)
 {
-  const Pair sum = ExactSum(a, -b);
+  const TwoDoubles sum = ExactSum(a, -b);
   Expansion<2> difference;
   difference.Append(sum.Low);
   difference.Append(sum.High);
@@ -87,7 +58,7 @@ Expansion<N + M> Sum(const Expansion<N>& a, const Expansion<M>& b, double sign =
     sum.Count = 0;
     for (int i = 0; i < terms; ++i)
     {
-      const Pair pair = ExactSum(carried, sum.Terms[i]);
+      const TwoDoubles pair = ExactSum(carried, sum.Terms[i]);
       carried = pair.High;
       sum.Append(pair.Low);
     }
@@ -104,14 +75,14 @@ Expansion<2 * N * M> Product(const Expansion<N>& a, const Expansion<M>& b)
   {
     for (int j = 0; j < b.Count; ++j)
     {
-      const Pair pair = ExactProduct(a.Terms[i], b.Terms[j]);
+      const TwoDoubles pair = ExactProduct(a.Terms[i], b.Terms[j]);
       for (double carried : { pair.Low, pair.High })
       {
         const int terms = product.Count;
         product.Count = 0;
         for (int k = 0; k < terms; ++k)
         {
-          const Pair sum = ExactSum(carried, product.Terms[k]);
+          const TwoDoubles sum = ExactSum(carried, product.Terms[k]);
           carried = sum.High;
           product.Append(sum.Low);
         }

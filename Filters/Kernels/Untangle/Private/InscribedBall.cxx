@@ -1,27 +1,35 @@
 #include "Untangle/Private/InscribedBall.h"
 
+#include "Geometry/TwoDoubles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <type_traits>
 
 namespace shape
 {
 namespace
 {
 
+template <typename Scalar, int D>
+using Vector = Eigen::Matrix<Scalar, D, 1>;
+
 /// A . x >= B.
-template <int D>
+template <typename Scalar, int D>
 struct Constraint
 {
-  Eigen::Matrix<double, D, 1> A;
-  double B;
+  Vector<Scalar, D> A;
+  Scalar B;
 };
 
-constexpr double Tolerance = 1e-13;
+/// A few hundred roundings.
+template <typename Scalar>
+constexpr double Tolerance = std::is_same_v<Scalar, double> ? 1e-13 : 1e-29;
 
 /// The constraints of the programmes in one variable less, and in less than that. They are written
 /// anew each time, in the same memory.
-template <int D>
+template <typename Scalar, int D>
 struct Workspace
 {
   explicit Workspace(std::size_t count)
@@ -29,21 +37,21 @@ struct Workspace
     , Next(count + 2)
   {
   }
-  std::vector<Constraint<D - 1>> Reduced;
-  Workspace<D - 1> Next;
+  std::vector<Constraint<Scalar, D - 1>> Reduced;
+  Workspace<Scalar, D - 1> Next;
 };
 
-template <>
-struct Workspace<1>
+template <typename Scalar>
+struct Workspace<Scalar, 1>
 {
   explicit Workspace(std::size_t) {}
 };
 
 /// Returns a vector without one of its entries.
-template <int D>
-Eigen::Matrix<double, D - 1, 1> Without(const Eigen::Matrix<double, D, 1>& v, int gone)
+template <typename Scalar, int D>
+Vector<Scalar, D - 1> Without(const Vector<Scalar, D>& v, int gone)
 {
-  Eigen::Matrix<double, D - 1, 1> rest;
+  Vector<Scalar, D - 1> rest;
   for (int k = 0; k < D - 1; ++k)
   {
     rest(k) = v(k < gone ? k : k + 1);
@@ -53,76 +61,79 @@ Eigen::Matrix<double, D - 1, 1> Without(const Eigen::Matrix<double, D, 1>& v, in
 
 /// Maximises objective . x subject to constraints and lower <= x <= upper. Returns false if no x
 /// satisfies them.
-template <int D>
-bool Maximize(const Eigen::Matrix<double, D, 1>& objective,
-  const std::vector<Constraint<D>>& constraints, std::size_t count,
-  const Eigen::Matrix<double, D, 1>& lower, const Eigen::Matrix<double, D, 1>& upper,
-  [[maybe_unused]] Workspace<D>& workspace, Eigen::Matrix<double, D, 1>& x)
+template <typename Scalar, int D>
+bool Maximize(const Vector<Scalar, D>& objective,
+  const std::vector<Constraint<Scalar, D>>& constraints, std::size_t count,
+  const Vector<Scalar, D>& lower, const Vector<Scalar, D>& upper,
+  [[maybe_unused]] Workspace<Scalar, D>& workspace, Vector<Scalar, D>& x)
 {
+  using std::abs;
+  const Scalar zero = 0.0, tolerance = Tolerance<Scalar>;
   if constexpr (D == 1)
   {
-    double low = lower(0), high = upper(0);
+    Scalar low = lower(0), high = upper(0);
     for (std::size_t i = 0; i < count; ++i)
     {
-      const double a = constraints[i].A(0), b = constraints[i].B;
-      if (std::abs(a) < Tolerance)
+      const Scalar a = constraints[i].A(0), b = constraints[i].B;
+      if (abs(a) < tolerance)
       {
-        if (b > Tolerance)
+        if (b > tolerance)
         {
           return false;
         }
       }
-      else if (a > 0.0)
+      else if (a > zero)
       {
-        low = std::max(low, b / a);
+        low = std::max(low, Scalar(b / a));
       }
       else
       {
-        high = std::min(high, b / a);
+        high = std::min(high, Scalar(b / a));
       }
     }
-    if (low > high + Tolerance * (std::abs(low) + std::abs(high)))
+    if (low > high + tolerance * (abs(low) + abs(high)))
     {
       return false;
     }
-    x(0) = objective(0) > 0.0 ? high : low;
+    x(0) = objective(0) > zero ? high : low;
     return true;
   }
   else
   {
     for (int k = 0; k < D; ++k)
     {
-      x(k) = objective(k) > 0.0 ? upper(k) : lower(k);
+      x(k) = objective(k) > zero ? upper(k) : lower(k);
     }
-    std::vector<Constraint<D - 1>>& reduced = workspace.Reduced;
+    std::vector<Constraint<Scalar, D - 1>>& reduced = workspace.Reduced;
     for (std::size_t i = 0; i < count; ++i)
     {
-      const Eigen::Matrix<double, D, 1>& a = constraints[i].A;
-      if (a.dot(x) >= constraints[i].B - Tolerance)
+      const Vector<Scalar, D>& a = constraints[i].A;
+      if (a.dot(x) >= constraints[i].B - tolerance)
       {
         continue;
       }
       // The optimum lies where this constraint is an equality. One variable is eliminated.
       int gone = 0;
-      const double pivot = a.cwiseAbs().maxCoeff(&gone);
-      if (pivot < Tolerance)
+      const Scalar pivot = a.cwiseAbs().maxCoeff(&gone);
+      if (pivot < tolerance)
       {
         return false;
       }
       // x(gone) = shift - slope . rest.
-      const Eigen::Matrix<double, D - 1, 1> slope = Without<D>(a, gone) / a(gone);
-      const double shift = constraints[i].B / a(gone);
+      const Vector<Scalar, D - 1> slope = Without<Scalar, D>(a, gone) / a(gone);
+      const Scalar shift = constraints[i].B / a(gone);
       for (std::size_t j = 0; j < i; ++j)
       {
-        const double factor = constraints[j].A(gone);
-        reduced[j].A = Without<D>(constraints[j].A, gone) - factor * slope;
+        const Scalar factor = constraints[j].A(gone);
+        reduced[j].A = Without<Scalar, D>(constraints[j].A, gone) - factor * slope;
         reduced[j].B = constraints[j].B - factor * shift;
       }
       reduced[i] = { -slope, lower(gone) - shift };
       reduced[i + 1] = { slope, shift - upper(gone) };
-      Eigen::Matrix<double, D - 1, 1> rest;
-      if (!Maximize<D - 1>(Without<D>(objective, gone) - objective(gone) * slope, reduced, i + 2,
-            Without<D>(lower, gone), Without<D>(upper, gone), workspace.Next, rest))
+      Vector<Scalar, D - 1> rest;
+      if (!Maximize<Scalar, D - 1>(Without<Scalar, D>(objective, gone) - objective(gone) * slope,
+            reduced, i + 2, Without<Scalar, D>(lower, gone), Without<Scalar, D>(upper, gone),
+            workspace.Next, rest))
       {
         return false;
       }
@@ -138,30 +149,37 @@ bool Maximize(const Eigen::Matrix<double, D, 1>& objective,
 
 } // namespace
 
-InscribedBall FindInscribedBall(const std::vector<HalfSpace>& halfSpaces, double extent)
+template <typename Scalar>
+InscribedBallOf<Scalar> FindInscribedBall(
+  const std::vector<HalfSpaceOf<Scalar>>& halfSpaces, double extent)
 {
-  std::vector<Constraint<4>> constraints;
+  std::vector<Constraint<Scalar, 4>> constraints;
   constraints.reserve(halfSpaces.size());
-  for (const HalfSpace& half : halfSpaces)
+  for (const HalfSpaceOf<Scalar>& half : halfSpaces)
   {
     constraints.push_back(
-      { Eigen::Vector4d(half.Normal(0), half.Normal(1), half.Normal(2), -1.0), -half.Offset });
+      { Vector<Scalar, 4>(half.Normal(0), half.Normal(1), half.Normal(2), -1.0), -half.Offset });
   }
   std::mt19937 random(1);
   for (std::size_t i = constraints.size(); i > 1; --i)
   {
     std::swap(constraints[i - 1], constraints[random() % i]);
   }
-  const Eigen::Vector4d upper(extent, extent, extent, extent);
-  const Eigen::Vector4d lower(-extent, -extent, -extent, -4.0 * extent);
-  Workspace<4> workspace(constraints.size());
-  Eigen::Vector4d x;
-  if (!Maximize<4>(
-        Eigen::Vector4d::UnitW(), constraints, constraints.size(), lower, upper, workspace, x))
+  const Vector<Scalar, 4> upper(extent, extent, extent, extent);
+  const Vector<Scalar, 4> lower(-extent, -extent, -extent, -4.0 * extent);
+  Workspace<Scalar, 4> workspace(constraints.size());
+  Vector<Scalar, 4> x;
+  if (!Maximize<Scalar, 4>(
+        Vector<Scalar, 4>::UnitW(), constraints, constraints.size(), lower, upper, workspace, x))
   {
-    return { Eigen::Vector3d::Zero(), -extent };
+    return { Vector<Scalar, 3>::Zero(), -extent };
   }
-  return { x.head<3>(), x(3) };
+  return { x.template head<3>(), x(3) };
 }
+
+template InscribedBallOf<double> FindInscribedBall(
+  const std::vector<HalfSpaceOf<double>>& halfSpaces, double extent);
+template InscribedBallOf<TwoDoubles> FindInscribedBall(
+  const std::vector<HalfSpaceOf<TwoDoubles>>& halfSpaces, double extent);
 
 } // namespace shape

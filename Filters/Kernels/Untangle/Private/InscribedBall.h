@@ -8,19 +8,22 @@ namespace shape
 {
 
 /// The half-space of positions x with (Normal, 1) . (x, Offset) >= 0. The normal has length 1.
-struct HalfSpace
+template <typename Scalar>
+struct HalfSpaceOf
 {
-  Eigen::Vector3d Normal;
-  double Offset;
-
-  double Distance(const Eigen::Vector3d& x) const { return this->Normal.dot(x) + this->Offset; }
+  Eigen::Matrix<Scalar, 3, 1> Normal;
+  Scalar Offset;
 };
 
-struct InscribedBall
+template <typename Scalar>
+struct InscribedBallOf
 {
-  Eigen::Vector3d Centre = Eigen::Vector3d::Zero();
-  double Radius = 0.0;
+  Eigen::Matrix<Scalar, 3, 1> Centre = Eigen::Matrix<Scalar, 3, 1>::Zero();
+  Scalar Radius = 0.0;
 };
+
+using HalfSpace = HalfSpaceOf<double>;
+using InscribedBall = InscribedBallOf<double>;
 
 /**
  * Returns the largest ball in the intersection of half-spaces and the cube [-extent, extent]^3. Its
@@ -30,8 +33,10 @@ struct InscribedBall
  * The linear programme in centre and radius is solved by the incremental method of Seidel,
  * "Small-dimensional linear programming and convex hulls made easy" (1991), in an order that
  * depends only on the number of half-spaces. The expected time is linear in it. Results are subject
- * to rounding, so the caller checks them.
+ * to rounding, so the caller checks them. Scalar: double or TwoDoubles.
  */
-InscribedBall FindInscribedBall(const std::vector<HalfSpace>& halfSpaces, double extent);
+template <typename Scalar>
+InscribedBallOf<Scalar> FindInscribedBall(
+  const std::vector<HalfSpaceOf<Scalar>>& halfSpaces, double extent);
 
 } // namespace shape

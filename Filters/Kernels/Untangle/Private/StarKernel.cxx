@@ -1,6 +1,7 @@
 #include "Untangle/Private/StarKernel.h"
 
 #include "Geometry/Orientation.h"
+#include "Geometry/TwoDoubles.h"
 #include "Untangle/Private/InscribedBall.h"
 
 #include <Eigen/Geometry>
@@ -27,16 +28,49 @@ double MeasureStar(const Eigen::MatrixXd& points, const std::vector<StarFace>& f
 }
 
 /// Returns the unit normal of a face, or 0 if it has no area. Differences of positions that are
-/// close to each other are exact, and so are their products in long double but for the last bits.
-Eigen::Vector3d FindNormal(const Eigen::MatrixXd& points, const StarFace& face)
+/// close to each other cancel in doubles.
+Eigen::Matrix<TwoDoubles, 3, 1> FindNormal(const Eigen::MatrixXd& points, const StarFace& face)
 {
-  using Vector = Eigen::Matrix<long double, 3, 1>;
-  const Vector a = (points.row(face[1]) - points.row(face[0])).transpose().cast<long double>(),
-               b = (points.row(face[2]) - points.row(face[0])).transpose().cast<long double>();
+  using Vector = Eigen::Matrix<TwoDoubles, 3, 1>;
+  const Vector corner = points.row(face[0]).transpose().cast<TwoDoubles>();
+  const Vector a = points.row(face[1]).transpose().cast<TwoDoubles>() - corner,
+               b = points.row(face[2]).transpose().cast<TwoDoubles>() - corner;
   const Vector normal = a.cross(b);
-  const long double length = normal.norm();
-  return length > 0.0L ? Eigen::Vector3d((normal / length).cast<double>())
-                       : Eigen::Vector3d::Zero();
+  const TwoDoubles length = sqrt(normal.dot(normal));
+  return length > 0.0 ? Vector(normal / length) : Vector::Zero();
+}
+
+/// Computes FindKernelCentre in doubles or in TwoDoubles.
+template <typename Scalar>
+StarPlacement FindKernelCentreIn(const Eigen::MatrixXd& points, const std::vector<StarFace>& faces,
+  const Eigen::RowVector3d& origin, double size)
+{
+  using Vector = Eigen::Matrix<Scalar, 3, 1>;
+  StarPlacement placement;
+  placement.Position = origin;
+  std::vector<HalfSpaceOf<Scalar>> halfSpaces;
+  halfSpaces.reserve(faces.size());
+  const Vector centre = origin.transpose().cast<Scalar>();
+  for (const StarFace& face : faces)
+  {
+    const Vector normal = FindNormal(points, face).cast<Scalar>();
+    if (normal == Vector::Zero())
+    {
+      placement.Clearance = -1.0;
+      return placement;
+    }
+    const Vector corner =
+      (points.row(face[0]).transpose().cast<Scalar>() - centre) / static_cast<Scalar>(size);
+    halfSpaces.push_back({ normal, -normal.dot(corner) });
+  }
+  const InscribedBallOf<Scalar> ball = FindInscribedBall(halfSpaces, 1.0);
+  placement.Clearance = static_cast<double>(ball.Radius);
+  const Vector position = centre + ball.Centre * static_cast<Scalar>(size);
+  placement.Position = position.transpose().template cast<double>();
+  placement.IsValid = ball.Radius > 0.0 &&
+    std::all_of(faces.begin(), faces.end(),
+      [&](const StarFace& face) { return SeesFace(points, face, placement.Position); });
+  return placement;
 }
 
 } // namespace
@@ -59,28 +93,13 @@ bool SeesFace(
 StarPlacement FindKernelCentre(const Eigen::MatrixXd& points, const std::vector<StarFace>& faces,
   const Eigen::RowVector3d& origin)
 {
-  StarPlacement placement;
-  placement.Position = origin;
+  /// Doubles tell a kernel that is this much wider from none, relative to the size of the star.
+  constexpr double certain = 1e-10;
   const double size = MeasureStar(points, faces, origin);
-  std::vector<HalfSpace> halfSpaces;
-  halfSpaces.reserve(faces.size());
-  for (const StarFace& face : faces)
-  {
-    const Eigen::Vector3d normal = FindNormal(points, face);
-    if (normal.isZero(0.0))
-    {
-      return placement;
-    }
-    const Eigen::Vector3d corner = (points.row(face[0]) - origin).transpose() / size;
-    halfSpaces.push_back({ normal, -normal.dot(corner) });
-  }
-  const InscribedBall ball = FindInscribedBall(halfSpaces, 1.0);
-  placement.Clearance = ball.Radius;
-  placement.Position = origin + size * ball.Centre.transpose();
-  placement.IsValid = ball.Radius > 0.0 &&
-    std::all_of(faces.begin(), faces.end(),
-      [&](const StarFace& face) { return SeesFace(points, face, placement.Position); });
-  return placement;
+  const StarPlacement placement = FindKernelCentreIn<double>(points, faces, origin, size);
+  return placement.IsValid || placement.Clearance < -certain
+    ? placement
+    : FindKernelCentreIn<TwoDoubles>(points, faces, origin, size);
 }
 
 } // namespace shape
