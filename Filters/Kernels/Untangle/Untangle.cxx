@@ -8,6 +8,8 @@
 #include "Untangle/Private/CellPatches.h"
 #include "Untangle/Private/CellSplits.h"
 #include "Untangle/Private/ConeExpansion.h"
+#include "Untangle/Private/KernelMoves.h"
+#include "Untangle/Private/PatchCollar.h"
 #include "Untangle/Private/SlidingBoundary.h"
 #include "Untangle/Private/SolidCells.h"
 #include "Untangle/Private/SolidRefinement.h"
@@ -56,6 +58,7 @@ struct Untangling
   int Iterations = 0;                       ///< Newton steps so far
   double Work = 0.0;                        ///< of these steps
   double MaximumWork = 0.0;
+  bool HasPatchCollar = false;              ///< whether cells are too thin for Newton's method
 
   bool IsMovable(int point) const
   {
@@ -97,7 +100,8 @@ void RequireSolid(const Cells& cells, const SolidCells& solid)
 Untangling BeginUntangling(
   const Cells& cells, const Eigen::MatrixXd& rest, const UntangleOptions& options)
 {
-  Untangling begun{ SolidCells(cells, rest, "the Input"), nullptr, 0, 0, 0.0, options.MaximumWork };
+  Untangling begun{ SolidCells(cells, rest, "the Input"), nullptr };
+  begun.MaximumWork = options.MaximumWork;
   RequireSolid(cells, begun.Solid);
   if (!options.FixBoundary)
   {
@@ -305,10 +309,44 @@ bool IsNearSphere(const SolidCells& solid)
   return farthest <= maximumReach * nearest;
 }
 
+/// Builds a collar between the targets of the boundary and a sphere, and untangles the solid below
+/// it, in turns: by exact moves of single points, and by Newton's method while the collar is fixed.
+/// Returns whether at most one cell in a hundred stays inverted; else the solid does not change.
+bool UntangleBelowCollar(Untangling& untangling, const UntangleOptions& options,
+  const Eigen::RowVector3d& centre, const Eigen::MatrixXd& targets, const Progress& progress)
+{
+  constexpr double share = 0.01;
+  constexpr int turns = 4;
+  SolidCells& solid = untangling.Solid;
+  const SolidCells kept = solid;
+  const PatchCollar collar = BuildPatchCollar(solid, centre, targets, progress.Part(0.0, 0.2));
+  const auto before = static_cast<double>(solid.CellCount());
+  int left = solid.CellCount();
+  if (collar.Inverted == 0)
+  {
+    left = MoveIntoKernels(solid, progress.Part(0.2, 0.4));
+    for (int turn = 0; turn < turns && left > 0; ++turn)
+    {
+      const Progress part =
+        progress.Part(0.4 + 0.6 * turn / turns, 0.4 + 0.6 * (turn + 1.0) / turns);
+      solid.SetInnerBoundary(collar.Inside);
+      MovePoints(untangling, 1 + turn, options.MaximumIterations, part.Part(0.0, 0.5));
+      solid.ForgetInnerBoundary();
+      left = MoveIntoKernels(solid, part.Part(0.5, 1.0));
+    }
+  }
+  untangling.HasPatchCollar = left < share * before;
+  if (!untangling.HasPatchCollar)
+  {
+    solid = kept;
+  }
+  return untangling.HasPatchCollar;
+}
+
 /// Untangles a solid in a sphere around `centre`, which is convex, and moves the boundary outward
-/// to where it was. Returns false if cells stay inverted: in the sphere, or because distances are
-/// too small for a collar in double precision. The boundary then is back, and the inner points are
-/// not.
+/// to where it was. Returns false if many cells stay inverted: in the sphere, or because distances
+/// are too small for a collar in double precision. The boundary then is back, and the inner points
+/// are not.
 bool UntangleInSphere(Untangling& untangling, const UntangleOptions& options,
   const Eigen::RowVector3d& centre, const Progress& progress)
 {
@@ -326,6 +364,10 @@ bool UntangleInSphere(Untangling& untangling, const UntangleOptions& options,
       return true;
     }
     solid = inSphere;
+    if (UntangleBelowCollar(untangling, options, centre, targets, progress.Part(0.9, 1.0)))
+    {
+      return true;
+    }
   }
   for (int point = 0; point < targets.rows(); ++point)
   {
@@ -348,7 +390,7 @@ int UntangleStar(Untangling& untangling, const UntangleOptions& options,
   if (!IsNearSphere(solid) &&
     UntangleInSphere(untangling, options, centre, progress.Part(0.0, 0.6)))
   {
-    return 0;
+    return static_cast<int>(FindInverted(solid, progress.Part(0.6, 0.6)).size());
   }
   solid.Points = SolveTutteEmbedding(solid, progress.Part(0.6, 0.7));
   return ReduceInverted(
@@ -437,12 +479,12 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
       best = std::move(other);
       left = others;
     }
-    if (left > 0)
+    if (left > 0 && !best.HasPatchCollar)
     {
       left = ReduceAndExpand(best, options, PatienceBeforeExpansion, untangling.Part(0.6, 0.7));
     }
   }
-  if (left > 0)
+  if (left > 0 && !best.HasPatchCollar)
   {
     Untangling other = BeginUntangling(cells, rest, options);
     other.Work = best.Work;

@@ -1,4 +1,6 @@
 #include "Untangle/Private/CellPatches.h"
+#include "Untangle/Private/KernelMoves.h"
+#include "Untangle/Private/PatchCollar.h"
 #include "Untangle/Private/StarCollar.h"
 #include "Untangle/Untangle.h"
 
@@ -10,6 +12,9 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -69,6 +74,27 @@ void MakeSpikes(shape::Cells& cube, double reach, unsigned int seed)
     if (cube.Points.row(i).cwiseAbs().maxCoeff() > 1.0 - 1e-9)
     {
       cube.Points.row(i) *= factor;
+    }
+  }
+}
+
+/// Puts the boundary of a cube on the rays of a sphere, at random distances of 1 to 8 from its
+/// centre. The centre of a side and the points around it are as close to each other as `size` says.
+void MakeWafers(shape::Cells& cube, double size, unsigned int seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(1.0, 8.0);
+  const Eigen::RowVector3d middle = Eigen::RowVector3d(1.0, 0.3, 0.2).normalized();
+  for (Eigen::Index i = 0; i < cube.Points.rows(); ++i)
+  {
+    const double distance = uniform(random);
+    const Eigen::RowVector3d place = cube.Points.row(i);
+    if (place.cwiseAbs().maxCoeff() > 1.0 - 1e-9)
+    {
+      const bool isClose = place(0) > 1.0 - 1e-9 && place.tail<2>().cwiseAbs().maxCoeff() < 0.6;
+      const Eigen::RowVector3d ray =
+        isClose ? Eigen::RowVector3d(middle + size * (place - Eigen::RowVector3d::UnitX())) : place;
+      cube.Points.row(i) = distance * ray.normalized();
     }
   }
 }
@@ -204,6 +230,68 @@ TEST(StarCollar, LetsUntangleEndValidInSpikes)
     shape::Cells spikes = rest;
     MakeSpikes(spikes, 100.0, seed);
     const shape::UntangleResult result = shape::Untangle(spikes, rest.Points);
+    EXPECT_GT(result.InvertedBefore, 0) << seed;
+    EXPECT_EQ(result.InvertedAfter, 0) << seed;
+  }
+}
+
+TEST(PatchCollar, IsPositiveAtTrianglesOfAFewRoundings)
+{
+  for (const unsigned int seed : { 1U, 2U, 3U })
+  {
+    const shape::Cells rest = KuhnCube(4);
+    shape::Cells wafers = rest;
+    MakeWafers(wafers, 1e-13, seed);
+    shape::SolidCells solid(wafers, rest.Points, "the cube");
+    const shape::StarPlacement centre = shape::FindStarCentre(solid, shape::FindStarFaces(solid));
+    ASSERT_TRUE(centre.IsValid) << "though doubles cannot find it";
+    shape::SeparateBoundary(solid);
+    const Eigen::MatrixXd targets = solid.Points.topRows(solid.PointCount());
+    shape::ProjectToSphere(solid, centre.Position);
+    const shape::PatchCollar collar = shape::BuildPatchCollar(solid, centre.Position, targets, {});
+    EXPECT_EQ(collar.Inverted, 0) << seed;
+    int cells = 0;
+    for (int cell = 0; cell < solid.CellCount(); ++cell)
+    {
+      const std::vector<int>& points = solid.PointsOf(cell);
+      const bool isInCollar = std::any_of(
+        points.begin(), points.end(), [&](int point) { return solid.OnBoundary(point); });
+      cells += isInCollar;
+      EXPECT_FALSE(isInCollar && solid.Inverted(cell)) << cell;
+    }
+    EXPECT_GT(cells, static_cast<int>(solid.BoundaryTriangles().size()));
+    for (int point = 0; point < rest.Points.rows(); ++point)
+    {
+      if (solid.OnBoundary(point))
+      {
+        EXPECT_EQ(solid.Points.row(point), wafers.Points.row(point)) << "is where it was put";
+      }
+    }
+    // The inner side is a closed surface: each edge belongs to two triangles, once in each
+    // direction.
+    std::set<std::pair<int, int>> edges;
+    for (const std::array<int, 3>& triangle : collar.Inside)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        EXPECT_TRUE(edges.emplace(triangle[k], triangle[(k + 1) % 3]).second);
+      }
+    }
+    for (const auto& [a, b] : edges)
+    {
+      EXPECT_EQ(edges.count({ b, a }), 1U);
+    }
+  }
+}
+
+TEST(PatchCollar, LetsUntangleEndValidAtTrianglesOfAFewRoundings)
+{
+  for (const unsigned int seed : { 4U, 5U, 6U })
+  {
+    const shape::Cells rest = KuhnCube(4);
+    shape::Cells wafers = rest;
+    MakeWafers(wafers, 1e-13, seed);
+    const shape::UntangleResult result = shape::Untangle(wafers, rest.Points);
     EXPECT_GT(result.InvertedBefore, 0) << seed;
     EXPECT_EQ(result.InvertedAfter, 0) << seed;
   }

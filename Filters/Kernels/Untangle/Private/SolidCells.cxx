@@ -137,6 +137,32 @@ void SolidCells::MarkBoundary()
   }
 }
 
+void SolidCells::SetInnerBoundary(const std::vector<std::array<int, 3>>& triangles)
+{
+  this->OuterSurface = std::exchange(this->Surface, triangles);
+  for (const std::array<int, 3>& triangle : this->Surface)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      this->Boundary[triangle[k]] = 1;
+      this->BoundaryEdges.insert(KeyOf(triangle[k], triangle[(k + 1) % 3]));
+    }
+  }
+}
+
+void SolidCells::ForgetInnerBoundary()
+{
+  for (const std::array<int, 3>& triangle : this->Surface)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      this->Boundary[triangle[k]] = 0;
+      this->BoundaryEdges.erase(KeyOf(triangle[k], triangle[(k + 1) % 3]));
+    }
+  }
+  this->Surface = std::move(this->OuterSurface);
+}
+
 void SolidCells::TurnWedges()
 {
   // VTK's own sources number wedges in both orientations: the majority decides.

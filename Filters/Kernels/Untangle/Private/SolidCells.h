@@ -43,6 +43,11 @@ public:
   bool OnBoundary(int point) const { return this->Boundary[point]; }
   const std::vector<std::array<int, 3>>& BoundaryTriangles() const { return this->Surface; }
 
+  /// Lets a closed surface of inner triangles, outward, be the boundary until ForgetInnerBoundary.
+  /// The points outside it stay boundary points if they were.
+  void SetInnerBoundary(const std::vector<std::array<int, 3>>& triangles);
+  void ForgetInnerBoundary();
+
   /// Whether a cell is a tetrahedron.
   bool HasTetrahedra() const;
   /// Whether all cells are tetrahedra.
@@ -113,6 +118,7 @@ private:
   std::vector<std::vector<int>> PointCells;
   std::vector<char> Boundary;
   std::vector<std::array<int, 3>> Surface;
+  std::vector<std::array<int, 3>> OuterSurface; ///< the boundary while there is an inner one
   std::unordered_set<long long> BoundaryEdges;
   bool WedgesInverted = false;
   std::vector<std::array<int, 4>> Scratch;
