@@ -320,7 +320,6 @@ bool UntangleBelowCollar(Untangling& untangling, const UntangleOptions& options,
   SolidCells& solid = untangling.Solid;
   const SolidCells kept = solid;
   const PatchCollar collar = BuildPatchCollar(solid, centre, targets, progress.Part(0.0, 0.2));
-  const auto before = static_cast<double>(solid.CellCount());
   int left = solid.CellCount();
   if (collar.Inverted == 0)
   {
@@ -335,7 +334,7 @@ bool UntangleBelowCollar(Untangling& untangling, const UntangleOptions& options,
       left = MoveIntoKernels(solid, part.Part(0.5, 1.0));
     }
   }
-  untangling.HasPatchCollar = left < share * before;
+  untangling.HasPatchCollar = left < share * solid.CellCount();
   if (!untangling.HasPatchCollar)
   {
     solid = kept;
@@ -369,13 +368,7 @@ bool UntangleInSphere(Untangling& untangling, const UntangleOptions& options,
       return true;
     }
   }
-  for (int point = 0; point < targets.rows(); ++point)
-  {
-    if (solid.OnBoundary(point))
-    {
-      solid.Points.row(point) = targets.row(point);
-    }
-  }
+  MoveBoundary(solid, targets);
   return false;
 }
 

@@ -1,6 +1,7 @@
 #include "Untangle/Private/PatchCollar.h"
 
 #include "Untangle/Private/CellPatches.h"
+#include "Untangle/Private/StarCollar.h"
 #include "Untangle/Private/StarKernel.h"
 
 #include <Eigen/Geometry>
@@ -330,13 +331,7 @@ struct TriedCollar
 TriedCollar TryCollar(SolidCells& solid, const Eigen::RowVector3d& centre,
   const Eigen::MatrixXd& targets, const Progress& progress)
 {
-  for (int point = 0; point < targets.rows(); ++point)
-  {
-    if (solid.OnBoundary(point))
-    {
-      solid.Points.row(point) = targets.row(point);
-    }
-  }
+  MoveBoundary(solid, targets);
   double radius = std::numeric_limits<double>::max();
   std::map<int, LinkLayout> layouts;
   for (int point = 0; point < solid.PointCount(); ++point)

@@ -453,13 +453,8 @@ void ProjectToSphere(SolidCells& solid, const Eigen::RowVector3d& centre)
   }
 }
 
-int MoveOutward(SolidCells& solid, const Eigen::RowVector3d& centre, const Eigen::MatrixXd& targets,
-  const Progress& progress)
+void MoveBoundary(SolidCells& solid, const Eigen::MatrixXd& targets)
 {
-  constexpr int rounds = 60, patience = 12;
-  Collar collar(solid, centre);
-  collar.SplitFacesOutOfOrder(progress.Part(0.0, 0.2));
-  collar.SplitSpokes(progress.Part(0.2, 0.3));
   for (int point = 0; point < targets.rows(); ++point)
   {
     if (solid.OnBoundary(point))
@@ -467,6 +462,16 @@ int MoveOutward(SolidCells& solid, const Eigen::RowVector3d& centre, const Eigen
       solid.Points.row(point) = targets.row(point);
     }
   }
+}
+
+int MoveOutward(SolidCells& solid, const Eigen::RowVector3d& centre, const Eigen::MatrixXd& targets,
+  const Progress& progress)
+{
+  constexpr int rounds = 60, patience = 12;
+  Collar collar(solid, centre);
+  collar.SplitFacesOutOfOrder(progress.Part(0.0, 0.2));
+  collar.SplitSpokes(progress.Part(0.2, 0.3));
+  MoveBoundary(solid, targets);
   std::vector<int> inverted;
   Eigen::MatrixXd best;
   std::size_t minimum = std::numeric_limits<std::size_t>::max();

@@ -27,6 +27,9 @@ void SeparateBoundary(SolidCells& solid, const Progress& progress = {});
 /// half the least distance of a boundary point.
 void ProjectToSphere(SolidCells& solid, const Eigen::RowVector3d& centre);
 
+/// Moves the boundary points to their targets (n x 3); further rows are of inner points.
+void MoveBoundary(SolidCells& solid, const Eigen::MatrixXd& targets);
+
 /**
  * Moves the boundary points of a solid without inverted tetrahedra along their rays from `centre`
  * outwards, however far, with a collar of new tetrahedra around the unmoved rest.
