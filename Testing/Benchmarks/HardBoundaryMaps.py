@@ -9,7 +9,10 @@ around the origin, so that a map with refinement exists. Every case has its own 
 checked here again: every tetrahedron is positive in rational arithmetic, and the boundary is where it
 was put, to the bit. If the boundary crosses itself, that is a proof that cells stay inverted.
 
-    Utilities/pvpython.sh Testing/Benchmarks/HardBoundaryMaps.py [--count 200] [--seed 1] [CASE ...]
+With --bent, star-shaped targets are stretched, and then bent by a motion of space, by as much as keeps them
+from crossing themselves. Then hardly any position sees the whole boundary.
+
+    Utilities/pvpython.sh Testing/Benchmarks/HardBoundaryMaps.py [--bent] [--count 200] [--seed 1] [CASE ...]
 
 A CASE is the number of a case. With --keep the inputs are written to that folder.
 """
@@ -116,6 +119,44 @@ def sphere(directions, random):
 TARGETS = (random_star, needles, spiral, star_polyhedron, polycube, sphere)
 
 
+def bent(places, angle):
+    """Along an arc of the given angle, or a smaller one where the solid is too thick for it."""
+    x, y, z = places.T
+    radius = max(numpy.ptp(z) / angle, 1.1 * abs(x).max())
+    return numpy.stack([(radius + x) * numpy.cos(z / radius), y, (radius + x) * numpy.sin(z / radius)], axis=1)
+
+
+def coiled(places, angle):
+    """Bent, and sheared along the axis of the arc."""
+    curved = bent(places, angle)
+    curved[:, 1] += 0.5 * numpy.ptp(curved[:, 0]) * numpy.arctan2(curved[:, 2], curved[:, 0])
+    return curved
+
+
+def bent_twice(places, angle):
+    """In two planes, one after the other."""
+    x, y, z = bent(places, angle).T
+    return bent(numpy.stack([y, x.mean() - x, z], axis=1), 0.5 * angle)
+
+
+MOTIONS = (bent, coiled, bent_twice)
+
+
+def moved(images, triangles, motion, random):
+    """A star-shaped surface, stretched and moved by as much as keeps its triangles from crossing."""
+    long = images * [1.0, 1.0, random.uniform(2.0, 6.0)]
+    angle = random.uniform(3.0, 5.0)
+    while True:
+        places = motion(long, angle)
+        solid = shapemap.vtkShapeTetrahedralize()
+        solid.SetInputDataObject(off.surface(places, triangles.tolist()))
+        solid.SetMaximumRadiusEdgeRatio(0.0)
+        if not shapetesting.run(solid):
+            return places
+        angle *= 0.8
+        assert angle > 0.1, motion.__name__
+
+
 def source(number, random):
     """The name of a surface, itself, and its points' directions."""
     kind = number % 4
@@ -135,17 +176,17 @@ def source(number, random):
     return name, surface, array(surface, 'TargetPosition')
 
 
-def case(number, seed):
+def case(number, seed, is_bent):
     """A name, the solid at rest, where its points are put, and which are on its boundary. At least two
     tetrahedra are inverted."""
     random = numpy.random.default_rng([seed, number])
     while True:
-        name, rest, places, fixed = one(number, random)
+        name, rest, places, fixed = one(number, random, is_bent)
         if count_not_positive(places, corners_of(rest)) >= 2:
             return name, rest, places, fixed
 
 
-def one(number, random):
+def one(number, random, is_bent):
     name, surface, directions = source(number, random)
     if surface is None:
         surface = convex_hull(directions)
@@ -168,8 +209,12 @@ def one(number, random):
     fixed = ids >= 0
     places = points(rest).astype(float)
     images = directions * target(directions, random)[:, None]
+    what = target.__name__
+    if is_bent:
+        motion = MOTIONS[number // 4 // len(TARGETS) % len(MOTIONS)]
+        images, what = moved(images, triangles, motion, random), what + ' ' + motion.__name__
     places[fixed] = images[ids[fixed]]
-    return name + ' ' + target.__name__, rest, places, fixed
+    return name + ' ' + what, rest, places, fixed
 
 
 def corners_of(solid):
@@ -207,16 +252,17 @@ def main():
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('--count', type=int, default=200)
     parser.add_argument('--seed', type=int, default=1)
+    parser.add_argument('--bent', action='store_true', help='targets that are not star-shaped')
     parser.add_argument('--keep', help='a folder for the inputs')
     parser.add_argument('words', nargs='*', metavar='CASE')
     options = parser.parse_args()
     claims, left, proven = sweep.Claims(), [], []
     slowest, pause = 0.0, 0.0
-    table = sweep.Table('case:5d', 'what:<26', *(key + ':8d' for key in (
+    table = sweep.Table('case:5d', 'what:<38', *(key + ':8d' for key in (
         'cells', 'before', 'after', 'split', 'added')), 'seconds:8.2f', 'pause:6.2f')
     numbers = [int(word) for word in options.words] or range(options.count)
     for number in numbers:
-        name, rest, places, fixed = case(number, options.seed)
+        name, rest, places, fixed = case(number, options.seed, options.bent)
         if options.keep:
             numpy.savez(os.path.join(options.keep, '%d.npz' % number), rest=points(rest),
                         places=places, corners=corners_of(rest))

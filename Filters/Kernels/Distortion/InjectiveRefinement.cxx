@@ -68,10 +68,11 @@ template <int D>
 class Descent
 {
 public:
-  Descent(const SimplexElements<D>& elements, const PointMotion<D>& motion)
+  Descent(
+    const SimplexElements<D>& elements, const PointMotion<D>& motion, const Progress& progress)
     : Elements(elements)
     , Motion(motion)
-    , System(FindWidths(elements, motion), FindBlocks(elements, motion), D + 1)
+    , System(FindWidths(elements, motion), FindBlocks(elements, motion), D + 1, progress)
   {
   }
 
@@ -291,8 +292,7 @@ InjectiveRefinementResult RefineInjectively(const SimplexElements<Dimension>& el
     const double energy = elements.Energy(start, options.Measure, options.Exponent);
     return { start, energy, energy, 0 };
   }
-  Descent<Dimension> descent(elements, motion);
-  progress(0.0);
+  Descent<Dimension> descent(elements, motion, progress.Part(0.0, 0.0));
   if (!IsExponential(options.Measure))
   {
     return descent.From(start, options, progress);

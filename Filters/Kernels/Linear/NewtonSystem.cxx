@@ -1,6 +1,7 @@
 #include "Linear/NewtonSystem.h"
 
 #include "Base/Errors.h"
+#include "Base/ReportInterval.h"
 
 #include <algorithm>
 #include <utility>
@@ -8,7 +9,8 @@
 namespace shape
 {
 
-NewtonSystem::NewtonSystem(const std::vector<int>& widths, std::vector<int> elements, int corners)
+NewtonSystem::NewtonSystem(
+  const std::vector<int>& widths, std::vector<int> elements, int corners, const Progress& progress)
   : Corners(corners)
   , Elements(std::move(elements))
   , First(1, 0)
@@ -17,10 +19,10 @@ NewtonSystem::NewtonSystem(const std::vector<int>& widths, std::vector<int> elem
   {
     this->First.push_back(this->First.back() + width);
   }
-  this->MakePattern();
+  this->MakePattern(progress);
 }
 
-void NewtonSystem::MakePattern()
+void NewtonSystem::MakePattern(const Progress& progress)
 {
   // First the blocks that share an element with each block are found, then the rows of each column,
   // then the slots.
@@ -28,6 +30,10 @@ void NewtonSystem::MakePattern()
   std::vector<std::vector<int>> neighbours(blocks);
   for (std::size_t first = 0; first < this->Elements.size(); first += step)
   {
+    if (first / step % ReportInterval == 0)
+    {
+      progress(0.3 * first / this->Elements.size());
+    }
     for (std::size_t column = first; column < first + step; ++column)
     {
       for (std::size_t row = first; row < first + step; ++row)
@@ -45,6 +51,10 @@ void NewtonSystem::MakePattern()
   std::vector<int> rows, inner;
   for (std::size_t block = 0; block < blocks; ++block)
   {
+    if (block % ReportInterval == 0)
+    {
+      progress(0.3 + 0.3 * block / blocks);
+    }
     std::vector<int>& all = neighbours[block];
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
@@ -69,6 +79,10 @@ void NewtonSystem::MakePattern()
   const int count = static_cast<int>(this->Elements.size() / step);
   for (int element = 0; element < count; ++element)
   {
+    if (element % ReportInterval == 0)
+    {
+      progress(0.6 + 0.4 * element / count);
+    }
     const int* own = this->Elements.data() + element * step;
     for (int column = 0; column < this->Corners; ++column)
     {

@@ -24,8 +24,9 @@ class NewtonSystem
 public:
   /// widths: for each block, the number of its unknowns; each >= 0. elements: the blocks of the
   /// first element's corners, then of the second's, and so on; -1 for a corner without unknowns.
-  /// corners: number of corners of an element.
-  NewtonSystem(const std::vector<int>& widths, std::vector<int> elements, int corners);
+  /// corners: number of corners of an element. Throws Aborted.
+  NewtonSystem(const std::vector<int>& widths, std::vector<int> elements, int corners,
+    const Progress& progress = {});
 
   int Width(int block) const { return this->First[block + 1] - this->First[block]; }
 
@@ -92,7 +93,7 @@ private:
   {
     return (static_cast<std::size_t>(element) * this->Corners + column) * this->Corners + row;
   }
-  void MakePattern();
+  void MakePattern(const Progress& progress);
 
   int Corners;
   std::vector<int> Elements;

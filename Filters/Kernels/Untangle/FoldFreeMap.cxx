@@ -23,7 +23,7 @@ UntangleResult ComputeFoldFreeMap(const Cells& domain, const Eigen::MatrixXd& mo
   const Mesh& boundary, const Eigen::MatrixXd& targets, const Progress& progress)
 {
   RequireFinite(domain.Points, "the Domain");
-  SolidCells solid(domain, {}, "the Domain");
+  SolidCells solid(domain, {}, "the Domain", progress.Part(0.0, 0.0));
   std::vector<int> outer;
   for (int point = 0; point < solid.PointCount(); ++point)
   {

@@ -43,13 +43,13 @@ void ForAllSimplices(int count, const Body& body)
 class PatchEnergy : public EnergyProblem
 {
 public:
-  PatchEnergy(
-    const Eigen::MatrixXd& points, const SimplexPatch& patch, const PointConstraint* constraint)
+  PatchEnergy(const Eigen::MatrixXd& points, const SimplexPatch& patch,
+    const PointConstraint* constraint, const Progress& progress)
     : Patch(patch)
     , Constraint(constraint)
     , FreeCount(static_cast<int>(patch.FreePoints.size()))
     , Corners(NumberCorners(points))
-    , System(this->Widths(), this->FreeCorners(), 4)
+    , System(this->Widths(), this->FreeCorners(), 4, progress)
   {
   }
 
@@ -372,7 +372,7 @@ PatchResult MinimizeEnergy(Eigen::Matrix3Xd& x, EnergyProblem& problem, const Pa
 PatchResult MinimizeEnergy(Eigen::MatrixXd& points, const SimplexPatch& patch,
   const PointConstraint* constraint, const PatchOptions& options, const Progress& progress)
 {
-  PatchEnergy problem(points, patch, constraint);
+  PatchEnergy problem(points, patch, constraint, progress.Part(0.0, 0.0));
   Eigen::Matrix3Xd x = problem.Start();
   const PatchResult result = MinimizeEnergy(x, problem, options, progress);
   for (std::size_t i = 0; i < patch.FreePoints.size(); ++i)

@@ -97,10 +97,10 @@ void RequireSolid(const Cells& cells, const SolidCells& solid)
   }
 }
 
-Untangling BeginUntangling(
-  const Cells& cells, const Eigen::MatrixXd& rest, const UntangleOptions& options)
+Untangling BeginUntangling(const Cells& cells, const Eigen::MatrixXd& rest,
+  const UntangleOptions& options, const Progress& progress)
 {
-  Untangling begun{ SolidCells(cells, rest, "the Input"), nullptr };
+  Untangling begun{ SolidCells(cells, rest, "the Input", progress), nullptr };
   begun.MaximumWork = options.MaximumWork;
   RequireSolid(cells, begun.Solid);
   if (!options.FixBoundary)
@@ -445,7 +445,7 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
     }
     RequireExtent(rest, "the RestShape");
   }
-  Untangling best = BeginUntangling(cells, rest, options);
+  Untangling best = BeginUntangling(cells, rest, options, progress.Part(0.0, 0.0));
   const auto invertedBefore =
     static_cast<int>(FindInverted(best.Solid, progress.Part(0.0, 0.0)).size());
   const bool isRefined = options.Refine != RefineType::None;
@@ -463,7 +463,7 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
   }
   if (left > 0 && centre.IsValid)
   {
-    Untangling other = BeginUntangling(cells, rest, options);
+    Untangling other = BeginUntangling(cells, rest, options, untangling.Part(0.4, 0.4));
     other.Work = best.Work;
     const int others = UntangleStar(other, options, centre.Position, untangling.Part(0.4, 0.6));
     best.Work = other.Work;
@@ -479,7 +479,7 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
   }
   if (left > 0 && !best.HasPatchCollar)
   {
-    Untangling other = BeginUntangling(cells, rest, options);
+    Untangling other = BeginUntangling(cells, rest, options, untangling.Part(0.7, 0.7));
     other.Work = best.Work;
     // Restarts with each inner point at the mean of its neighbours.
     other.Solid.Points = SolveTutteEmbedding(other.Solid, untangling.Part(0.7, 0.7));

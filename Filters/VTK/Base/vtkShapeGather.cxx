@@ -326,28 +326,47 @@ void vtkShapeGather::Reduce(
   controller->AllReduce(own.data(), values, count, operation);
 }
 
+template <typename Container>
+Container vtkShapeGather::Concatenate(
+  vtkMultiProcessController* controller, const Container& own, std::vector<vtkIdType>& offsets)
+{
+  const auto size = static_cast<vtkIdType>(own.size());
+  if (!IsParallel(controller))
+  {
+    offsets = { 0, size };
+    return own;
+  }
+  const int processes = controller->GetNumberOfProcesses();
+  std::vector<vtkIdType> sizes(processes);
+  controller->AllGather(&size, sizes.data(), 1);
+  offsets.assign(processes + 1, 0);
+  std::partial_sum(sizes.begin(), sizes.end(), offsets.begin() + 1);
+  Container all(offsets.back(), {});
+  controller->AllGatherV(own.data(), all.data(), size, sizes.data(), offsets.data());
+  return all;
+}
+
+template std::string vtkShapeGather::Concatenate(
+  vtkMultiProcessController*, const std::string&, std::vector<vtkIdType>&);
+template std::vector<double> vtkShapeGather::Concatenate(
+  vtkMultiProcessController*, const std::vector<double>&, std::vector<vtkIdType>&);
+
 double vtkShapeGather::CountOnce(
   vtkMultiProcessController* controller, const std::vector<Eigen::RowVector3d>& positions)
 {
-  if (!IsParallel(controller))
+  std::vector<double> own;
+  for (const Eigen::RowVector3d& position : positions)
   {
-    return static_cast<double>(positions.size());
+    own.insert(own.end(), position.begin(), position.end());
   }
-  const int processes = controller->GetNumberOfProcesses();
-  const auto own = static_cast<vtkIdType>(3 * positions.size());
-  std::vector<vtkIdType> sizes(processes), offsets(processes);
-  controller->AllGather(&own, sizes.data(), 1);
-  std::partial_sum(sizes.begin(), sizes.end() - 1, offsets.begin() + 1);
-  std::vector<double> all(offsets.back() + sizes.back());
-  static_assert(sizeof(Eigen::RowVector3d) == 3 * sizeof(double), "packed");
-  controller->AllGatherV(positions.empty() ? nullptr : positions.front().data(), all.data(), own,
-    sizes.data(), offsets.data());
+  std::vector<vtkIdType> offsets;
+  const std::vector<double> all = Concatenate(controller, own, offsets);
   // One process can have two points at one position: these count twice.
   std::map<std::array<double, 3>, double> counts;
-  for (int process = 0; process < processes; ++process)
+  for (std::size_t process = 0; process + 1 < offsets.size(); ++process)
   {
     std::map<std::array<double, 3>, double> here;
-    for (vtkIdType i = offsets[process]; i < offsets[process] + sizes[process]; i += 3)
+    for (vtkIdType i = offsets[process]; i < offsets[process + 1]; i += 3)
     {
       ++here[{ all[i], all[i + 1], all[i + 2] }];
     }

@@ -1,4 +1,5 @@
 #include "Base/Errors.h"
+#include "Linear/NewtonSystem.h"
 #include "Untangle/Private/CellPatches.h"
 #include "Untangle/Private/CellSplits.h"
 #include "Untangle/Private/ClusterSplits.h"
@@ -46,7 +47,11 @@ TEST(Aborts, EndEachPartOfTheWorkAtItsReport)
     [&](const auto& progress) { shape::SolveTutteEmbedding(solid, progress); },
     [&](const auto& progress) { shape::BuildPatch(solid, { 0 }, sizes, progress); },
     [&](const auto& progress) { shape::CellSplits(solid, isMovable).Impossible(bad, progress); },
-    [&](const auto& progress) { shape::CellSplits(solid, isMovable).Stubborn(bad, 1, progress); } };
+    [&](const auto& progress) { shape::CellSplits(solid, isMovable).Stubborn(bad, 1, progress); },
+    [&](const auto& progress) { shape::SolidCells(cone, {}, "the cone", progress); },
+    [&](const auto& progress) {
+      shape::NewtonSystem({ 3, 3 }, { 0, 1, -1, 0 }, 2, progress);
+    } };
   const shape::Progress abort([](double) { return false; });
   for (std::size_t i = 0; i < parts.size(); ++i)
   {

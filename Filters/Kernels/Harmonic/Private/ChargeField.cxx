@@ -28,11 +28,13 @@ std::shared_ptr<const ChargeField> Descend(const std::shared_ptr<const ChargeFie
   {
     return field;
   }
-  auto inner = std::make_shared<ChargeField>(
-    ChargeField{ field->Far, cube.Centre, {}, field->ValueError, std::move(near) });
+  auto inner = std::make_shared<ChargeField>();
+  inner->Far = field->Far;
   inner->Far.Shift(cube.Centre - field->Centre);
   inner->Far.Add(charges, far, cube.Centre, radius, TaylorExpansion::Degree);
-  inner->ValueError += radius * (inner->Far.Remainder - field->Far.Remainder);
+  inner->Centre = cube.Centre;
+  inner->Near = std::move(near);
+  inner->ValueError = field->ValueError + radius * (inner->Far.Remainder - field->Far.Remainder);
   inner->HighTerms = (1.0 + 1e-12) * inner->Far.BoundHighTerms(cube.Half);
   return inner;
 }

@@ -68,7 +68,8 @@ Eigen::Matrix3d EdgesOf(const Eigen::MatrixXd& points, const std::array<int, 4>&
 
 } // namespace
 
-SolidCells::SolidCells(const Cells& cells, const Eigen::MatrixXd& rest, const std::string& name)
+SolidCells::SolidCells(const Cells& cells, const Eigen::MatrixXd& rest, const std::string& name,
+  const Progress& progress)
   : Points(cells.Points)
   , Rest(rest)
   , OriginalPointCount(static_cast<int>(cells.Points.rows()))
@@ -76,6 +77,10 @@ SolidCells::SolidCells(const Cells& cells, const Eigen::MatrixXd& rest, const st
   this->PointCells.resize(this->OriginalPointCount);
   for (int cell = 0; cell < cells.Kinds.size(); ++cell)
   {
+    if (cell % ReportInterval == 0)
+    {
+      progress(0.3 * cell / cells.Kinds.size());
+    }
     const int first = cells.Offsets(cell), count = cells.Offsets(cell + 1) - first;
     const std::string where = name + "'s cell " + std::to_string(cell);
     if (GetFaces(cells.Kinds(cell)).empty() || GetCornerCount(cells.Kinds(cell)) != count)
@@ -105,16 +110,21 @@ SolidCells::SolidCells(const Cells& cells, const Eigen::MatrixXd& rest, const st
   {
     throw InvalidInput(name + " has no solid cells; make some with Shape Tetrahedralize");
   }
-  this->MarkBoundary();
+  this->MarkBoundary(cells, progress.Part(0.3, 1.0));
   this->TurnWedges();
 }
 
-void SolidCells::MarkBoundary()
+void SolidCells::MarkBoundary(const Cells& cells, const Progress& progress)
 {
   this->Boundary.assign(this->PointCells.size(), 0);
-  const std::vector<CellFace> faces = SortFaces(this->Result());
+  const std::vector<CellFace> faces = SortFaces(cells);
+  progress(0.8);
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
+    if (i % ReportInterval == 0)
+    {
+      progress(0.8 + 0.2 * i / faces.size());
+    }
     if (!IsBoundaryFace(faces, i))
     {
       continue;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Base/Progress.h"
+#include "Base/ReportInterval.h"
 #include "Mesh/Cells.h"
 #include "Untangle/EllipticEnergy.h"
 
@@ -14,9 +16,6 @@
 namespace shape
 {
 
-/// Loops report progress after this many cells, points or splits: seldom enough to cost nothing.
-constexpr int ReportInterval = 4096;
-
 /**
  * A solid of tetrahedra, pyramids, wedges and hexahedra. Its points have current positions and,
  * optionally, positions at rest. A cell is represented by its corner tetrahedra (CellSimplices),
@@ -28,8 +27,9 @@ class SolidCells
 public:
   /// rest (n x 3, or empty): the positions at rest. If it is empty, regular cells are the rest
   /// shapes. name: the name of the cells in messages. Throws InvalidInput if there is no cell, or
-  /// if a cell is of another kind, repeats a point or has an index out of range.
-  SolidCells(const Cells& cells, const Eigen::MatrixXd& rest, const std::string& name);
+  /// if a cell is of another kind, repeats a point or has an index out of range. Throws Aborted.
+  SolidCells(const Cells& cells, const Eigen::MatrixXd& rest, const std::string& name,
+    const Progress& progress = {});
 
   Eigen::MatrixXd Points; ///< n x 3: current positions
   Eigen::MatrixXd Rest;   ///< n x 3, or empty: positions at rest
@@ -110,7 +110,7 @@ private:
 
   void KeepCells(const std::vector<int>& cells);
   std::vector<int> CellsAround(const std::vector<int>& simplex) const;
-  void MarkBoundary();
+  void MarkBoundary(const Cells& cells, const Progress& progress);
   void TurnWedges();
 
   std::vector<int> Kinds;

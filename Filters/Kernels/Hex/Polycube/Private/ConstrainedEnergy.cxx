@@ -27,11 +27,12 @@ constexpr double MinimumWeight = 0.1;
 class ConstrainedEnergy : public EnergyProblem
 {
 public:
-  ConstrainedEnergy(const WorkingSolid& solid, const ConstrainedCoordinates& tied)
+  ConstrainedEnergy(
+    const WorkingSolid& solid, const ConstrainedCoordinates& tied, const Progress& progress)
     : Solid(solid)
     , Tied(tied)
     , Weights(solid.Tetrahedra.rows())
-    , System(std::vector<int>(tied.Count, 1), this->UnknownsOfAll(), 12)
+    , System(std::vector<int>(tied.Count, 1), this->UnknownsOfAll(), 12, progress)
   {
     for (int t = 0; t < solid.Tetrahedra.rows(); ++t)
     {
@@ -206,7 +207,7 @@ private:
 PatchResult MinimizeConstrainedEnergy(Eigen::MatrixXd& positions, const WorkingSolid& solid,
   const ConstrainedCoordinates& tied, const PatchOptions& options, const Progress& progress)
 {
-  ConstrainedEnergy problem(solid, tied);
+  ConstrainedEnergy problem(solid, tied, progress.Part(0.0, 0.0));
   Eigen::Matrix3Xd x = positions.transpose();
   const PatchResult result = MinimizeEnergy(x, problem, options, progress);
   positions = x.transpose();

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace shape
+{
+
+/// Loops report progress after this many short iterations: seldom enough to cost nothing.
+constexpr int ReportInterval = 4096;
+
+} // namespace shape
