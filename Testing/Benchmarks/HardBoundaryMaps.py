@@ -10,7 +10,7 @@ checked here again: every tetrahedron is positive in rational arithmetic, and th
 was put, to the bit. If the boundary crosses itself, that is a proof that cells stay inverted.
 
 With --bent, star-shaped targets are stretched, and then bent by a motion of space, by as much as keeps them
-from crossing themselves. Then hardly any position sees the whole boundary.
+from crossing themselves. The column `star` is 1 if a position still sees the whole boundary.
 
     Utilities/pvpython.sh Testing/Benchmarks/HardBoundaryMaps.py [--bent] [--count 200] [--seed 1] [CASE ...]
 
@@ -25,6 +25,7 @@ import sweep
 
 import numpy
 import off
+import scipy.optimize
 import shapemap
 import shapetesting
 from scenes import at
@@ -221,6 +222,13 @@ def corners_of(solid):
     return vtk_to_numpy(solid.GetCells().GetConnectivityArray()).reshape(-1, 4)
 
 
+def boundary_of(corners):
+    """The boundary triangles of tetrahedra, facing outwards."""
+    faces = corners[:, [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]].reshape(-1, 3)
+    _, first, count = numpy.unique(numpy.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
+    return faces[first[count == 1]]
+
+
 def count_not_positive(places, corners):
     """In rational arithmetic where the determinant in double is not certain."""
     a, b, c = (places[corners[:, k]] - places[corners[:, 0]] for k in (1, 2, 3))
@@ -232,6 +240,16 @@ def count_not_positive(places, corners):
         (a, b, c), (d, e, f), (g, h, i) = ([x - y for x, y in zip(q, p[0])] for q in p[1:])
         count += a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g) <= 0
     return count
+
+
+def is_star_shaped(places, triangles):
+    """Whether a position is on the inner side of all triangles, by more than rounding."""
+    a, b, c = (places[triangles[:, k]] for k in range(3))
+    normals = numpy.cross(b - a, c - a)
+    normals /= numpy.linalg.norm(normals, axis=1)[:, None]
+    rows = numpy.hstack([normals, numpy.ones((len(normals), 1))])
+    result = scipy.optimize.linprog([0, 0, 0, -1], rows, (normals * a).sum(axis=1), bounds=(None, None))
+    return result.status == 0 and result.x[3] > 1e-9 * numpy.ptp(places)
 
 
 def untangled(rest, places):
@@ -259,13 +277,14 @@ def main():
     claims, left, proven = sweep.Claims(), [], []
     slowest, pause = 0.0, 0.0
     table = sweep.Table('case:5d', 'what:<38', *(key + ':8d' for key in (
-        'cells', 'before', 'after', 'split', 'added')), 'seconds:8.2f', 'pause:6.2f')
+        'cells', 'before', 'after', 'split', 'added')), 'star:4d', 'seconds:8.2f', 'pause:6.2f')
     numbers = [int(word) for word in options.words] or range(options.count)
     for number in numbers:
         name, rest, places, fixed = case(number, options.seed, options.bent)
         if options.keep:
             numpy.savez(os.path.join(options.keep, '%d.npz' % number), rest=points(rest),
                         places=places, corners=corners_of(rest))
+        boundary = boundary_of(corners_of(rest))
         result, seconds, longest = untangled(rest, places)
         after = points(result)
         wrong = count_not_positive(after, corners_of(result))
@@ -275,7 +294,7 @@ def main():
             case=number, what=name, cells=rest.GetNumberOfCells(),
             before=int(fact(result, 'Untangle.InvertedBefore')), after=wrong,
             split=int(fact(result, 'Untangle.SplitCells')),
-            added=result.GetNumberOfCells() - rest.GetNumberOfCells(), seconds=seconds, pause=longest))
+            star=is_star_shaped(places, boundary), added=result.GetNumberOfCells() - rest.GetNumberOfCells(), seconds=seconds, pause=longest))
         slowest, pause = max(slowest, seconds), max(pause, longest)
         if wrong:
             crosses = 'crosses itself' in str(fact(result, 'Untangle.Reason'))
