@@ -149,10 +149,12 @@ def moved(images, triangles, motion, random):
     angle = random.uniform(3.0, 5.0)
     while True:
         places = motion(long, angle)
+        corners = places[triangles]
+        volume = numpy.linalg.det(corners - places.mean(axis=0)).sum()
         solid = shapemap.vtkShapeTetrahedralize()
         solid.SetInputDataObject(off.surface(places, triangles.tolist()))
         solid.SetMaximumRadiusEdgeRatio(0.0)
-        if not shapetesting.run(solid):
+        if volume > 0.0 and not shapetesting.run(solid):
             return places
         angle *= 0.8
         assert angle > 0.1, motion.__name__
