@@ -43,7 +43,7 @@ constexpr int Rounds = static_cast<int>(std::size(Rings));
 /// tetrahedra can be expanded, but in a star that starts anew, most rounds lower the number first.
 constexpr int Patience = 6, PatienceInStar = 3, PatienceBeforeExpansion = 1;
 /// A patch is given up after this many Newton steps without progress.
-constexpr int StepPatience = 20;
+constexpr int StepPatience = 40;
 /// A state with this many times more inverted cells than the best is abandoned.
 constexpr std::size_t MaximumIncrease = 2;
 /// After this many consecutive rounds the edges of a fixed point may be split again.
@@ -483,7 +483,7 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
     other.Work = best.Work;
     // Restarts with each inner point at the mean of its neighbours.
     other.Solid.Points = SolveTutteEmbedding(other.Solid, untangling.Part(0.7, 0.7));
-    const int others = ReduceInverted(
+    const int others = ReduceAndExpand(
       other, options, Patience, untangling.Part(0.7, 0.95, "untangling from another start"));
     best.Work = other.Work;
     if (others < left)
