@@ -3,19 +3,15 @@
 #include "Base/Errors.h"
 #include "Mesh/Extent.h"
 #include "Mesh/Topology.h"
-#include "Untangle/MinimizeEnergy.h"
 #include "Untangle/Private/BoundaryFaults.h"
 #include "Untangle/Private/CellPatches.h"
-#include "Untangle/Private/CellSplits.h"
-#include "Untangle/Private/ConeExpansion.h"
 #include "Untangle/Private/KernelMoves.h"
 #include "Untangle/Private/PatchCollar.h"
-#include "Untangle/Private/SlidingBoundary.h"
-#include "Untangle/Private/SolidCells.h"
 #include "Untangle/Private/SolidRefinement.h"
 #include "Untangle/Private/StarCollar.h"
 #include "Untangle/Private/StarKernel.h"
 #include "Untangle/Private/TutteEmbedding.h"
+#include "Untangle/Private/UntanglingRounds.h"
 
 #include <Eigen/Geometry>
 
@@ -33,38 +29,6 @@ namespace shape
 {
 namespace
 {
-
-/// The number of rings of points around inverted cells that move, in successive rounds. Cells that
-/// stay inverted are split at one edge from FirstSplitting on, and all around from FirstCollar on.
-constexpr int Rings[] = { 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 8, 8, 12, 12, 16, 16 };
-constexpr int FirstSplitting = 1, FirstCollar = 2;
-constexpr int Rounds = static_cast<int>(std::size(Rings));
-/// The end comes after this many rounds without a new minimum of inverted cells. It comes sooner if
-/// tetrahedra can be expanded, but in a star that starts anew, most rounds lower the number first.
-constexpr int Patience = 6, PatienceInStar = 3, PatienceBeforeExpansion = 1;
-/// A patch is given up after this many Newton steps without progress.
-constexpr int StepPatience = 40;
-/// A state with this many times more inverted cells than the best is abandoned.
-constexpr std::size_t MaximumIncrease = 2;
-/// After this many consecutive rounds the edges of a fixed point may be split again.
-constexpr int RoundsPerCollar = 4;
-
-/// A solid on the way to one without inverted cells.
-struct Untangling
-{
-  SolidCells Solid;
-  std::unique_ptr<SlidingBoundary> Sliding; ///< none if the boundary is fixed
-  int Expansions = 0;                       ///< points that were placed by exact tests
-  int Iterations = 0;                       ///< Newton steps so far
-  double Work = 0.0;                        ///< of these steps
-  double MaximumWork = 0.0;
-  bool HasPatchCollar = false;              ///< whether cells are too thin for Newton's method
-
-  bool IsMovable(int point) const
-  {
-    return !this->Solid.OnBoundary(point) || (this->Sliding && this->Sliding->Freedom(point) > 0);
-  }
-};
 
 /// Throws unless lengths can be computed with, and the boundary encloses a volume. Inner points do
 /// not change that volume, so no cells can be positive in a negative one.
@@ -101,7 +65,9 @@ Untangling BeginUntangling(const Cells& cells, const Eigen::MatrixXd& rest,
   const UntangleOptions& options, const Progress& progress)
 {
   Untangling begun{ SolidCells(cells, rest, "the Input", progress), nullptr };
+  begun.MaximumIterations = options.MaximumIterations;
   begun.MaximumWork = options.MaximumWork;
+  begun.SplitCells = options.SplitCells;
   RequireSolid(cells, begun.Solid);
   if (!options.FixBoundary)
   {
@@ -109,176 +75,6 @@ Untangling BeginUntangling(const Cells& cells, const Eigen::MatrixXd& rest,
       std::make_unique<SlidingBoundary>(begun.Solid.Points, begun.Solid.BoundaryTriangles());
   }
   return begun;
-}
-
-/// Minimises the energy of a patch, as far as the work that is left permits.
-PatchResult MovePatch(
-  Untangling& untangling, const SimplexPatch& patch, PatchOptions options, const Progress& progress)
-{
-  const double step = std::pow(static_cast<double>(patch.FreePoints.size()), 1.5);
-  // The search for a smoother start counts as one step.
-  const double steps = std::floor((untangling.MaximumWork - untangling.Work) / step) - 1.0;
-  if (steps < 1.0)
-  {
-    return { 0, CountNegative(patch, untangling.Solid.Points), 0.0, 0.0 };
-  }
-  options.MaximumSteps = static_cast<int>(std::min<double>(options.MaximumSteps, steps));
-  const PatchResult moved =
-    MinimizeEnergy(untangling.Solid.Points, patch, untangling.Sliding.get(), options, progress);
-  untangling.Iterations += moved.Steps;
-  // The last step may have ended the iteration without being counted.
-  untangling.Work += (std::min(moved.Steps + 1, options.MaximumSteps) + 1.0) * step;
-  return moved;
-}
-
-/// Minimises the energy of each patch of points around inverted cells. A patch that would have more
-/// negative tetrahedra than before is not moved.
-void MovePoints(Untangling& untangling, int rings, int maximumSteps, const Progress& progress)
-{
-  SolidCells& solid = untangling.Solid;
-  const Progress begun = progress.Part(0.0, 0.0);
-  const Eigen::VectorXd sizes = ComputeLogarithmicSizes(solid, begun);
-  const std::vector<std::vector<int>> patches = FindMovablePatches(
-    solid, MarkAroundInverted(solid, rings, begun),
-    [&](int point) { return untangling.IsMovable(point); }, begun);
-  PatchOptions options;
-  options.MaximumSteps = maximumSteps;
-  options.Patience = StepPatience;
-  for (std::size_t i = 0; i < patches.size(); ++i)
-  {
-    const Progress part =
-      progress.Part(static_cast<double>(i) / patches.size(), (i + 1.0) / patches.size());
-    const SimplexPatch patch = BuildPatch(solid, patches[i], sizes, part.Part(0.0, 0.0));
-    const int before = CountNegative(patch, solid.Points);
-    if (before == 0)
-    {
-      continue;
-    }
-    const Eigen::MatrixXd kept = solid.Points(patches[i], Eigen::all);
-    const PatchResult moved = MovePatch(untangling, patch, options, part);
-    if (moved.Negative > before)
-    {
-      solid.Points(patches[i], Eigen::all) = kept;
-    }
-  }
-}
-
-/// Moves points and splits cells until no cell is inverted or no further progress is found. Returns
-/// the number of inverted cells. patience: after how many rounds without a new minimum it ends.
-int ReduceInverted(
-  Untangling& untangling, const UntangleOptions& options, int patience, const Progress& progress)
-{
-  SolidCells& solid = untangling.Solid;
-  progress(0.02);
-  std::vector<int> bad =
-    FindInverted(solid, progress.Part(0.02, 0.05, "looking for inverted cells"));
-  CellSplits splits(solid, [&](int point) { return untangling.IsMovable(point); });
-  std::size_t minimum = bad.size();
-  auto best = bad.empty() ? nullptr : std::make_unique<SolidCells>(solid);
-  for (int round = 0, last = 0; round < Rounds && !bad.empty() && round <= last + patience; ++round)
-  {
-    const Progress part =
-      progress.Part(0.05 + 0.9 * round / Rounds, 0.05 + 0.9 * (round + 1.0) / Rounds);
-    const Progress begun = part.Part(0.0, 0.0), ended = part.Part(1.0, 1.0);
-    if (options.SplitCells)
-    {
-      splits.Impossible(bad, begun);
-    }
-    if (options.SplitCells && round >= FirstSplitting)
-    {
-      splits.Stubborn(FindInverted(solid, begun),
-        round < FirstCollar ? 0 : 1 + (round - FirstCollar) / RoundsPerCollar, begun);
-    }
-    MovePoints(untangling, Rings[round], options.MaximumIterations, part);
-    bad = FindInverted(solid, ended);
-    if (bad.size() < minimum)
-    {
-      minimum = bad.size();
-      last = round;
-      *best = solid;
-    }
-    else if (bad.size() > MaximumIncrease * minimum)
-    {
-      solid = *best;
-      bad = FindInverted(solid, ended);
-    }
-  }
-  if (bad.size() > minimum)
-  {
-    solid = *best;
-    bad = FindInverted(solid, progress.Part(1.0, 1.0));
-  }
-  progress(1.0);
-  return static_cast<int>(bad.size());
-}
-
-/// Lowers the energy around the points that an expansion moved, without inverting a cell.
-void ImproveMoved(Untangling& untangling, const Eigen::MatrixXd& before, const Progress& progress)
-{
-  SolidCells& solid = untangling.Solid;
-  std::vector<char> marked(solid.PointCount(), 0);
-  for (int point = 0; point < solid.PointCount(); ++point)
-  {
-    marked[point] = point >= before.rows() || solid.Points.row(point) != before.row(point);
-  }
-  const Progress begun = progress.Part(0.0, 0.0);
-  const Eigen::VectorXd sizes = ComputeLogarithmicSizes(solid, begun);
-  const std::vector<std::vector<int>> patches = FindMovablePatches(
-    solid, marked, [&](int point) { return untangling.IsMovable(point); }, begun);
-  PatchOptions options;
-  options.FurtherSteps = 20;
-  for (std::size_t i = 0; i < patches.size(); ++i)
-  {
-    const Progress part =
-      progress.Part(static_cast<double>(i) / patches.size(), (i + 1.0) / patches.size());
-    const SimplexPatch patch = BuildPatch(solid, patches[i], sizes, part.Part(0.0, 0.0));
-    if (CountNegative(patch, solid.Points) > 0)
-    {
-      continue;
-    }
-    const Eigen::MatrixXd kept = solid.Points(patches[i], Eigen::all);
-    const PatchResult moved = MovePatch(untangling, patch, options, part);
-    if (moved.Negative > 0)
-    {
-      solid.Points(patches[i], Eigen::all) = kept;
-    }
-  }
-}
-
-/// Moves points, then expands clusters of the tetrahedra that stay inverted, in turn: what one
-/// leaves inverted is another start for the other. Returns the number of inverted cells. patience:
-/// that of the first turn (ReduceInverted).
-int ReduceAndExpand(
-  Untangling& untangling, const UntangleOptions& options, int patience, const Progress& progress)
-{
-  SolidCells& solid = untangling.Solid;
-  constexpr int turns = 4;
-  ConeExpansionOptions expansion;
-  expansion.SplitCells = options.SplitCells;
-  int left = 0;
-  for (int turn = 0; turn < turns; ++turn)
-  {
-    const Progress part = progress.Part(static_cast<double>(turn) / turns, (turn + 1.0) / turns);
-    const int last = left;
-    left = ReduceInverted(untangling, options, turn == 0 ? patience : PatienceBeforeExpansion,
-      part.Part(0.0, 0.4, "untangling the inverted cells"));
-    if (left == 0)
-    {
-      break;
-    }
-    const Eigen::MatrixXd before = solid.Points.topRows(solid.PointCount());
-    const ConeExpansionResult expanded =
-      ExpandInverted(solid, expansion, part.Part(0.4, 0.9, "placing points by exact tests"));
-    untangling.Expansions += expanded.Expansions;
-    left = static_cast<int>(FindInverted(solid, part.Part(0.9, 0.9)).size());
-    ImproveMoved(untangling, before, part.Part(0.9, 1.0, "improving the cells"));
-    // A turn that has changed nothing would only be repeated.
-    if (left == 0 || (expanded.Expansions == 0 && left == last))
-    {
-      break;
-    }
-  }
-  return left;
 }
 
 /// Returns the centre of a fixed boundary that is star-shaped, if all cells are tetrahedra that may
@@ -312,8 +108,8 @@ bool IsNearSphere(const SolidCells& solid)
 /// Builds a collar between the targets of the boundary and a sphere, and untangles the solid below
 /// it, in turns: by exact moves of single points, and by Newton's method while the collar is fixed.
 /// Returns whether at most one cell in a hundred stays inverted; else the solid does not change.
-bool UntangleBelowCollar(Untangling& untangling, const UntangleOptions& options,
-  const Eigen::RowVector3d& centre, const Eigen::MatrixXd& targets, const Progress& progress)
+bool UntangleBelowCollar(Untangling& untangling, const Eigen::RowVector3d& centre,
+  const Eigen::MatrixXd& targets, const Progress& progress)
 {
   constexpr double share = 0.01;
   constexpr int turns = 4;
@@ -329,7 +125,7 @@ bool UntangleBelowCollar(Untangling& untangling, const UntangleOptions& options,
       const Progress part =
         progress.Part(0.4 + 0.6 * turn / turns, 0.4 + 0.6 * (turn + 1.0) / turns);
       solid.SetInnerBoundary(collar.Inside);
-      MovePoints(untangling, 1 + turn, options.MaximumIterations, part.Part(0.0, 0.5));
+      MovePoints(untangling, 1 + turn, part.Part(0.0, 0.5));
       solid.ForgetInnerBoundary();
       left = MoveIntoKernels(solid, part.Part(0.5, 1.0));
     }
@@ -346,15 +142,15 @@ bool UntangleBelowCollar(Untangling& untangling, const UntangleOptions& options,
 /// to where it was. Returns false if many cells stay inverted: in the sphere, or because distances
 /// are too small for a collar in double precision. The boundary then is back, and the inner points
 /// are not.
-bool UntangleInSphere(Untangling& untangling, const UntangleOptions& options,
-  const Eigen::RowVector3d& centre, const Progress& progress)
+bool UntangleInSphere(
+  Untangling& untangling, const Eigen::RowVector3d& centre, const Progress& progress)
 {
   SolidCells& solid = untangling.Solid;
   const Eigen::MatrixXd targets = solid.Points.topRows(solid.PointCount());
   ProjectToSphere(solid, centre);
   solid.Points = SolveTutteEmbedding(solid, progress.Part(0.0, 0.1));
   // An expansion may take longer than all rounds, so these end only when they stall.
-  if (ReduceAndExpand(untangling, options, Patience, progress.Part(0.1, 0.9)) == 0)
+  if (ReduceAndExpand(untangling, Patience, progress.Part(0.1, 0.9)) == 0)
   {
     const SolidCells inSphere = solid;
     if (MoveOutward(
@@ -363,7 +159,7 @@ bool UntangleInSphere(Untangling& untangling, const UntangleOptions& options,
       return true;
     }
     solid = inSphere;
-    if (UntangleBelowCollar(untangling, options, centre, targets, progress.Part(0.9, 1.0)))
+    if (UntangleBelowCollar(untangling, centre, targets, progress.Part(0.9, 1.0)))
     {
       return true;
     }
@@ -375,19 +171,17 @@ bool UntangleInSphere(Untangling& untangling, const UntangleOptions& options,
 /// Untangles the solid anew where each tetrahedron meets the boundary in one simplex: in a sphere,
 /// unless the boundary is near one, and else where the boundary is. Returns the number of inverted
 /// cells.
-int UntangleStar(Untangling& untangling, const UntangleOptions& options,
-  const Eigen::RowVector3d& centre, const Progress& progress)
+int UntangleStar(Untangling& untangling, const Eigen::RowVector3d& centre, const Progress& progress)
 {
   SolidCells& solid = untangling.Solid;
   SeparateBoundary(solid, progress.Part(0.0, 0.0));
-  if (!IsNearSphere(solid) &&
-    UntangleInSphere(untangling, options, centre, progress.Part(0.0, 0.6)))
+  if (!IsNearSphere(solid) && UntangleInSphere(untangling, centre, progress.Part(0.0, 0.6)))
   {
     return static_cast<int>(FindInverted(solid, progress.Part(0.6, 0.6)).size());
   }
   solid.Points = SolveTutteEmbedding(solid, progress.Part(0.6, 0.7));
   return ReduceInverted(
-    untangling, options, PatienceInStar, progress.Part(0.7, 1.0, "untangling the inverted cells"));
+    untangling, PatienceInStar, progress.Part(0.7, 1.0, "untangling the inverted cells"));
 }
 
 UntangleResult BuildResult(Untangling& untangling, const Progress& progress)
@@ -454,18 +248,18 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
   const StarPlacement centre = invertedBefore > 0 ? FindStar(best.Solid, options) : StarPlacement();
   if (best.Solid.HasTetrahedra() && !centre.IsValid)
   {
-    left = ReduceAndExpand(best, options, PatienceBeforeExpansion, untangling.Part(0.0, 0.7));
+    left = ReduceAndExpand(best, PatienceBeforeExpansion, untangling.Part(0.0, 0.7));
   }
   else
   {
-    left = ReduceInverted(best, options, centre.IsValid ? PatienceBeforeExpansion : Patience,
+    left = ReduceInverted(best, centre.IsValid ? PatienceBeforeExpansion : Patience,
       untangling.Part(0.0, 0.4, "untangling the inverted cells"));
   }
   if (left > 0 && centre.IsValid)
   {
     Untangling other = BeginUntangling(cells, rest, options, untangling.Part(0.4, 0.4));
     other.Work = best.Work;
-    const int others = UntangleStar(other, options, centre.Position, untangling.Part(0.4, 0.6));
+    const int others = UntangleStar(other, centre.Position, untangling.Part(0.4, 0.6));
     best.Work = other.Work;
     if (others < left)
     {
@@ -474,7 +268,7 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
     }
     if (left > 0 && !best.HasPatchCollar)
     {
-      left = ReduceAndExpand(best, options, PatienceBeforeExpansion, untangling.Part(0.6, 0.7));
+      left = ReduceAndExpand(best, PatienceBeforeExpansion, untangling.Part(0.6, 0.7));
     }
   }
   if (left > 0 && !best.HasPatchCollar)
@@ -483,8 +277,8 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
     other.Work = best.Work;
     // Restarts with each inner point at the mean of its neighbours.
     other.Solid.Points = SolveTutteEmbedding(other.Solid, untangling.Part(0.7, 0.7));
-    const int others = ReduceAndExpand(
-      other, options, Patience, untangling.Part(0.7, 0.95, "untangling from another start"));
+    const int others =
+      ReduceAndExpand(other, Patience, untangling.Part(0.7, 0.95, "untangling from another start"));
     best.Work = other.Work;
     if (others < left)
     {
