@@ -105,83 +105,87 @@ bool IsNearSphere(const SolidCells& solid)
   return farthest <= maximumReach * nearest;
 }
 
-/// Builds a collar between the targets of the boundary and a sphere, and untangles the solid below
-/// it, in turns: by exact moves of single points, and by Newton's method while the collar is fixed.
-/// Returns whether at most one cell in a hundred stays inverted; else the solid does not change.
-bool UntangleBelowCollar(Untangling& untangling, const Eigen::RowVector3d& centre,
+/// Builds a collar between the targets of the boundary and a sphere, where the solid is, and
+/// untangles the solid below it, in turns: by exact moves of single points, and by Newton's method
+/// while the collar is fixed. Returns the number of inverted cells.
+int UntangleBelowCollar(Untangling& untangling, const Eigen::RowVector3d& centre,
   const Eigen::MatrixXd& targets, const Progress& progress)
 {
-  constexpr double share = 0.01;
   constexpr int turns = 4;
   SolidCells& solid = untangling.Solid;
-  const SolidCells kept = solid;
   const PatchCollar collar = BuildPatchCollar(solid, centre, targets, progress.Part(0.0, 0.2));
-  int left = solid.CellCount();
-  if (collar.Inverted == 0)
+  int left = MoveIntoKernels(solid, progress.Part(0.2, 0.4));
+  for (int turn = 0; turn < turns && left > 0 && collar.Inverted == 0; ++turn)
   {
-    left = MoveIntoKernels(solid, progress.Part(0.2, 0.4));
-    for (int turn = 0; turn < turns && left > 0; ++turn)
-    {
-      const Progress part =
-        progress.Part(0.4 + 0.6 * turn / turns, 0.4 + 0.6 * (turn + 1.0) / turns);
-      solid.SetInnerBoundary(collar.Inside);
-      MovePoints(untangling, 1 + turn, part.Part(0.0, 0.5));
-      solid.ForgetInnerBoundary();
-      left = MoveIntoKernels(solid, part.Part(0.5, 1.0));
-    }
+    const Progress part = progress.Part(0.4 + 0.6 * turn / turns, 0.4 + 0.6 * (turn + 1.0) / turns);
+    solid.SetInnerBoundary(collar.Inside);
+    MovePoints(untangling, 1 + turn, part.Part(0.0, 0.5));
+    solid.ForgetInnerBoundary();
+    left = MoveIntoKernels(solid, part.Part(0.5, 1.0));
   }
-  untangling.HasPatchCollar = left < share * solid.CellCount();
+  return left;
+}
+
+/// Untangles the solid where its boundary is, from the means of neighbours. Returns the number of
+/// inverted cells. maximumWork: of Newton's method (UntangleOptions).
+int UntangleFromMeans(Untangling& untangling, double maximumWork, const Progress& progress)
+{
+  untangling.Solid.Points = SolveTutteEmbedding(untangling.Solid, progress.Part(0.0, 0.2));
+  const double given = untangling.MaximumWork;
+  untangling.MaximumWork = std::min(given, untangling.Work + maximumWork);
+  const int left = ReduceInverted(
+    untangling, PatienceInStar, progress.Part(0.2, 1.0, "untangling the inverted cells"));
+  untangling.MaximumWork = given;
+  return left;
+}
+
+/// Untangles the solid anew where each tetrahedron meets the boundary in one simplex. Returns the
+/// number of inverted cells.
+///
+/// Unless the boundary is near a sphere, the solid is untangled in one, which is convex, and the
+/// boundary moves outward to where it was. If distances are too small for that in double precision,
+/// the solid is untangled where the boundary is. If that is too much work, it is untangled below a
+/// collar that suits each triangle of the boundary.
+int UntangleStar(Untangling& untangling, const Eigen::RowVector3d& centre, const Progress& progress)
+{
+  constexpr double unlimited = std::numeric_limits<double>::infinity();
+  constexpr double maximumWork = 6e7; // 30 seconds or so
+  SolidCells& solid = untangling.Solid;
+  SeparateBoundary(solid, progress.Part(0.0, 0.0));
+  if (IsNearSphere(solid))
+  {
+    return UntangleFromMeans(untangling, unlimited, progress);
+  }
+  const Eigen::MatrixXd targets = solid.Points.topRows(solid.PointCount());
+  ProjectToSphere(solid, centre);
+  solid.Points = SolveTutteEmbedding(solid, progress.Part(0.0, 0.05));
+  // An expansion may take longer than all rounds, so these end only when they stall.
+  if (ReduceAndExpand(untangling, Patience, progress.Part(0.05, 0.5)) > 0)
+  {
+    MoveBoundary(solid, targets);
+    return UntangleFromMeans(untangling, unlimited, progress.Part(0.5, 1.0));
+  }
+  const SolidCells inSphere = solid;
+  const Progress outward = progress.Part(0.5, 0.6, "moving the boundary outward");
+  if (MoveOutward(solid, centre, targets, outward) == 0)
+  {
+    return 0;
+  }
+  solid = inSphere;
+  MoveBoundary(solid, targets);
+  const int left = UntangleFromMeans(untangling, maximumWork, progress.Part(0.6, 0.8));
+  if (left == 0)
+  {
+    return 0;
+  }
+  const SolidCells kept = std::exchange(solid, inSphere);
+  const int below = UntangleBelowCollar(untangling, centre, targets, progress.Part(0.8, 1.0));
+  untangling.HasPatchCollar = below < left;
   if (!untangling.HasPatchCollar)
   {
     solid = kept;
   }
-  return untangling.HasPatchCollar;
-}
-
-/// Untangles a solid in a sphere around `centre`, which is convex, and moves the boundary outward
-/// to where it was. Returns false if many cells stay inverted: in the sphere, or because distances
-/// are too small for a collar in double precision. The boundary then is back, and the inner points
-/// are not.
-bool UntangleInSphere(
-  Untangling& untangling, const Eigen::RowVector3d& centre, const Progress& progress)
-{
-  SolidCells& solid = untangling.Solid;
-  const Eigen::MatrixXd targets = solid.Points.topRows(solid.PointCount());
-  ProjectToSphere(solid, centre);
-  solid.Points = SolveTutteEmbedding(solid, progress.Part(0.0, 0.1));
-  // An expansion may take longer than all rounds, so these end only when they stall.
-  if (ReduceAndExpand(untangling, Patience, progress.Part(0.1, 0.9)) == 0)
-  {
-    const SolidCells inSphere = solid;
-    if (MoveOutward(
-          solid, centre, targets, progress.Part(0.9, 1.0, "moving the boundary outward")) == 0)
-    {
-      return true;
-    }
-    solid = inSphere;
-    if (UntangleBelowCollar(untangling, centre, targets, progress.Part(0.9, 1.0)))
-    {
-      return true;
-    }
-  }
-  MoveBoundary(solid, targets);
-  return false;
-}
-
-/// Untangles the solid anew where each tetrahedron meets the boundary in one simplex: in a sphere,
-/// unless the boundary is near one, and else where the boundary is. Returns the number of inverted
-/// cells.
-int UntangleStar(Untangling& untangling, const Eigen::RowVector3d& centre, const Progress& progress)
-{
-  SolidCells& solid = untangling.Solid;
-  SeparateBoundary(solid, progress.Part(0.0, 0.0));
-  if (!IsNearSphere(solid) && UntangleInSphere(untangling, centre, progress.Part(0.0, 0.6)))
-  {
-    return static_cast<int>(FindInverted(solid, progress.Part(0.6, 0.6)).size());
-  }
-  solid.Points = SolveTutteEmbedding(solid, progress.Part(0.6, 0.7));
-  return ReduceInverted(
-    untangling, PatienceInStar, progress.Part(0.7, 1.0, "untangling the inverted cells"));
+  return std::min(left, below);
 }
 
 UntangleResult BuildResult(Untangling& untangling, const Progress& progress)

@@ -16,7 +16,7 @@ namespace
 {
 
 /// How many rings of points around a cluster move.
-constexpr int Rings = 3;
+constexpr int MovedRings = 3;
 
 /// A Newton step takes about the time in which a cluster looks at this many cells for each simplex.
 constexpr std::size_t WorkOfStep = 40;
@@ -80,7 +80,7 @@ Eigen::VectorXd ClusterCollapse::FindSizes(const Progress& progress)
 std::vector<int> ClusterCollapse::FindPointsAround() const
 {
   std::set<int> found(this->Cluster.Points().begin(), this->Cluster.Points().end());
-  for (int ring = 0; ring < Rings; ++ring)
+  for (int ring = 0; ring < MovedRings; ++ring)
   {
     for (const int point : std::vector<int>(found.begin(), found.end()))
     {
