@@ -86,11 +86,10 @@ struct UntangleResult
  * means of their neighbours. Unless the boundary is near a sphere, the solid is untangled in a
  * sphere, which is much easier. The boundary then moves outward from there through a collar of new
  * tetrahedra (MoveOutward). In exact arithmetic that cannot fail, but many cells are split, and the
- * collar is thin. If it is too thin for double precision, another collar is built whose thickness
- * suits each boundary triangle (BuildPatchCollar), and what that inverts below it is made positive
- * by exact moves of single points (MoveIntoKernels). A few cells may stay inverted then; they are
- * too thin for Newton's method. If there are many, the boundary goes back, and the solid is
- * untangled there.
+ * collar is thin. If it is too thin for double precision, the boundary goes back, and the solid is
+ * untangled there. If that takes too much work, another collar is built in the sphere. It suits
+ * each boundary triangle (BuildPatchCollar), and what it inverts below is made positive by exact
+ * moves of single points (MoveIntoKernels) and by Newton's method, in turns.
  *
  * Other tetrahedra that are still inverted are made positive by exact tests: their points are put
  * at one position that sees all faces around them, for which the points around them make space, and
