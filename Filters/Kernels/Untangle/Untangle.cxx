@@ -275,7 +275,7 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
       left = ReduceAndExpand(best, PatienceBeforeExpansion, untangling.Part(0.6, 0.7));
     }
   }
-  if (left > 0 && !best.HasPatchCollar)
+  if (left > 0 && !best.HasPatchCollar && best.HasWork())
   {
     Untangling other = BeginUntangling(cells, rest, options, untangling.Part(0.7, 0.7));
     other.Work = best.Work;

@@ -27,7 +27,8 @@ constexpr std::size_t MaximumIncrease = 2;
 /// After this many consecutive rounds the edges of a fixed point may be split again.
 constexpr int RoundsPerCollar = 4;
 
-/// Minimises the energy of a patch, as far as the work that is left permits.
+/// Minimises the energy of a patch, as far as the work that is left permits. If it permits no step,
+/// all work counts as done.
 PatchResult MovePatch(
   Untangling& untangling, const SimplexPatch& patch, PatchOptions options, const Progress& progress)
 {
@@ -36,6 +37,7 @@ PatchResult MovePatch(
   const double steps = std::floor((untangling.MaximumWork - untangling.Work) / step) - 1.0;
   if (steps < 1.0)
   {
+    untangling.Work = untangling.MaximumWork;
     return { 0, CountNegative(patch, untangling.Solid.Points), 0.0, 0.0 };
   }
   options.MaximumSteps = static_cast<int>(std::min<double>(options.MaximumSteps, steps));
@@ -121,7 +123,8 @@ int ReduceInverted(Untangling& untangling, int patience, const Progress& progres
   CellSplits splits(solid, [&](int point) { return untangling.IsMovable(point); });
   std::size_t minimum = bad.size();
   auto best = bad.empty() ? nullptr : std::make_unique<SolidCells>(solid);
-  for (int round = 0, last = 0; round < Rounds && !bad.empty() && round <= last + patience; ++round)
+  for (int round = 0, last = 0;
+       round < Rounds && !bad.empty() && round <= last + patience && untangling.HasWork(); ++round)
   {
     const Progress part =
       progress.Part(0.05 + 0.9 * round / Rounds, 0.05 + 0.9 * (round + 1.0) / Rounds);
@@ -182,7 +185,7 @@ int ReduceAndExpand(Untangling& untangling, int patience, const Progress& progre
     left = static_cast<int>(FindInverted(solid, part.Part(0.9, 0.9)).size());
     ImproveMoved(untangling, before, part.Part(0.9, 1.0, "improving the cells"));
     // A turn that has changed nothing would only be repeated.
-    if (left == 0 || (expanded.Expansions == 0 && left == last))
+    if (left == 0 || !untangling.HasWork() || (expanded.Expansions == 0 && left == last))
     {
       break;
     }

@@ -28,6 +28,8 @@ struct Untangling
   double MaximumWork = 0.0;
   bool SplitCells = false;
 
+  /// Whether Newton's method may make more steps.
+  bool HasWork() const { return this->Work < this->MaximumWork; }
   bool IsMovable(int point) const
   {
     return !this->Solid.OnBoundary(point) || (this->Sliding && this->Sliding->Freedom(point) > 0);
