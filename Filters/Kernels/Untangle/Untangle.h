@@ -42,7 +42,7 @@ struct UntangleResult
   int SplitCells = 0;       ///< number of input cells that were split
   int MovedPoints = 0;      ///< number of input points that were moved
   int Iterations = 0;       ///< total number of Newton steps
-  double Work = 0.0;        ///< see MaximumWork
+  double Work = 0.0;        ///< see MaximumWork; equal to it once a step would have exceeded it
   int ExpandedPoints = 0;   ///< number of points that were placed by exact tests
   /// Number of pairs of boundary triangles that cross or touch each other, up to 100. They are
   /// looked for only if cells stay inverted and the boundary is fixed.

@@ -27,7 +27,7 @@ constexpr std::size_t MaximumIncrease = 2;
 /// After this many consecutive rounds the edges of a fixed point may be split again.
 constexpr int RoundsPerCollar = 4;
 
-/// Minimises the energy of a patch, as far as the work that is left permits. If it permits no step,
+/// Minimises the energy of a patch with the work that is left. If that is less than a step needs,
 /// all work counts as done.
 PatchResult MovePatch(
   Untangling& untangling, const SimplexPatch& patch, PatchOptions options, const Progress& progress)
