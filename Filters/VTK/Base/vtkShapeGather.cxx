@@ -1,6 +1,7 @@
 #include "vtkShapeGather.h"
 
 #include "vtkShapeComposite.h"
+#include "vtkShapeConcatenate.h"
 #include "vtkShapeSurfaces.h"
 
 #include "vtkAppendFilter.h"
@@ -326,31 +327,6 @@ void vtkShapeGather::Reduce(
   controller->AllReduce(own.data(), values, count, operation);
 }
 
-template <typename Container>
-Container vtkShapeGather::Concatenate(
-  vtkMultiProcessController* controller, const Container& own, std::vector<vtkIdType>& offsets)
-{
-  const auto size = static_cast<vtkIdType>(own.size());
-  if (!IsParallel(controller))
-  {
-    offsets = { 0, size };
-    return own;
-  }
-  const int processes = controller->GetNumberOfProcesses();
-  std::vector<vtkIdType> sizes(processes);
-  controller->AllGather(&size, sizes.data(), 1);
-  offsets.assign(processes + 1, 0);
-  std::partial_sum(sizes.begin(), sizes.end(), offsets.begin() + 1);
-  Container all(offsets.back(), {});
-  controller->AllGatherV(own.data(), all.data(), size, sizes.data(), offsets.data());
-  return all;
-}
-
-template std::string vtkShapeGather::Concatenate(
-  vtkMultiProcessController*, const std::string&, std::vector<vtkIdType>&);
-template std::vector<double> vtkShapeGather::Concatenate(
-  vtkMultiProcessController*, const std::vector<double>&, std::vector<vtkIdType>&);
-
 double vtkShapeGather::CountOnce(
   vtkMultiProcessController* controller, const std::vector<Eigen::RowVector3d>& positions)
 {
@@ -360,7 +336,7 @@ double vtkShapeGather::CountOnce(
     own.insert(own.end(), position.begin(), position.end());
   }
   std::vector<vtkIdType> offsets;
-  const std::vector<double> all = Concatenate(controller, own, offsets);
+  const std::vector<double> all = vtkShapeConcatenate::Concatenate(controller, own, offsets);
   // One process can have two points at one position: these count twice.
   std::map<std::array<double, 3>, double> counts;
   for (std::size_t process = 0; process + 1 < offsets.size(); ++process)

@@ -61,13 +61,6 @@ void RunOnAllOrFail(vtkMultiProcessController* controller, const std::function<v
 void RunTogether(
   vtkMultiProcessController* controller, const std::function<void(const shape::Processes&)>& work);
 
-/// Returns the values of all processes, in the order of the processes: the same on every process.
-/// offsets: where the values of each process begin, and the number of values. Container is a vector
-/// of double or a string.
-template <typename Container>
-Container Concatenate(
-  vtkMultiProcessController* controller, const Container& own, std::vector<vtkIdType>& offsets);
-
 /// Returns the number of positions over all processes. A position that several processes have, at a
 /// seam between their pieces, counts once.
 double CountOnce(

@@ -1,6 +1,6 @@
 #include "vtkShapeTexts.h"
 
-#include "vtkShapeGather.h"
+#include "vtkShapeConcatenate.h"
 
 #include <algorithm>
 #include <sstream>
@@ -15,7 +15,7 @@ std::vector<std::string> vtkShapeTexts::GatherOnce(
   }
   std::vector<vtkIdType> offsets;
   std::vector<std::string> once;
-  std::istringstream stream(vtkShapeGather::Concatenate(controller, own, offsets));
+  std::istringstream stream(vtkShapeConcatenate::Concatenate(controller, own, offsets));
   for (std::string text; std::getline(stream, text, '\0');)
   {
     if (std::find(once.begin(), once.end(), text) == once.end())
