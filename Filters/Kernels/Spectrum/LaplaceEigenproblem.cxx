@@ -244,14 +244,12 @@ LaplaceEigenpairs SolveLaplaceEigenproblem(
   {
     progress(0.95 + 0.05 * k / pairs);
     const Position& position = positions[k];
-    const auto function = functions[position.Component].col(position.Column);
-    // Step 3: the sign.
-    Eigen::Index largest = 0;
-    function.cwiseAbs().maxCoeff(&largest);
     spectrum.Eigenvalues(k) = position.Value;
     spectrum.Eigenfunctions(pointsOf[position.Component], k) =
-      (function(largest) < 0.0 ? -1.0 : 1.0) * function;
+      functions[position.Component].col(position.Column);
   }
+  // Step 3: the signs.
+  FixSigns(spectrum.Eigenfunctions);
   progress(1.0);
   return spectrum;
 }

@@ -5,6 +5,7 @@
 #include "Support/TestShapes.h"
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -127,6 +128,23 @@ TEST(LaplaceSpectrum, ComponentsMixTheirEigenvaluesInOrder)
     EXPECT_EQ(function.head(n).norm() > 0.0, function.tail(n + 4).norm() == 0.0);
   }
   EXPECT_LT(Residual(both, spectrum), 1e-6);
+}
+
+TEST(LaplaceSpectrum, ATurnOfASymmetricSurfaceChangesNoSign)
+{
+  // Mirrored in three planes: an eigenfunction that is odd in one of them has its greatest
+  // magnitude twice, with both signs.
+  shape::Mesh ellipsoid = shapetest::Icosphere(3);
+  ellipsoid.Points *= Eigen::Vector3d(1.0, 1.3, 1.7).asDiagonal();
+  const shape::LaplaceEigenpairs spectrum = shape::SolveLaplaceEigenproblem(ellipsoid, 12);
+  for (int k = 1; k < 8; ++k)
+  {
+    shape::Mesh turned = ellipsoid;
+    turned.Points *=
+      Eigen::AngleAxisd(0.7 * k, Eigen::Vector3d(1, k, -2).normalized()).toRotationMatrix();
+    const shape::LaplaceEigenpairs other = shape::SolveLaplaceEigenproblem(turned, 12);
+    EXPECT_LT((other.Eigenfunctions - spectrum.Eigenfunctions).cwiseAbs().maxCoeff(), 1e-6) << k;
+  }
 }
 
 TEST(LaplaceSpectrum, NamesWhatIsWrong)

@@ -70,12 +70,7 @@ Eigen::MatrixXd EmbedByClassicalMds(
     ((squares.rowwise() - means) *
       ComputeScalingAxes(between, dimensions, progress.Part(0.9, 1.0)));
   // Step 4: signs and unused points.
-  for (Eigen::Index k = 0; k < result.cols(); ++k)
-  {
-    Eigen::Index largest = 0;
-    result.col(k).cwiseAbs().maxCoeff(&largest);
-    result.col(k) *= result(largest, k) < 0.0 ? -1.0 : 1.0;
-  }
+  FixSigns(result);
   for (Eigen::Index i = 0; i < result.rows(); ++i)
   {
     if (topology.ComponentId(i) < 0)
