@@ -13,19 +13,23 @@ import shapetesting
 import states
 
 DATA = os.path.join(shapetesting.ROOT, 'Data')
+# The polycube of these hexahedra ends after a number of Newton steps, before it converges: another order of
+# sums changes it by 2e-5, and its hexahedra at most by this, relative to 1 or the number.
+APPROXIMATE = {'PolycubeHexahedra': 1e-3}
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'States')
 
 
-def differences(found, saved, where):
-    """Where results differ from those saved. There may be more output ports and more arrays now, and
-    another processor rounds differently."""
+def differences(found, saved, where, bound=1e-6):
+    """Where results differ from those saved by more than the bound, relative to 1 or the number. There may be
+    more output ports and more arrays now, and another processor rounds differently."""
     if isinstance(saved, dict):
         return [line for key, value in saved.items() for line in (
-            differences(found[key], value, '%s, %s' % (where, key)) if key in found
+            differences(found[key], value, '%s, %s' % (where, key), APPROXIMATE.get(key, bound)) if key in found
             else ['%s: %s is missing' % (where, key)])]
     if isinstance(saved, list) and len(found) >= len(saved):
-        return [line for k, value in enumerate(saved) for line in differences(found[k], value, '%s, %d' % (where, k))]
-    if found == saved or (isinstance(saved, float) and abs(found - saved) <= 1e-6 * max(1.0, abs(saved))):
+        return [line for k, value in enumerate(saved)
+                for line in differences(found[k], value, '%s, %d' % (where, k), bound)]
+    if found == saved or (isinstance(saved, float) and abs(found - saved) <= bound * max(1.0, abs(saved))):
         return []
     return ['%s: %s, saved %s' % (where, found, saved)]
 
