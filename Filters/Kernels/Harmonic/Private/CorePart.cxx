@@ -1,6 +1,6 @@
 #include "Harmonic/Private/CorePart.h"
 
-#include "Geometry/Orientation.h"
+#include "Geometry/PositiveTetrahedron.h"
 #include "Untangle/Untangle.h"
 
 #include <Eigen/LU>
@@ -108,12 +108,6 @@ double UntangleFrom(
 }
 
 } // namespace
-
-bool IsPositive(const Eigen::MatrixXd& points, const Eigen::RowVector4i& ids)
-{
-  return EvaluateOrientation(
-           points.row(ids(0)), points.row(ids(1)), points.row(ids(2)), points.row(ids(3))) > 0;
-}
 
 double UntanglePart(CorePart& part, double maximumWork, const Progress& progress)
 {

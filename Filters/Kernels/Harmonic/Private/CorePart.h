@@ -22,9 +22,6 @@ struct CorePart
   bool IsUntangled = false; ///< whether no tetrahedron is inverted
 };
 
-/// Whether a tetrahedron is positive, by exact predicates.
-bool IsPositive(const Eigen::MatrixXd& points, const Eigen::RowVector4i& ids);
-
 /**
  * Moves inner points of a part until no image of a tetrahedron is inverted. part.Elements has the
  * images to begin with. If a harmonic map between the points around the inverted tetrahedra inverts

@@ -2,6 +2,7 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/Parallel.h"
+#include "Geometry/PositiveTetrahedron.h"
 #include "Geometry/SelfIntersections.h"
 #include "Harmonic/Private/RingCertificate.h"
 #include "Harmonic/Private/TetrahedronBox.h"

@@ -1,11 +1,12 @@
 #include "Untangle/Private/CellPatches.h"
 
-#include "Geometry/Orientation.h"
+#include "Geometry/PositiveTetrahedron.h"
 #include "Untangle/EllipticEnergy.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace shape
@@ -28,40 +29,52 @@ std::vector<int> FindInverted(SolidCells& solid, const Progress& progress)
   return inverted;
 }
 
-std::vector<char> MarkAroundInverted(SolidCells& solid, int rings, const Progress& progress)
+std::vector<int> FindPointsAround(
+  const SolidCells& solid, std::vector<int> points, int rings, const Progress& progress)
 {
-  std::vector<char> marked(solid.PointCount(), 0);
-  const auto mark = [&](int cell, std::vector<int>& fresh)
+  std::vector<char> found(solid.PointCount(), 0);
+  for (const int point : points)
   {
-    for (const int point : solid.PointsOf(cell))
-    {
-      if (!marked[point])
-      {
-        marked[point] = 1;
-        fresh.push_back(point);
-      }
-    }
-  };
-  std::vector<int> front;
-  for (const int cell : FindInverted(solid, progress.Part(0.0, 0.0)))
-  {
-    mark(cell, front);
+    found[point] = 1;
   }
-  for (int ring = 1; ring < rings; ++ring)
+  std::size_t begin = 0;
+  for (int ring = 0; ring < rings; ++ring)
   {
-    std::vector<int> next;
-    for (std::size_t i = 0; i < front.size(); ++i)
+    for (const std::size_t end = points.size(); begin < end; ++begin)
     {
-      if (i % ReportInterval == 0)
+      if (begin % ReportInterval == 0)
       {
         progress(static_cast<double>(ring) / rings);
       }
-      for (const int cell : solid.CellsOf(front[i]))
+      for (const int cell : solid.CellsOf(points[begin]))
       {
-        mark(cell, next);
+        for (const int other : solid.PointsOf(cell))
+        {
+          if (!found[other])
+          {
+            found[other] = 1;
+            points.push_back(other);
+          }
+        }
       }
     }
-    front = std::move(next);
+  }
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+std::vector<char> MarkAroundInverted(SolidCells& solid, int rings, const Progress& progress)
+{
+  std::vector<char> marked(solid.PointCount(), 0);
+  std::set<int> points;
+  for (const int cell : FindInverted(solid, progress.Part(0.0, 0.0)))
+  {
+    points.insert(solid.PointsOf(cell).begin(), solid.PointsOf(cell).end());
+  }
+  for (const int point :
+    FindPointsAround(solid, { points.begin(), points.end() }, rings - 1, progress))
+  {
+    marked[point] = 1;
   }
   return marked;
 }
@@ -151,11 +164,7 @@ SimplexPatch BuildPatch(SolidCells& solid, const std::vector<int>& points,
 int CountNegative(const SimplexPatch& patch, const Eigen::MatrixXd& x)
 {
   return static_cast<int>(std::count_if(patch.Simplices.begin(), patch.Simplices.end(),
-    [&](const ReferenceSimplex& simplex)
-    {
-      const std::array<int, 4>& c = simplex.Corners;
-      return EvaluateOrientation(x.row(c[0]), x.row(c[1]), x.row(c[2]), x.row(c[3])) <= 0;
-    }));
+    [&](const ReferenceSimplex& simplex) { return !IsPositive(x, simplex.Corners); }));
 }
 
 } // namespace shape

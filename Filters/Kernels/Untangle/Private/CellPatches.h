@@ -15,6 +15,11 @@ namespace shape
 /// Returns the inverted cells, ascending. Throws Aborted.
 std::vector<int> FindInverted(SolidCells& solid, const Progress& progress = {});
 
+/// Returns some points, all different, and those of `rings` rings of cells around them, ascending.
+/// Throws Aborted.
+std::vector<int> FindPointsAround(
+  const SolidCells& solid, std::vector<int> points, int rings, const Progress& progress = {});
+
 /// Marks the points of inverted cells and of the `rings` - 1 rings of cells around these. Returns
 /// one value for each point, 0 or 1. Throws Aborted.
 std::vector<char> MarkAroundInverted(SolidCells& solid, int rings, const Progress& progress = {});

@@ -1,11 +1,10 @@
 #include "Untangle/Private/ClusterCollapse.h"
 
-#include "Geometry/Orientation.h"
+#include "Geometry/PositiveTetrahedron.h"
 #include "Untangle/Private/CellPatches.h"
 #include "Untangle/Private/TutteEmbedding.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <set>
 #include <utility>
@@ -21,12 +20,6 @@ constexpr int MovedRings = 3;
 /// A Newton step takes about the time in which a cluster looks at this many cells for each simplex.
 constexpr std::size_t WorkOfStep = 40;
 
-bool IsPositive(const Eigen::MatrixXd& x, const std::array<int, 4>& corners)
-{
-  return EvaluateOrientation(
-           x.row(corners[0]), x.row(corners[1]), x.row(corners[2]), x.row(corners[3])) > 0;
-}
-
 } // namespace
 
 bool ClusterCollapse::MakeSpace(const Progress& progress)
@@ -37,7 +30,7 @@ bool ClusterCollapse::MakeSpace(const Progress& progress)
   const Eigen::VectorXd sizes = this->FindSizes(progress);
   for (int trial = 0; trial < trials && this->Cluster.Points().size() <= maximumPoints; ++trial)
   {
-    const std::vector<int> points = this->FindPointsAround();
+    const std::vector<int> points = this->FindMovedPoints();
     solid.KeepPositions(points);
     SimplexPatch patch = BuildPatch(solid, points, sizes, progress);
     if (this->MovePoints(patch, progress) == 0)
@@ -77,23 +70,18 @@ Eigen::VectorXd ClusterCollapse::FindSizes(const Progress& progress)
 }
 
 /// Returns the inner points of the cluster and of the rings around it, ascending.
-std::vector<int> ClusterCollapse::FindPointsAround() const
+std::vector<int> ClusterCollapse::FindMovedPoints() const
 {
-  std::set<int> found(this->Cluster.Points().begin(), this->Cluster.Points().end());
-  for (int ring = 0; ring < MovedRings; ++ring)
-  {
-    for (const int point : std::vector<int>(found.begin(), found.end()))
-    {
-      for (const int other : this->Cluster.FindNeighbours(point))
-      {
-        if (!this->Cluster.Solid.OnBoundary(other))
-        {
-          found.insert(other);
-        }
-      }
-    }
-  }
-  return { found.begin(), found.end() };
+  const SolidCells& solid = this->Cluster.Solid;
+  std::vector<int> points = FindPointsAround(solid, this->Cluster.Points(), MovedRings);
+  points.erase(std::remove_if(points.begin(), points.end(),
+                 [&](int point)
+                 {
+                   this->Cluster.Count(solid.CellsOf(point).size());
+                   return solid.OnBoundary(point);
+                 }),
+    points.end());
+  return points;
 }
 
 /// Makes the cluster one point of a patch, and moves the points of the patch. Returns the number of

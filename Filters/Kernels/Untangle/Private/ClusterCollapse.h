@@ -36,7 +36,7 @@ public:
 
 private:
   Eigen::VectorXd FindSizes(const Progress& progress);
-  std::vector<int> FindPointsAround() const;
+  std::vector<int> FindMovedPoints() const;
   int MovePoints(SimplexPatch& patch, const Progress& progress);
   bool AddInverted(const SimplexPatch& patch);
 

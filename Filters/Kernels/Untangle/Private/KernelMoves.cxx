@@ -12,16 +12,6 @@ namespace shape
 namespace
 {
 
-std::vector<StarFace> FindFacesAround(const SolidCells& solid, int point)
-{
-  std::vector<StarFace> faces;
-  for (const int cell : solid.CellsOf(point))
-  {
-    faces.push_back(FindFaceOpposite(solid.PointsOf(cell), point));
-  }
-  return faces;
-}
-
 /// Moves a point if fewer of its tetrahedra are inverted afterwards. Returns by how many.
 int MoveIntoKernel(SolidCells& solid, int point)
 {
@@ -104,16 +94,8 @@ int MoveIntoKernels(SolidCells& solid, const Progress& progress)
       continue;
     }
     // Points around make space.
-    std::set<int> around = points;
-    for (int ring = 0; ring <= idle / patiencePerRing; ++ring)
-    {
-      const std::set<int> inside = around;
-      for (const int point : inside)
-      {
-        const std::vector<int> neighbours = solid.NeighboursOf(point);
-        around.insert(neighbours.begin(), neighbours.end());
-      }
-    }
+    const std::vector<int> around = FindPointsAround(
+      solid, { points.begin(), points.end() }, 1 + idle / patiencePerRing, progress.Part(0.0, 0.0));
     moves += around.size();
     for (const int point : around)
     {

@@ -191,13 +191,8 @@ bool PointCluster::IsOutside(const StarFace& face) const
 
 std::vector<StarFace> PointCluster::FindAllFacesAround(int point) const
 {
-  std::vector<StarFace> faces;
   this->Count(this->Solid.CellsOf(point).size());
-  for (const int cell : this->Solid.CellsOf(point))
-  {
-    faces.push_back(FindFaceOpposite(this->Solid.PointsOf(cell), point));
-  }
-  return faces;
+  return shape::FindFacesAround(this->Solid, point);
 }
 
 std::vector<StarFace> PointCluster::FindFacesAround(int point) const

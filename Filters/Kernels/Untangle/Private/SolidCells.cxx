@@ -1,7 +1,7 @@
 #include "Untangle/Private/SolidCells.h"
 
 #include "Base/Errors.h"
-#include "Geometry/Orientation.h"
+#include "Geometry/PositiveTetrahedron.h"
 #include "Mesh/CellFaces.h"
 #include "Quality/CellSimplices.h"
 
@@ -248,15 +248,9 @@ double SolidCells::ShareOf(int cell) const
 
 bool SolidCells::Inverted(int cell)
 {
-  const Eigen::MatrixXd& x = this->Points;
-  for (const std::array<int, 4>& c : this->SimplicesOf(cell))
-  {
-    if (EvaluateOrientation(x.row(c[0]), x.row(c[1]), x.row(c[2]), x.row(c[3])) <= 0)
-    {
-      return true;
-    }
-  }
-  return false;
+  const std::vector<std::array<int, 4>>& simplices = this->SimplicesOf(cell);
+  return !std::all_of(simplices.begin(), simplices.end(),
+    [&](const std::array<int, 4>& corners) { return IsPositive(this->Points, corners); });
 }
 
 Eigen::Matrix3d SolidCells::Reference(int cell, int k, double size)

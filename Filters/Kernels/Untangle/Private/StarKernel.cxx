@@ -83,6 +83,16 @@ StarFace FindFaceOpposite(const std::vector<int>& tetrahedron, int point)
     tetrahedron[opposite[at][2]] };
 }
 
+std::vector<StarFace> FindFacesAround(const SolidCells& solid, int point)
+{
+  std::vector<StarFace> faces;
+  for (const int cell : solid.CellsOf(point))
+  {
+    faces.push_back(FindFaceOpposite(solid.PointsOf(cell), point));
+  }
+  return faces;
+}
+
 bool SeesFace(
   const Eigen::MatrixXd& points, const StarFace& face, const Eigen::RowVector3d& position)
 {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Untangle/Private/SolidCells.h"
+
 #include <Eigen/Core>
 
 #include <array>
@@ -26,6 +28,9 @@ struct StarPlacement
 
 /// Returns the face of a tetrahedron (four points) that is opposite to one of its points.
 StarFace FindFaceOpposite(const std::vector<int>& tetrahedron, int point);
+
+/// Returns the faces opposite to a point in the cells around it, which are tetrahedra.
+std::vector<StarFace> FindFacesAround(const SolidCells& solid, int point);
 
 /// Whether a position sees a face, by exact predicates. points: n x 3.
 bool SeesFace(
