@@ -115,6 +115,7 @@ int ClusterCollapse::MovePoints(SimplexPatch& patch, const Progress& progress)
     free.end());
   this->Cluster.MoveTo(this->Cluster.ComputeCentroid());
   PatchOptions options;
+  // With the 40 steps of MovePoints, the model oblong ends with 18506 cells instead of 9234.
   options.Patience = 20;
   options.FurtherSteps = 10; // which widen the kernel that the cluster is expanded in
   const PatchResult moved =
