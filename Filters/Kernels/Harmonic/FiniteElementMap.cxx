@@ -84,7 +84,7 @@ Eigen::MatrixXi FindBoundaryTriangles(const FiniteElements& elements)
 }
 
 FiniteElements FillWithElements(const Surface& given, const Eigen::MatrixXd& givenValues,
-  int tetrahedra, bool preserveBoundary, const Progress& progress)
+  int tetrahedra, bool preserveBoundary, int maximumNewPoints, const Progress& progress)
 {
   RequireOption(tetrahedra > 0, "Tetrahedra", tetrahedra, "positive");
   if (givenValues.rows() != given.Points().rows())
@@ -101,6 +101,7 @@ FiniteElements FillWithElements(const Surface& given, const Eigen::MatrixXd& giv
   // Tetrahedra have on average about half of the largest volume.
   options.MaximumVolume = 2.0 * ComputeEnclosedVolume(boundary) / tetrahedra;
   options.PreserveBoundary = preserveBoundary;
+  options.MaximumNewPoints = maximumNewPoints;
   TetrahedralizeResult solid = Tetrahedralize(
     boundary, {}, options, progress.Part(0.1, 0.9, "filling the solid with tetrahedra"));
   FiniteElements elements{ std::move(solid.Points), std::move(solid.Tetrahedra), {}, {}, 0 };
@@ -141,7 +142,7 @@ FiniteElements ComputeFiniteElements(
 {
   // Large triangles would have large tetrahedra if no points could be added on them.
   FiniteElements elements =
-    FillWithElements(boundary, values, tetrahedra, false, progress.Part(0.0, 0.65));
+    FillWithElements(boundary, values, tetrahedra, false, 0, progress.Part(0.0, 0.65));
   SolveLaplace(
     elements, FindFixedPoints(elements), progress.Part(0.65, 1.0, "solving Laplace's equation"));
   progress(1.0);

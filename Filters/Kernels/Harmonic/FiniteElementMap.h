@@ -48,10 +48,10 @@ FiniteElements ComputeFiniteElements(const Surface& boundary, const Eigen::Matri
   int tetrahedra, const Progress& progress = {});
 
 /// Fills a solid with tetrahedra as ComputeFiniteElements does. Images has the values at the
-/// boundary, and 0 inside. preserveBoundary: whether no points are added on the triangles. Throws
+/// boundary, and 0 inside. preserveBoundary, maximumNewPoints: as in TetrahedralizeOptions. Throws
 /// what ComputeFiniteElements throws.
 FiniteElements FillWithElements(const Surface& boundary, const Eigen::MatrixXd& values,
-  int tetrahedra, bool preserveBoundary, const Progress& progress = {});
+  int tetrahedra, bool preserveBoundary, int maximumNewPoints, const Progress& progress = {});
 
 /// Sets the images of the points that are not `fixed` (ascending) such that the Dirichlet energy is
 /// least. Throws SolveFailure of SparseCholesky, and Aborted.

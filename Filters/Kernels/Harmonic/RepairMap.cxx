@@ -14,17 +14,22 @@ namespace
 {
 
 /// Fills a solid with tetrahedra. TetGen fails on some surfaces only if it adds points on the
-/// triangles, and does not end on others only if it may not.
+/// triangles, and does not end on others only if it may not. Usual are half as many new points as
+/// it may add, or fewer.
 FiniteElements Fill(
   const Surface& domain, const Eigen::MatrixXd& images, int tetrahedra, const Progress& progress)
 {
+  const int maximumNewPoints = static_cast<int>(
+    std::min(1e9, tetrahedra + 10.0 * static_cast<double>(domain.Points().rows())));
   try
   {
-    return FillWithElements(domain, images, tetrahedra, false, progress.Part(0.0, 0.5));
+    return FillWithElements(
+      domain, images, tetrahedra, false, maximumNewPoints, progress.Part(0.0, 0.5));
   }
   catch (const SolveFailure&)
   {
-    return FillWithElements(domain, images, tetrahedra, true, progress.Part(0.5, 1.0));
+    return FillWithElements(
+      domain, images, tetrahedra, true, maximumNewPoints, progress.Part(0.5, 1.0));
   }
 }
 
@@ -54,8 +59,18 @@ RepairMapResult RepairMap(const ChargeSet& map, const Surface& domain,
     return result;
   }
   const Eigen::MatrixXd images = targets.size() == 0 ? Evaluate(map, domain.Points()) : targets;
-  RepairCore core(map, Fill(domain, images, options.Tetrahedra, progress.Part(0.25, 0.4)),
-    progress.Part(0.4, 0.42));
+  FiniteElements elements;
+  try
+  {
+    elements = Fill(domain, images, options.Tetrahedra, progress.Part(0.25, 0.4));
+  }
+  catch (const SolveFailure& failure)
+  {
+    result.Unfilled = failure.what();
+    progress(1.0);
+    return result;
+  }
+  RepairCore core(map, std::move(elements), progress.Part(0.4, 0.42));
   core.AddFolds(certificate, progress.Part(0.42, 0.45, "finding the folds"));
   core.AddLayer();
   // Rounding may leave out a box that the surface only touches.

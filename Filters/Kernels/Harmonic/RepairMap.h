@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include <string>
+
 namespace shape
 {
 
@@ -35,6 +37,8 @@ struct RepairMapResult
   /// Of the boundary's image (CountCrossings), if tetrahedra stay inverted; else 0. If there are
   /// any, every map of the solid folds or is not one to one.
   int ImageCrossings = 0;
+  /// Why the solid could not be filled with tetrahedra, so that the map stays as it is; else empty.
+  std::string Unfilled;
 };
 
 /**
@@ -60,7 +64,7 @@ struct RepairMapResult
  * certified and the map is injective on the boundary, it is bijective (CertifyMap).
  *
  * The work is bounded by counts, and that of Tetrahedralize, too. It may add points on the
- * triangles; only if that fails, it may not.
+ * triangles; only if that fails, it may not. If that fails, too, the map stays as it is.
  *
  * domain: closed, facing out of the solid. targets: n x 3, the images of its points, for the core;
  * empty: the images by f. Throws InvalidInput if an option is out of range, the number of targets

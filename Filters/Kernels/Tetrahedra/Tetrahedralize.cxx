@@ -46,6 +46,8 @@ void CheckOptions(const TetrahedralizeOptions& options)
     throw InvalidInput("MaximumVolume is " + FormatNumber(volume) +
       "; give a positive volume in the model's units cubed, or 0 for no bound");
   }
+  RequireOption(options.MaximumNewPoints >= 0, "MaximumNewPoints", options.MaximumNewPoints,
+    "positive, or 0 for what the bounds suggest");
 }
 
 /// Orients all tetrahedra positively. Throws if their orientations differ.
@@ -232,10 +234,11 @@ TetrahedralizeResult Fill(
   }
   const Eigen::Index given = solid.Surfaces.Points.rows();
   // Refinement may not end near very sharp angles, and takes long inside a thin sheet.
-  const int maximumNewPoints =
-    1000000 + static_cast<int>(std::min(1e9, 50.0 * static_cast<double>(given) + byVolume));
+  const int maximumNewPoints = options.MaximumNewPoints > 0
+    ? options.MaximumNewPoints
+    : 1000000 + static_cast<int>(std::min(1e9, 50.0 * static_cast<double>(given) + byVolume));
   // On some surfaces TetGen never ends, without adding points. It needs 1e-4 s for a point.
-  const int maximumSeconds = 60 + static_cast<int>(3e-4 * maximumNewPoints);
+  const int maximumSeconds = 10 + static_cast<int>(3e-4 * maximumNewPoints);
   TetGenOutput mesh =
     RunTetGen({ solid.Surfaces, solid.Holes, options.MaximumRadiusEdgeRatio, maximumVolume,
                 options.PreserveBoundary, maximumNewPoints, maximumSeconds },

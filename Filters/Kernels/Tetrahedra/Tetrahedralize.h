@@ -24,6 +24,10 @@ struct TetrahedralizeOptions
   /// Whether every triangle of the surfaces stays unchanged. If false, points may be added on the
   /// triangles.
   bool PreserveBoundary = true;
+
+  /// Maximum number of new points, > 0, or 0: a million and more, depending on the bounds and the
+  /// surface. The processor time that TetGen may take is in proportion to it, and 10 s.
+  int MaximumNewPoints = 0;
 };
 
 struct TetrahedralizeResult

@@ -159,6 +159,11 @@ shape::VolumeMapResult vtkShapeHarmonicVolumeMap::Solve(
     vtkShapeConvert::AddFact(facts, Facts + "CertifiedBefore", repaired.CertifiedBefore);
     vtkShapeConvert::AddFact(facts, Facts + "CoreShare", repaired.CoreShare);
     vtkShapeConvert::AddFact(facts, Facts + "RingShare", repaired.RingShare);
+    if (!repaired.Unfilled.empty())
+    {
+      this->Warn("the map is not repaired, as its solid cannot be filled with tetrahedra: " +
+        repaired.Unfilled);
+    }
     if (repaired.ImageCrossings > 0)
     {
       this->Warn("the Map Array makes triangles of the Boundary cross or touch at " +

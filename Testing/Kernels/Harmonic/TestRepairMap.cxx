@@ -255,6 +255,24 @@ TEST(RepairMap, RepairsAFoldBesideCrossingImages)
   EXPECT_GT(near, 10);
 }
 
+// TetGen fills no ball with an edge of a few roundings. The map stays, with what is proven of it.
+TEST(RepairMap, LeavesAMapWhoseSolidIsNotFilled)
+{
+  shape::Mesh mesh = shapetest::Icosphere(4);
+  const int fixed = mesh.Triangles(0, 0), moved = mesh.Triangles(0, 1);
+  const Eigen::RowVector3d edge = mesh.Points.row(moved) - mesh.Points.row(fixed);
+  mesh.Points.row(moved) = mesh.Points.row(fixed) + 1e-14 * edge.normalized();
+  shape::RepairMapOptions options;
+  options.Tetrahedra = 20000;
+  const RepairMapResult result = RepairMap(
+    OneFold({ 0.21, -0.13, 0.34 }, { 0.3, -0.5, 0.8 }, 1e-2), shape::Surface(mesh), {}, options);
+  EXPECT_FALSE(result.Unfilled.empty());
+  EXPECT_EQ(result.Repair.Elements.Tetrahedra.rows(), 0);
+  EXPECT_LT(result.CertifiedShare, 1.0);
+  EXPECT_GT(result.CertifiedShare, 0.99);
+  EXPECT_EQ(result.CertifiedShare, result.CertifiedBefore);
+}
+
 // The repair ends at the first report that its caller answers with no, in each of its stages.
 TEST(RepairMap, Aborts)
 {

@@ -335,6 +335,15 @@ TEST(Tetrahedralize, TheTimeOfTetGenIsLimited)
   }
 }
 
+TEST(Tetrahedralize, TheNumberOfNewPointsIsLimited)
+{
+  shape::TetrahedralizeOptions options = MinutesOfWork();
+  options.MaximumNewPoints = 1000;
+  EXPECT_UNSOLVED(shape::Tetrahedralize(Icosphere(3), {}, options), "TetGen added 1000 points");
+  options.MaximumNewPoints = -1;
+  EXPECT_THROW(shape::Tetrahedralize(Icosphere(3), {}, options), shape::InvalidInput);
+}
+
 TEST(Tetrahedralize, ACrashOfTetGenIsAnError)
 {
   // From outside, since no input is known to crash every build of TetGen.
