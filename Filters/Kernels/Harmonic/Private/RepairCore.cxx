@@ -296,8 +296,8 @@ void RepairCore::FindParts()
 }
 
 /// Returns the points of boundary triangles of the core whose images cross or have no area, unless
-/// the images of their points are all prescribed. Finds the parts, and marks those that cross
-/// themselves.
+/// the images of their points are all prescribed, and the points where the boundary touches itself.
+/// Finds the parts, and marks those that cross themselves.
 std::vector<int> RepairCore::FindCrossings(const Progress& progress)
 {
   const MapRepair repair = this->WholeRepair();
@@ -322,7 +322,7 @@ std::vector<int> RepairCore::FindCrossings(const Progress& progress)
   progress(1.0);
   this->FindParts();
   progress(1.0);
-  std::vector<int> points;
+  std::vector<int> points = FindPinches(image);
   for (const std::array<int, 2>& pair : pairs)
   {
     const int part = this->PartOf[image.Triangles()(pair[0], 0)];
