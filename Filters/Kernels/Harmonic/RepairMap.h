@@ -49,14 +49,15 @@ struct RepairMapResult
  * 2. The ring are the other tetrahedra that share a point with the core. In the ring the result is
  *    g = h + phi (f - h) (MapRepair): h is linear between the values of f at the corners, and phi
  *    is 0 at the core and 1 elsewhere. det J_g > 0 is proven by bounds in cubes. Where this fails,
- *    the core grows, until the whole ring is certified. It also grows where the image of its
- *    boundary crosses itself, if that may help.
+ *    the core grows, until the whole ring is certified. It also grows where its boundary touches
+ *    itself, and where the image of its boundary crosses itself, if that may help.
  * 3. In the core g = h. Points between core and ring keep their images by f; the others on the
  * boundary get the prescribed images. Inner points near inverted tetrahedra start at a harmonic
  * map between those around, if it inverts only a few, or much fewer, and Untangle moves the
- * points. Each connected part of the core is untangled by itself. The parts with tetrahedra that
- * stay inverted grow, up to the whole solid, unless the prescribed image of their boundary crosses
- * itself. The best of these repairs is returned.
+ * points. Each connected part of the core is untangled by itself. If tetrahedra stay inverted, the
+ * image of the part is filled with new ones, which are mapped to the part. The parts that still
+ * have inverted tetrahedra grow, up to the whole solid, unless the prescribed image of their
+ * boundary crosses itself. The best of these repairs is returned.
  *
  * A tetrahedron of the core is certified if it and its image are positive by exact predicates.
  * Outside core and ring, f is unchanged, and all boxes are certified. The images as given, with
