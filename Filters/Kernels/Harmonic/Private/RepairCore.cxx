@@ -322,6 +322,7 @@ std::vector<int> RepairCore::FindCrossings(const Progress& progress)
   progress(1.0);
   this->FindParts();
   progress(1.0);
+  // Growth removes them, since the solid itself does not touch itself.
   std::vector<int> points = FindPinches(image);
   for (const std::array<int, 2>& pair : pairs)
   {
