@@ -180,6 +180,11 @@ void TakeAsColors(vtkSMProxy* representation, pqView* view)
   vtkSMPVRepresentationProxy::SetScalarBarVisibility(representation, view->getProxy(), false);
 }
 
+bool TakesAsColors(vtkSMProxy* representation)
+{
+  return vtkSMPropertyHelper(representation, "MapScalars", true).GetAsInt() == 0;
+}
+
 std::string GetArray(vtkSMProxy* representation)
 {
   const char* name =
@@ -217,6 +222,14 @@ void ColorByArray(pqOutputPort* port, vtkPVXMLElement* element, pqView* view)
     return;
   }
   vtkSMProxy* former = vtkSMPropertyHelper(representation, "LookupTable").GetAsProxy();
+  if (GetArray(representation) != array)
+  {
+    // ParaView copies the display of the input, whose array may be one of colours. It crashes if
+    // another array, of more than four components, is then taken as colours.
+    const bool colors =
+      model && GetArray(model->getProxy()) == array && TakesAsColors(model->getProxy());
+    Set(representation, "MapScalars", colors ? 0 : 1);
+  }
   vtkSMPVRepresentationProxy::SetScalarColoring(representation, array.c_str(), association);
   if (former)
   {
@@ -266,7 +279,7 @@ void Follow(pqOutputPort* port, pqOutputPort* other, pqView* view)
   vtkSMProxy* representation = FindVisible(port, view);
   pqDataRepresentation* model = other->getRepresentation(view);
   if (representation && model && GetArray(representation) == GetArray(model->getProxy()) &&
-    vtkSMPropertyHelper(model->getProxy(), "MapScalars", true).GetAsInt() == 0 &&
+    TakesAsColors(model->getProxy()) &&
     vtkSMPVRepresentationProxy::GetUsingScalarColoring(representation))
   {
     TakeAsColors(representation, view);

@@ -39,7 +39,17 @@ w.python('''
     made = GetActiveSource()
     assert made.Port == 1 and colored(made, 1) == 'MapColors', made.Port
     assert GetDisplayProperties(OutputPort(made, 1)).MapScalars == 0
-    assert shown() == [('ShapeParameterize1', 1)], shown()
+    assert shown() == [('ShapeParameterize1', 1)], shown()''')
+
+# What is computed from it does not take its numbers as colours.
+w.filter('Shape Laplace Spectrum')
+w.apply()
+w.python('''
+    spectrum = GetActiveSource()
+    display = GetDisplayProperties(spectrum)
+    assert spectrum.GetXMLName() == 'ShapeLaplaceSpectrum' and display.Visibility == 1, spectrum.GetXMLName()
+    assert colored(spectrum) != 'MapColors' and display.MapScalars == 1, (colored(spectrum), display.MapScalars)
+    Delete(spectrum)
     Delete(made)''')
 
 # In a new view, a polycube is seen obliquely. Numbers that stand for names have a colour each.
