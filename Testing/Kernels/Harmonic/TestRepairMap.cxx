@@ -217,8 +217,8 @@ TEST(RepairMap, CountsCrossingImages)
   EXPECT_EQ(result.UndecidedShare, 0.0);
 }
 
-// A fold at a dent elsewhere is repaired as if no images crossed. The part that crosses, through the
-// whole ball, does not grow again and again.
+// A fold at a dent elsewhere is repaired as if no images crossed. The part that crosses, through
+// the whole ball, does not grow again and again.
 TEST(RepairMap, RepairsAFoldBesideCrossingImages)
 {
   const shape::Surface ball = Ball();
