@@ -173,9 +173,7 @@ void TryInverse(
   CorePart& part, const FiniteElements& given, double maximumWork, const Progress& progress)
 {
   Eigen::MatrixXi triangles = FindBoundaryTriangles(given);
-  std::vector<int> boundary(triangles.data(), triangles.data() + triangles.size());
-  std::sort(boundary.begin(), boundary.end());
-  boundary.erase(std::unique(boundary.begin(), boundary.end()), boundary.end());
+  std::vector<int> boundary = FindUsedPoints(triangles, given.Points.rows());
   triangles = RenumberPoints(triangles, boundary, given.Points.rows());
   FiniteElements inverse = MapInversely(given, boundary, triangles, maximumWork, progress);
   if (inverse.Tetrahedra.rows() == 0)
