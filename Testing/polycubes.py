@@ -125,6 +125,20 @@ def nearest(places, wanted):
     return numpy.array([((places - x) ** 2).sum(axis=1).argmin() for x in wanted])
 
 
+def cell_points(data, cell):
+    """The points of a cell."""
+    found = data.GetCell(int(cell)).GetPointIds()
+    return [found.GetId(k) for k in range(found.GetNumberOfIds())]
+
+
+def distances(places, curves):
+    """Of each place from the nearest of the curves, which are lists of places."""
+    a, b = (numpy.concatenate(ends) for ends in zip(*((curve[:-1], curve[1:]) for curve in curves)))
+    lengths = numpy.maximum(((b - a) ** 2).sum(axis=1), 1e-300)
+    share = numpy.clip(((places[:, None] - a) * (b - a)).sum(axis=2) / lengths, 0.0, 1.0)
+    return numpy.linalg.norm(places[:, None] - a - share[..., None] * (b - a), axis=2).min(axis=1)
+
+
 class Drawn:
     """A polycube drawn around a surface, and the map of its boundary onto the surface, by Shape Correspondence."""
 
@@ -144,34 +158,60 @@ class Drawn:
         corners = points(self.Grid)[corners_of(self.Grid)]
         return array(self.Boundary, 'TargetPosition')[nearest(points(self.Boundary), corners)]
 
-    def corner_error(self):
-        """The largest distance of a corner's image from a point of the surface."""
-        images = self.corner_images()
-        return numpy.linalg.norm(images - points(self.Surface)[nearest(points(self.Surface), images)], axis=1).max()
+    def beside(self, places):
+        """The points of the surface that are next to places."""
+        return points(self.Surface)[nearest(points(self.Surface), places)]
 
-    def curve_error(self):
-        """The largest distance of a curve point's image from the images of the curves, by BaseDomain, whose points on
-        the surface lie on its edges."""
-        curves = [i for i in range(self.Paths.GetNumberOfCells())
-                  if self.Paths.GetCellData().GetArray('IsCurve').GetValue(i) == 1]
-        ends = [[self.Paths.GetCell(i).GetPointId(j) for j in range(self.Paths.GetCell(i).GetNumberOfPoints())]
-                for i in curves]
-        targets = array(self.Paths, 'TargetPosition')
-        a = numpy.concatenate([targets[path[:-1]] for path in ends])
-        b = numpy.concatenate([targets[path[1:]] for path in ends])
-        on_curves = sorted({self.Landmarks.GetCell(i).GetPointId(j) for i in range(self.Landmarks.GetNumberOfCells())
-                            if self.Landmarks.GetCell(i).GetCellDimension() == 1
-                            for j in range(self.Landmarks.GetCell(i).GetNumberOfPoints())})
-        found = nearest(points(self.Boundary), points(self.Landmarks)[on_curves])
-        images = array(self.Boundary, 'TargetPosition')[found]
-        lengths = numpy.maximum(((b - a) ** 2).sum(axis=1), 1e-300)
-        share = numpy.clip(((images[:, None] - a) * (b - a)).sum(axis=2) / lengths, 0.0, 1.0)
-        return numpy.linalg.norm(images[:, None] - a - share[..., None] * (b - a), axis=2).min(axis=1).max()
+    def corner_errors(self):
+        """The largest distance of a corner's image from a point of the surface, and from that next to where the corner
+        is drawn."""
+        images, drawn = self.corner_images(), array(self.Grid, 'TargetPosition')[corners_of(self.Grid)]
+        return [numpy.linalg.norm(images - self.beside(places), axis=1).max() for places in (images, drawn)]
+
+    def curve_errors(self):
+        """Of each curve, the largest distance of a point's image from the curve's partner, which is what BaseDomain has
+        along the curve, and of the partner from a point of the surface next to where the curve is drawn."""
+        places, targets = points(self.Paths), array(self.Paths, 'TargetPosition')
+        paths = [cell_points(self.Paths, i)
+                 for i in numpy.flatnonzero(vtk_to_numpy(self.Paths.GetCellData().GetArray('IsCurve')))]
+        errors = []
+        for loop in [cell_points(self.Landmarks, i) for i in range(self.Landmarks.GetNumberOfCells())
+                     if self.Landmarks.GetCell(i).GetCellDimension() == 1]:
+            curve, drawn = points(self.Landmarks)[loop], array(self.Landmarks, 'TargetPosition')[loop]
+            partner = [targets[path] for path in paths if distances(places[path], [curve]).max() < 1e-9]
+            images = array(self.Boundary, 'TargetPosition')[nearest(points(self.Boundary), curve)]
+            errors.append([distances(each, partner).max() for each in (images, self.beside(drawn))])
+        return numpy.transpose(errors)
+
+    def turned(self):
+        """Of the triangles of the surface whose images lie in a quarter of one quad, where the map is linear whichever
+        diagonal cuts the quad: how many images are turned over, seen from outside, and how many are not. At a corner,
+        a triangle may lead around it by the other faces."""
+        places = array(self.Back, 'TargetPosition')
+        free = numpy.ones(len(places), bool)
+        free[nearest(places, points(self.Grid)[corners_of(self.Grid)])] = False
+        faces = shapetesting.triangles(self.Back)
+        images = places[faces[free[faces].all(axis=1)]]
+        counts = numpy.zeros(2, int)
+        for quad in points(self.Grid)[boundary_quads(self.Grid)]:
+            outward = numpy.cross(quad[1] - quad[0], quad[3] - quad[0])
+            near = images[((images > quad.min(axis=0) - 1e-9) & (images < quad.max(axis=0) + 1e-9)).all(axis=(1, 2))]
+            areas = numpy.cross(near[:, 1] - near[:, 0], near[:, 2] - near[:, 0]) @ outward
+            arms = quad - quad.mean(axis=0)
+            for one, other in zip(arms, numpy.roll(arms, -1, axis=0)):
+                inside = ((near - quad.mean(axis=0)) @ numpy.stack([one, other], axis=1) > -1e-9).all(axis=(1, 2))
+                counts += (areas[inside] < 0.0).sum(), (areas[inside] > 0.0).sum()
+        return counts
 
     def check(self, genus):
-        """No triangle is flipped; each corner goes onto a point of its own, each curve onto its partner."""
+        """No triangle is flipped; each corner goes onto a point of its own and each curve onto its partner, which are
+        within an edge from the points of the surface next to where they are drawn."""
         about = [fact(self.Boundary, 'Correspondence.' + name) for name in ('FlippedTriangles', 'GenusOfA', 'GenusOfB')]
         assert about == [0, genus, genus], about
+        turned, others = self.turned()
+        assert turned == 0 < others, (turned, others)
         assert len(numpy.unique(self.corner_images(), axis=0)) == len(corners_of(self.Grid)), 'two corners at one point'
-        errors = self.corner_error(), self.curve_error()
-        assert max(errors) < 1e-9, errors
+        corners = points(self.Surface)[shapetesting.triangles(self.Surface)]
+        edge = numpy.linalg.norm(corners - numpy.roll(corners, 1, axis=1), axis=2).max()
+        for off, away in (self.corner_errors(), self.curve_errors()):
+            assert numpy.max(off) < 1e-9 and numpy.max(away) < edge, (off, away, edge)
