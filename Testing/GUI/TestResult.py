@@ -4,6 +4,7 @@ TestResult.py: in the window's own process; TestResult.py pvserver: in a server.
 import contextlib
 import sys
 
+import numpy
 from paraview import simple
 
 import shapemap
@@ -27,25 +28,56 @@ def text(found):
             tuple(found[name] for name in ('Method', 'Iterations', 'ConformalDistortion', 'FlippedTriangles')))
 
 
+def shown(fact):
+    """A fact as the table shows it."""
+    if isinstance(fact, str):
+        return fact
+    return ', '.join('{:,}'.format(int(number)) if number == int(number) else '%.3g' % number
+                     for number in numpy.ravel(fact))
+
+
+def check_table(w, found):
+    """A row for each fact, with its name and value."""
+    w.check(RESULT + '/Facts', 'rowCount', str(len(found)))
+    for row, name in enumerate(sorted(found)):
+        w.check(RESULT + '/Facts', 'modelItemData', '%d.0,%s' % (row, name))
+        w.check(RESULT + '/Facts', 'modelItemData', '%d.1,%s' % (row, shown(found[name])))
+
+
 def play(port):
+    first, other = facts(), facts(AreaWeight=2.0)
+    assert text(first) != text(other), text(first)
     w = window.Window(port)
     w.open('DentedSphere600.vtp')
     w.filter('Shape Parameterize')
     w.apply()
     w.check(RESULT, 'visible', 'true')
-    w.check(RESULT + '/Lines', 'text', text(facts()))
+    w.check(RESULT + '/Lines', 'text', text(first))
     w.check(RESULT + '/Warnings', 'visible', 'false')
     w.check(RESULT + '/Facts', 'visible', 'false')
     w.event(RESULT + '/All', 'set_boolean', 'true')
     w.check(RESULT + '/Facts', 'visible', 'true')
-    w.check(RESULT + '/Facts', 'rowCount', str(len(facts())))
+    check_table(w, first)
 
     # Another run has other facts, and a file has none.
     w.event(window.PROPERTIES + 'AreaWeight/DoubleLineEdit0', 'set_string', '2')
     w.apply()
-    w.check(RESULT + '/Lines', 'text', text(facts(AreaWeight=2.0)))
+    w.check(RESULT + '/Lines', 'text', text(other))
+    check_table(w, other)
     w.select('/0/0|0')
     w.check(RESULT, 'visible', 'false')
+
+    # Pressed flat, half of a sphere is turned over: a warning.
+    w.python("""
+        flat = Calculator(Input=GetActiveSource(), ResultArrayName='TargetPosition',
+                          Function='coordsX*iHat + coordsY*jHat')
+        Show(flat)
+        SetActiveSource(flat)""")
+    w.wait(100)
+    w.filter('Shape Map Quality')
+    w.apply()
+    w.check(RESULT + '/Warnings', 'visible', 'true')
+    w.check(RESULT + '/Warnings', 'text', 'The map flips cells.')
     w.run()
 
 
