@@ -16,8 +16,7 @@ import shapetesting
 sys.path.append(os.path.join(shapetesting.ROOT, 'Utilities'))
 import off
 
-PATH = os.path.join(os.environ.get(
-    'SHAPEMAP_MODELS', os.path.join(shapetesting.BUILD, 'models')), 'femur.off')
+PATH = os.path.join(shapetesting.MODELS, 'femur.off')
 SPACING = 0.02  # of the grid; the bone is 1 long, along z, its head at -0.5
 CUT = 0.45
 YOUNG, POISSON = 17000.0, 0.3

@@ -20,6 +20,7 @@ from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 BUILD = os.environ.get('SHAPEMAP_BUILD', os.path.join(ROOT, 'build'))
+MODELS = os.environ.get('SHAPEMAP_MODELS', os.path.join(BUILD, 'models'))  # unpacked by Utilities/setup.sh
 # Where a test hangs is told before CTest ends it.
 faulthandler.dump_traceback_later(570, file=2)
 

@@ -75,17 +75,15 @@ sheet = result(simple.Triangulate(Input=simple.Plane()))
 assert 'open loop' in made(sheet)[2]
 assert 'Compactness' in made(box, Compactness=0.0)[2]
 
-# A real part, where it is unpacked: the side of its thin hole has a chart to each side, and none that
-# folds over itself. Where its triangles are too coarse for that, the charts at fault are named.
-models = os.environ.get('SHAPEMAP_MODELS', os.path.join(shapetesting.BUILD, 'models'))
-if os.path.exists(os.path.join(models, 'joint.off')):
-    coarse = off.read(os.path.join(models, 'joint.off'))
-    shapetesting.check_refused(
-        shapetesting.new(shapemap.vtkShapePolycube, coarse, TargetEdgeLength=0.08), 'inverts', ' of chart ')
-    finer = vtkLinearSubdivisionFilter()
-    finer.SetNumberOfSubdivisions(1)
-    finer.SetInputData(coarse)
-    finer.Update()
-    same, cube, said = made(finer.GetOutput(), TargetEdgeLength=0.08)
-    assert not said, said
-    check_faces(cube)
+# A real part: the side of its thin hole has a chart to each side, and none that folds over itself. Where
+# its triangles are too coarse for that, the charts at fault are named.
+coarse = off.read(os.path.join(shapetesting.MODELS, 'joint.off'))
+shapetesting.check_refused(
+    shapetesting.new(shapemap.vtkShapePolycube, coarse, TargetEdgeLength=0.08), 'inverts', ' of chart ')
+finer = vtkLinearSubdivisionFilter()
+finer.SetNumberOfSubdivisions(1)
+finer.SetInputData(coarse)
+finer.Update()
+same, cube, said = made(finer.GetOutput(), TargetEdgeLength=0.08)
+assert not said, said
+check_faces(cube)

@@ -166,13 +166,11 @@ algorithm.AddObserver('ProgressEvent', stop_at_work)
 assert not shapetesting.run(algorithm)
 assert any('more than a million tetrahedra' in stage for stage in stages), stages
 
-# Real models, where they are unpacked: one that crosses itself is refused, with the place.
-models = os.environ.get('SHAPEMAP_MODELS', os.path.join(shapetesting.BUILD, 'models'))
-if os.path.exists(os.path.join(models, 'bull.off')):
-    for name, closed in (('eight', True), ('hand', True), ('torus_quad', True), ('bull', False)):
-        solid, messages = made(off.read(os.path.join(models, name + '.off')))
-        if closed:
-            assert not messages and volumes(solid).min() > 0.0, (name, messages)
-        else:
-            assert 'crosses or touches itself at 3 pairs of triangles (966 and 987 near' in messages
+# Real models: one that crosses itself is refused, with the place.
+for name, closed in (('eight', True), ('hand', True), ('torus_quad', True), ('bull', False)):
+    solid, messages = made(off.read(os.path.join(shapetesting.MODELS, name + '.off')))
+    if closed:
+        assert not messages and volumes(solid).min() > 0.0, (name, messages)
+    else:
+        assert 'crosses or touches itself at 3 pairs of triangles (966 and 987 near' in messages
 print('solids are filled, in regions, and what crosses itself is refused')
