@@ -1,6 +1,7 @@
 """The documentation site and the pages of the help window: no dead link, every filter, reader and writer
 that ParaView shows has its page with each of its inputs and properties, internal ones have none, every page
-is in the contents, and the search knows it. Run with python3 TestSite.py ROOT BUILD."""
+is in the contents, and the search knows it. Run with python3 TestSite.py ROOT [HELP]; HELP is the .qch file
+of the plugin with a window."""
 import html.parser
 import json
 import os
@@ -9,7 +10,7 @@ import sqlite3
 import sys
 import tempfile
 
-root, build = map(os.path.abspath, sys.argv[1:3])
+root = os.path.abspath(sys.argv[1])
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.join(root, 'Utilities'))
 import pages
@@ -79,9 +80,8 @@ if missing:
     faults.append('the contents have no %s' % ', '.join(sorted(missing)))
 
 # What the window finds with '?' is group.name.html in the file that is part of the plugin.
-compiled = os.path.join(build, 'Plugin', 'paraview_help', 'ShapeMap.qch')
-if os.path.exists(compiled):
-    with sqlite3.connect('file:%s?mode=ro' % compiled, uri=True) as connection:
+for compiled in sys.argv[2:]:
+    with sqlite3.connect('file:%s?mode=ro' % os.path.abspath(compiled), uri=True) as connection:
         names = {name for name, in connection.execute('select Name from FileNameTable')}
     for proxy in source.proxies.values():
         if proxy.page() not in names:
