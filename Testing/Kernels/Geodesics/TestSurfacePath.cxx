@@ -168,6 +168,7 @@ TEST(SurfacePath, TurnsAtTheCornerOfABorder)
 
 TEST(SurfacePath, IsLocallyShortestOnModels)
 {
+  int turns = 0;
   for (const char* name : { "bear", "fandisk", "joint", "elephant" })
   {
     const shape::Mesh mesh = shapetest::ReadModel(name);
@@ -191,6 +192,7 @@ TEST(SurfacePath, IsLocallyShortestOnModels)
         if (path.Positions[at].Barycentric.maxCoeff() == 1.0)
         {
           EXPECT_GE(LesserAngle(mesh, paths.Twins(), path, at), M_PI - 1e-8) << name;
+          ++turns;
         }
       }
     }
@@ -200,6 +202,7 @@ TEST(SurfacePath, IsLocallyShortestOnModels)
     EXPECT_LT(ratios.mean(), 1.002) << name;
     EXPECT_LT(ratios.maxCoeff(), 1.1) << name;
   }
+  EXPECT_GT(turns, 100) << "paths turn at points";
 }
 
 TEST(SurfacePath, WithinATriangleAndAlongAnEdge)

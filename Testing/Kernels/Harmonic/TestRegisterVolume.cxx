@@ -158,13 +158,16 @@ TEST(RegisterVolume, MapsABallOntoADentedBallWithoutInvertedTetrahedra)
   EXPECT_LT(result.After.MeanDistance, 0.1 * result.Before.MeanDistance);
   EXPECT_GT(SmallestVolume(result), 0.0);
   // The boundary of the mapped solid is the mapped boundary.
+  int given = 0;
   for (Eigen::Index i = 0; i < result.Solid.Points.rows(); ++i)
   {
     if (const int point = result.Solid.Provenance.Points(i); point >= 0)
     {
+      ++given;
       EXPECT_EQ(result.SolidTargets.row(i), result.Targets.row(point));
     }
   }
+  EXPECT_EQ(given, ball.Points.rows());
 }
 
 TEST(RegisterVolume, WeighsDistanceAgainstDistortion)

@@ -288,17 +288,20 @@ TEST(LabelSurfaces, CurvesRunWhereThreeRegionsMeet)
   // another radius. All end where the axis leaves the cylinder.
   EXPECT_EQ(result.Corners.size(), 2U);
   EXPECT_EQ(result.Curves.size(), 4U);
+  int axes = 0;
   for (const std::vector<int>& curve : result.Curves)
   {
     const Eigen::RowVector3d middle = result.Points.row(curve[curve.size() / 2]);
     if (std::hypot(middle(0) - 15.3, middle(1) - 14.8) < 1.0 && std::abs(middle(2) - 10.0) < 5.0)
     {
+      ++axes;
       for (const int point : curve)
       {
         EXPECT_LE(std::hypot(result.Points(point, 0) - 15.3, result.Points(point, 1) - 14.8), 0.5);
       }
     }
   }
+  EXPECT_EQ(axes, 1);
 }
 
 TEST(LabelSurfaces, OfGreyValuesLieWhereTheThresholdIsReached)

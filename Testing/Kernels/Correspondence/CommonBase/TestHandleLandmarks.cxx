@@ -90,6 +90,7 @@ TEST(HandleLandmarks, GiveAOneToOneMapWithoutTurningTheTorus)
   shape::Landmarks used;
   const shape::CommonBaseMap map = shape::MapByHandles(a, b, found, used);
   EXPECT_EQ(map.Flipped, 0);
+  ASSERT_GE(used.size(), 2U) << "as many as genus 1 needs";
   // The ellipses' long axes are mapped to each other, at one end or the other.
   for (const auto& [pointA, pointB] : used)
   {
