@@ -179,6 +179,7 @@ class Drawn:
                      if self.Landmarks.GetCell(i).GetCellDimension() == 1]:
             curve, drawn = points(self.Landmarks)[loop], array(self.Landmarks, 'TargetPosition')[loop]
             partner = [targets[path] for path in paths if distances(places[path], [curve]).max() < 1e-9]
+            assert partner, 'the base domain has nothing along a curve'
             images = array(self.Boundary, 'TargetPosition')[nearest(points(self.Boundary), curve)]
             errors.append([distances(each, partner).max() for each in (images, self.beside(drawn))])
         return numpy.transpose(errors)
