@@ -299,7 +299,9 @@ def main():
             star=is_star_shaped(places, boundary), added=result.GetNumberOfCells() - rest.GetNumberOfCells(), seconds=seconds, pause=longest))
         slowest, pause = max(slowest, seconds), max(pause, longest)
         if wrong:
-            crosses = 'crosses itself' in str(fact(result, 'Untangle.Reason'))
+            reason = str(fact(result, 'Untangle.Reason'))
+            print('     ', reason)
+            crosses = 'crosses itself' in reason
             (proven if crosses else left).append('%d (%s)' % (number, name))
     print('%d valid, %d with a proven reason: %s' % (
         len(numbers) - len(left) - len(proven), len(proven), ', '.join(proven)))

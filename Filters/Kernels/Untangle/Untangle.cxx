@@ -310,8 +310,11 @@ UntangleResult Untangle(const Cells& cells, const Eigen::MatrixXd& rest,
       FindBoundaryFaults(best.Solid, progress.Part(1.0, 1.0, "looking for crossings"));
     result.BoundaryCrossings = faults.BoundaryCrossings;
     result.FirstCrossing = faults.FirstCrossing;
+    result.FoldedEdges = faults.FoldedEdges;
+    result.FirstFolded = faults.FirstFolded;
     result.HiddenTriangles = faults.HiddenTriangles;
     result.FirstHidden = faults.FirstHidden;
+    result.StarClearance = faults.StarClearance;
   }
   progress(1.0);
   for (Eigen::Index i = 0; i < cells.Points.rows(); ++i)

@@ -48,11 +48,20 @@ struct UntangleResult
   /// looked for only if cells stay inverted and the boundary is fixed.
   int BoundaryCrossings = 0;
   Eigen::RowVector3d FirstCrossing; ///< where the first pair crosses, if there is one
+  /// Number of boundary edges at which the boundary folds back on itself: the two triangles overlap
+  /// and lie in one plane, within rounding. There are hardly any positions between them in double
+  /// precision. They are counted only if cells stay inverted and the boundary is fixed.
+  int FoldedEdges = 0;
+  Eigen::RowVector3d FirstFolded; ///< the midpoint of the first of them, if there is one
   /// Number of boundary triangles that the position closest to the inner side of all of them does
   /// not see. It is 0 if the boundary is star-shaped. They are counted only if cells stay inverted
   /// and the boundary is fixed.
   int HiddenTriangles = 0;
   Eigen::RowVector3d FirstHidden; ///< the centroid of the first of them, if there is one
+  /// If the boundary is star-shaped, but cells stay inverted: the distance of that position from
+  /// the nearest plane of a boundary triangle, relative to the size of the boundary. Below about
+  /// 1e-12, distances inside are at the limits of double precision.
+  double StarClearance = 0.0;
   /// Mean of the measure of Refine, weighted by volume at rest, before and after the refinement; 0
   /// without it. An exponential measure is lowered from the result with SymmetricDirichlet.
   double MeasureBefore = 0.0, MeasureAfter = 0.0;

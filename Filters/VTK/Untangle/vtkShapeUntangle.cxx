@@ -126,6 +126,13 @@ std::string ReasonOf(const shape::UntangleResult& result, const shape::UntangleO
   {
     return "the boundary crosses itself, first near " + FormatPosition(result.FirstCrossing);
   }
+  if (result.FoldedEdges > 0)
+  {
+    return "the boundary folds back on itself at " + std::to_string(result.FoldedEdges) +
+      " edge(s), where two of its triangles overlap in one plane, within rounding; the first is "
+      "near " +
+      FormatPosition(result.FirstFolded);
+  }
   if (!options.SplitCells)
   {
     return "no positions were found, and Split Cells is off";
@@ -135,12 +142,20 @@ std::string ReasonOf(const shape::UntangleResult& result, const shape::UntangleO
   {
     return "no positions were found, and only tetrahedra can be split";
   }
-  return result.HiddenTriangles == 0
-    ? "no positions were found within the limits"
-    : "no positions were found within the limits, and the boundary is not star-shaped: " +
-      std::to_string(result.HiddenTriangles) +
-      " of its triangles are hidden from the best position inside, first near " +
-      FormatPosition(result.FirstHidden);
+  std::ostringstream words;
+  words << "no positions were found within the limits";
+  if (result.HiddenTriangles > 0)
+  {
+    words << ", and the boundary is not star-shaped: " << result.HiddenTriangles
+          << " of its triangles are hidden from the best position inside, first near "
+          << FormatPosition(result.FirstHidden);
+  }
+  else if (result.StarClearance > 0.0)
+  {
+    words << "; the boundary is star-shaped, but the planes of its triangles are only "
+          << result.StarClearance << " of its size from the best position inside";
+  }
+  return words.str();
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+#include "Untangle/Private/BoundaryFaults.h"
 #include "Untangle/Private/ConeExpansion.h"
 #include "Untangle/Private/InscribedBall.h"
 #include "Untangle/Untangle.h"
@@ -7,6 +8,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -333,14 +335,61 @@ TEST(ConeExpansion, TellsABoundaryThatIsNotStarShaped)
   shape::UntangleResult result = UntangleWithDent(cube, cube.Points);
   EXPECT_GT(result.InvertedAfter, 0);
   EXPECT_EQ(result.HiddenTriangles, 0) << "the origin sees the boundary of a dented cube";
+  EXPECT_GT(result.StarClearance, 0.01);
+  EXPECT_LT(result.StarClearance, 1.0 / std::sqrt(3.0)) << "that of the cube without the dent";
+  EXPECT_EQ(result.FoldedEdges, 0);
 
   shape::Cells bent = cube;
   Bend(bent);
   result = UntangleWithDent(bent, cube.Points);
   EXPECT_GT(result.InvertedAfter, 0);
   ASSERT_GT(result.HiddenTriangles, 0);
+  EXPECT_EQ(result.StarClearance, 0.0);
   EXPECT_LE(result.FirstHidden.head<2>().norm(), 4.0) << "on the boundary";
   EXPECT_LE(std::abs(result.FirstHidden(2)), 1.0) << "on the boundary";
+}
+
+TEST(ConeExpansion, TellsWhereTheBoundaryFoldsBackOnItself)
+{
+  // A point of the side z = 1 moves within it, over the edge between two of its neighbours.
+  shape::Cells cells = TetrahedralCube(3);
+  const Eigen::MatrixXd rest = cells.Points;
+  const shape::SolidCells solid(cells, rest, "the cube");
+  int moved = -1;
+  for (int point = 0; point < rest.rows(); ++point)
+  {
+    const bool isInSide =
+      rest(point, 2) == 1.0 && rest.row(point).head<2>().cwiseAbs().maxCoeff() < 1.0;
+    moved = isInSide && moved < 0 ? point : moved;
+  }
+  ASSERT_GE(moved, 0);
+  Eigen::RowVector3d first, second;
+  for (const std::array<int, 3>& triangle : solid.BoundaryTriangles())
+  {
+    const auto at = std::find(triangle.begin(), triangle.end(), moved) - triangle.begin();
+    if (at < 3)
+    {
+      first = rest.row(triangle[(at + 1) % 3]);
+      second = rest.row(triangle[(at + 2) % 3]);
+    }
+  }
+  const Eigen::RowVector3d middle = (first + second) / 2.0;
+  cells.Points.row(moved) = middle - 0.2 * (rest.row(moved) - middle);
+  EXPECT_EQ(shape::FindBoundaryFaults(solid, {}).FoldedEdges, 0);
+  for (const bool isApart : { false, true })
+  {
+    // By one unit in the last place, the triangles do not touch each other.
+    cells.Points(moved, 2) = isApart ? std::nextafter(1.0, 2.0) : 1.0;
+    const shape::BoundaryFaults faults =
+      shape::FindBoundaryFaults(shape::SolidCells(cells, rest, "the cube"), {});
+    EXPECT_EQ(faults.BoundaryCrossings > 0, !isApart);
+    ASSERT_GT(faults.FoldedEdges, 0);
+    EXPECT_LT((faults.FirstFolded - middle).norm(), 1.0);
+  }
+  // Farther apart, this is a dent like any other.
+  cells.Points(moved, 2) = 1.0 + 1e-10;
+  EXPECT_EQ(
+    shape::FindBoundaryFaults(shape::SolidCells(cells, rest, "the cube"), {}).FoldedEdges, 0);
 }
 
 } // namespace

@@ -7,6 +7,10 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace shape
@@ -49,6 +53,43 @@ void FindCrossings(const SolidCells& solid, const std::vector<StarFace>& faces,
   }
 }
 
+/// Finds edges whose two triangles overlap and lie in one plane, within rounding.
+void FindFoldedEdges(
+  const SolidCells& solid, const std::vector<StarFace>& faces, BoundaryFaults& faults)
+{
+  struct Side
+  {
+    Eigen::Vector3d Normal;
+    int Corner; ///< the one that is not on the edge
+  };
+  const double rounding =
+    4.0 * std::numeric_limits<double>::epsilon() * solid.Points.cwiseAbs().maxCoeff();
+  std::map<std::pair<int, int>, Side> sides;
+  for (const StarFace& face : faces)
+  {
+    const Eigen::Vector3d a = solid.Points.row(face[0]), b = solid.Points.row(face[1]),
+                          c = solid.Points.row(face[2]);
+    const Eigen::Vector3d normal = (b - a).cross(c - a).normalized();
+    for (int k = 0; k < 3; ++k)
+    {
+      const std::pair<int, int> edge = std::minmax(face[k], face[(k + 1) % 3]);
+      const auto [other, isFirst] = sides.try_emplace(edge, Side{ normal, face[(k + 2) % 3] });
+      const Eigen::RowVector3d end = solid.Points.row(edge.first);
+      const double distance =
+        (solid.Points.row(other->second.Corner) - end).dot(normal.transpose());
+      if (isFirst || normal.dot(other->second.Normal) > 0.0 || std::abs(distance) > rounding)
+      {
+        continue;
+      }
+      if (faults.FoldedEdges == 0)
+      {
+        faults.FirstFolded = (end + solid.Points.row(edge.second)) / 2.0;
+      }
+      ++faults.FoldedEdges;
+    }
+  }
+}
+
 /// Finds out whether a position inside sees the whole boundary.
 void FindHiddenTriangles(
   const SolidCells& solid, const std::vector<StarFace>& faces, BoundaryFaults& faults)
@@ -71,6 +112,10 @@ void FindHiddenTriangles(
     }
     ++faults.HiddenTriangles;
   }
+  if (faults.HiddenTriangles == 0)
+  {
+    faults.StarClearance = centre.Clearance;
+  }
 }
 
 } // namespace
@@ -80,6 +125,7 @@ BoundaryFaults FindBoundaryFaults(const SolidCells& solid, const Progress& progr
   const std::vector<StarFace> faces = FindWideFaces(solid);
   BoundaryFaults faults;
   FindCrossings(solid, faces, faults, progress);
+  FindFoldedEdges(solid, faces, faults);
   FindHiddenTriangles(solid, faces, faults);
   return faults;
 }
