@@ -17,6 +17,7 @@
 #include "pqApplicationCore.h"
 #include "pqDataRepresentation.h"
 #include "pqOutputPort.h"
+#include "pqPipelineFilter.h"
 #include "pqPipelineSource.h"
 #include "pqServerManagerModel.h"
 #include "pqView.h"
@@ -219,6 +220,11 @@ void ColorByArray(pqOutputPort* port, vtkPVXMLElement* element, pqView* view)
     : port->getDataInformation()->GetArrayInformation(array.c_str(), association);
   if (!information)
   {
+    const auto* filter = qobject_cast<pqPipelineFilter*>(port->getSource());
+    for (pqOutputPort* each : filter ? filter->getAllInputs() : QList<pqOutputPort*>())
+    {
+      pqShapeColors::Follow(port, each, view);
+    }
     return;
   }
   vtkSMProxy* former = vtkSMPropertyHelper(representation, "LookupTable").GetAsProxy();

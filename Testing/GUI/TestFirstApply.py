@@ -49,7 +49,19 @@ w.python('''
     display = GetDisplayProperties(spectrum)
     assert spectrum.GetXMLName() == 'ShapeLaplaceSpectrum' and display.Visibility == 1, spectrum.GetXMLName()
     assert colored(spectrum) != 'MapColors' and display.MapScalars == 1, (colored(spectrum), display.MapScalars)
-    Delete(spectrum)
+    Delete(spectrum)''')
+
+# What is made of it without an array of its own to show keeps its colours.
+w.select('/0/0/0/1|0')
+w.filter('Shape Harmonic Volume Map')
+w.choose_inputs(Boundary='ShapeParameterize1: Surface')
+w.apply()
+w.python('''
+    moved = GetActiveSource()
+    display = GetDisplayProperties(moved)
+    assert moved.GetXMLName() == 'ShapeHarmonicVolumeMap' and display.Visibility == 1, moved.GetXMLName()
+    assert colored(moved) == 'MapColors' and display.MapScalars == 0, (colored(moved), display.MapScalars)
+    Delete(moved)
     Delete(made)''')
 
 # In a new view, a polycube is seen obliquely. Numbers that stand for names have a colour each.
