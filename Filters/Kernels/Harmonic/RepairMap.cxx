@@ -2,6 +2,7 @@
 
 #include "Base/Errors.h"
 #include "Harmonic/Private/RepairCore.h"
+#include "Harmonic/Private/WholeRepair.h"
 #include "Solids/SurfaceComplex.h"
 
 #include <algorithm>
@@ -83,7 +84,7 @@ RepairMapResult RepairMap(const ChargeSet& map, const Surface& domain,
   constexpr int patience = 2;
   for (int round = 0, last = 0; round < options.MaximumRounds; ++round)
   {
-    const double step = 0.55 / options.MaximumRounds;
+    const double step = 0.45 / options.MaximumRounds;
     const Progress part = progress.Part(0.45 + step * round, 0.45 + step * (round + 1));
     core.GrowUntilBounded(part.Part(0.0, 0.5, "bounding the determinant in the ring"));
     const bool untangled = core.UntangleParts(part.Part(0.5, 1.0, "untangling the core"));
@@ -107,6 +108,17 @@ RepairMapResult RepairMap(const ChargeSet& map, const Surface& domain,
   if (result.InvertedShare > 0.0)
   {
     result.ImageCrossings = CountCrossings(domain.WithPoints(images));
+  }
+  if (result.InvertedShare > 0.0 && result.ImageCrossings == 0)
+  {
+    MapRepair whole =
+      RepairWhole(map, domain, images, progress.Part(0.9, 1.0, "untangling larger tetrahedra"));
+    if (whole.Elements.Tetrahedra.rows() > 0)
+    {
+      result.Repair = std::move(whole);
+      result.CertifiedShare = result.CoreShare = 1.0;
+      result.InvertedShare = result.RingShare = 0.0;
+    }
   }
   progress(1.0);
   return result;

@@ -59,6 +59,10 @@ struct RepairMapResult
  * have inverted tetrahedra grow, up to the whole solid, unless the prescribed image of their
  * boundary crosses itself. The best of these repairs is returned.
  *
+ * 4. If tetrahedra are still inverted, and the image of the boundary does not cross itself, the map
+ *    is replaced everywhere by one that is linear in tetrahedra as large as the boundary permits
+ *    (RepairWhole), unless that inverts some, too.
+ *
  * A tetrahedron of the core is certified if it and its image are positive by exact predicates.
  * Outside core and ring, f is unchanged, and all boxes are certified. The images as given, with
  * rounding, are those of the repair, so the proof is about the map that is stored. If everything is

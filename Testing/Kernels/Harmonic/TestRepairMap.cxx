@@ -6,6 +6,7 @@
 #include "Harmonic/PiecewiseInverseMap.h"
 #include "Harmonic/Private/RingCertificate.h"
 #include "Harmonic/Private/TetrahedronBox.h"
+#include "Harmonic/Private/WholeRepair.h"
 #include "Harmonic/VolumeTransform.h"
 #include "Support/RandomPoints.h"
 #include "Support/TestShapes.h"
@@ -253,6 +254,32 @@ TEST(RepairMap, RepairsAFoldBesideCrossingImages)
     }
   }
   EXPECT_GT(near, 10);
+}
+
+// The map is replaced in the whole ball, which has no more points than its boundary needs. If the
+// images cross, there is no such map.
+TEST(RepairWhole, MapsTheBoundaryAsPrescribed)
+{
+  const shape::Surface ball = Ball();
+  const Eigen::RowVector3d pole = ball.Points().row(77);
+  const ChargeSet map = OneFold(1.005 * pole, pole, 1e-2);
+  Eigen::MatrixXd targets = ball.Points() * Eigen::Vector3d(1.0, 2.0, 0.1).asDiagonal();
+  const MapRepair whole = shape::RepairWhole(map, ball, targets, {});
+  const shape::PiecewiseHarmonicMap repaired(AsPiecewise(map, ball, whole));
+  EXPECT_LT((repaired.Evaluate(ball.Points()) - targets).cwiseAbs().maxCoeff(), 1e-12);
+  double volume = 0.0, least = 1.0;
+  for (const auto& corners : whole.Elements.Tetrahedra.rowwise())
+  {
+    const Eigen::MatrixXd points = whole.Elements.Points(corners, Eigen::all);
+    const Eigen::MatrixXd images = whole.Elements.Images(corners, Eigen::all);
+    volume += (points.bottomRows<3>().rowwise() - points.row(0)).determinant() / 6.0;
+    least = std::min(least, (images.bottomRows<3>().rowwise() - images.row(0)).determinant());
+  }
+  EXPECT_GT(least, 0.0);
+  EXPECT_NEAR(volume, shape::ComputeEnclosedVolume(ball), 1e-9);
+
+  targets.row(77) *= -1.5;
+  EXPECT_EQ(shape::RepairWhole(map, ball, targets, {}).Elements.Tetrahedra.rows(), 0);
 }
 
 // TetGen fills no ball with an edge of a few roundings. The map stays, with what is proven of it.
