@@ -40,6 +40,8 @@ RepairMapResult RepairMap(const ChargeSet& map, const Surface& domain,
   const Eigen::MatrixXd& targets, const RepairMapOptions& options, const Progress& progress)
 {
   RequireOption(options.MaximumRounds >= 1, "Maximum Rounds", options.MaximumRounds, "at least 1");
+  RequireOption(options.MaximumInvertedShare >= 0.0, "Maximum Inverted Share",
+    options.MaximumInvertedShare, "at least 0");
   if (targets.size() != 0 && (targets.rows() != domain.Points().rows() || targets.cols() != 3))
   {
     throw InvalidInput("the boundary has " + std::to_string(domain.Points().rows()) +
@@ -109,7 +111,7 @@ RepairMapResult RepairMap(const ChargeSet& map, const Surface& domain,
   {
     result.ImageCrossings = CountCrossings(domain.WithPoints(images));
   }
-  if (result.InvertedShare > 0.0 && result.ImageCrossings == 0)
+  if (result.InvertedShare > options.MaximumInvertedShare && result.ImageCrossings == 0)
   {
     MapRepair whole =
       RepairWhole(map, domain, images, progress.Part(0.9, 1.0, "untangling larger tetrahedra"));

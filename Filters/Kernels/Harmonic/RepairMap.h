@@ -21,6 +21,9 @@ struct RepairMapOptions
   /// tetrahedra grow by 1, 2, 4, ... layers. The repair ends sooner after two times without a new
   /// best result.
   int MaximumRounds = 8;
+  /// If a larger share of the volume stays inverted, the map is replaced everywhere; >= 0. With
+  /// 1e-4, about one cell in a mesh of 10,000 may be inverted by the map that is kept.
+  double MaximumInvertedShare = 1e-4;
   /// Of the map before the repair. A few boxes find the folds.
   MapCertificateOptions Certificate = { MapCertificateOptions().Tolerance, 200000 };
 };
@@ -59,9 +62,9 @@ struct RepairMapResult
  * have inverted tetrahedra grow, up to the whole solid, unless the prescribed image of their
  * boundary crosses itself. The best of these repairs is returned.
  *
- * 4. If tetrahedra are still inverted, and the image of the boundary does not cross itself, the map
- *    is replaced everywhere by one that is linear in tetrahedra as large as the boundary permits
- *    (RepairWhole), unless that inverts some, too.
+ * 4. If more than MaximumInvertedShare is still inverted, and the image of the boundary does not
+ *    cross itself, the map is replaced everywhere by one that is linear in tetrahedra as large as
+ *    the boundary permits (RepairWhole), unless that inverts some, too.
  *
  * A tetrahedron of the core is certified if it and its image are positive by exact predicates.
  * Outside core and ring, f is unchanged, and all boxes are certified. The images as given, with

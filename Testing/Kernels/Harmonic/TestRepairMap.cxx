@@ -260,7 +260,7 @@ TEST(RepairMap, RepairsAFoldBesideCrossingImages)
 // images cross, there is no such map.
 TEST(RepairWhole, MapsTheBoundaryAsPrescribed)
 {
-  const shape::Surface ball = Ball();
+  const shape::Surface ball(shapetest::Icosphere(3));
   const Eigen::RowVector3d pole = ball.Points().row(77);
   const ChargeSet map = OneFold(1.005 * pole, pole, 1e-2);
   Eigen::MatrixXd targets = ball.Points() * Eigen::Vector3d(1.0, 2.0, 0.1).asDiagonal();
@@ -464,6 +464,9 @@ TEST(RepairMap, RejectsWhatItCannotUse)
   EXPECT_THROW(RepairMap(map, Ball(), Eigen::MatrixXd::Zero(3, 3)), shape::InvalidInput);
   shape::RepairMapOptions options;
   options.MaximumRounds = 0;
+  EXPECT_THROW(RepairMap(map, Ball(), {}, options), shape::InvalidInput);
+  options = {};
+  options.MaximumInvertedShare = std::nan("");
   EXPECT_THROW(RepairMap(map, Ball(), {}, options), shape::InvalidInput);
   // A boundary that crosses itself.
   shape::Mesh crossing = Ball();
