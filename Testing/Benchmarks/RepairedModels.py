@@ -78,8 +78,7 @@ def compared(make, array, clean, spoiled):
     return '%.1e%s' % (worst, '' if said else ' silent')
 
 
-folder = os.environ.get('SHAPEMAP_MODELS', os.path.join(shapetesting.BUILD, 'models'))
-paths = glob.glob(os.path.join(folder, '**', '*.off'), recursive=True)
+paths = glob.glob(os.path.join(shapetesting.MODELS, '**', '*.off'), recursive=True)
 found = 0
 print('%-28s' % 'model', *('%-10s' % name for name in CASES))
 for path in sorted(paths, key=os.path.getsize):

@@ -5,7 +5,6 @@
 
 #include <numeric>
 #include <utility>
-#include <vector>
 
 namespace shape
 {
@@ -26,22 +25,12 @@ MapRepair RepairWhole(const ChargeSet& map, const Surface& domain, const Eigen::
     return {};
   }
   FiniteElements& elements = part.Elements;
-  std::vector<char> isInside(elements.Points.rows(), 1);
+  Eigen::MatrixXd values = Evaluate(map, elements.Points, progress.Part(0.2, 0.3));
   for (const int point : elements.Boundary.reshaped())
   {
-    isInside[point] = 0;
+    values.row(point) = elements.Images.row(point);
   }
-  const Eigen::MatrixXd values = Evaluate(map, elements.Points, progress.Part(0.2, 0.3));
-  for (std::size_t i = 0; i < isInside.size(); ++i)
-  {
-    if (isInside[i] != 0)
-    {
-      const auto point = static_cast<Eigen::Index>(i);
-      elements.Images.row(point) = values.row(point);
-    }
-  }
-  part.Tetrahedra.resize(elements.Tetrahedra.rows());
-  std::iota(part.Tetrahedra.begin(), part.Tetrahedra.end(), 0);
+  elements.Images = std::move(values);
   part.Points.resize(elements.Points.rows());
   std::iota(part.Points.begin(), part.Points.end(), 0);
   UntanglePart(part, maximumWork, progress.Part(0.3, 1.0));
@@ -50,7 +39,9 @@ MapRepair RepairWhole(const ChargeSet& map, const Surface& domain, const Eigen::
     return {};
   }
   const Eigen::Index count = elements.Points.rows();
-  return { std::move(elements), Eigen::VectorXd::Zero(count) };
+  return { { std::move(elements.Points), std::move(elements.Tetrahedra),
+             std::move(elements.Images) },
+    Eigen::VectorXd::Zero(count) };
 }
 
 } // namespace shape
